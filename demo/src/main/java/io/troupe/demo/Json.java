@@ -5,18 +5,18 @@ import java.util.Collection;
 import java.util.List;
 import java.util.stream.Collectors;
 
-/** A JSON object, written as it grows; keys in the order given, numbers as exact as they are. */
+/** Builder of one JSON object. Keys keep their order of insertion; numbers keep full precision. */
 final class Json {
     private final StringBuilder text = new StringBuilder("{");
 
-    /** An object of {@code run.jsonl}: begins with the simulated time and the type. */
+    /** Starts a line of {@code run.jsonl}, with the simulated time and the type as its first keys. */
     static Json line(long timeMicros, String type) {
         var line = new Json();
         line.key("t").append(seconds(timeMicros));
         return line.put("type", type);
     }
 
-    /** Already JSON. */
+    /** A value that is JSON already. */
     record Fragment(String text) {}
 
     static Fragment texts(Collection<?> values) {

@@ -17,27 +17,40 @@ import io.troupe.services.component.application.ApplicationException;
 import io.troupe.services.component.application.ApplicationFileException;
 import io.troupe.services.subsumption.ServiceJarException;
 import io.troupe.services.subsumption.SubsumptionTableException;
+import io.troupe.services.text.Suggestions;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.scenario.WorldFileException;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
+import java.io.FilterOutputStream;
 import java.io.IOException;
+import java.io.OutputStream;
 import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
+import java.nio.file.InvalidPathException;
+import java.nio.file.Path;
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.Function;
+import java.util.regex.Pattern;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
+import picocli.CommandLine.ITypeConverter;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
+import picocli.CommandLine.TypeConversionException;
+import picocli.CommandLine.UnmatchedArgumentException;
 
 /** The command line {@code troupe}. */
 @Command(
@@ -60,17 +73,17 @@ import picocli.CommandLine.Spec;
             HelpCommand.class
         })
 public final class Main implements Callable<Integer> {
-    /** What made a file, and which version of it. */
+    /** Name and version of the program, as written into its files. */
     static final String PROGRAM = "Troupe 0.1.0-SNAPSHOT";
 
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
-    /** Exit status for what went wrong on the way: a file that cannot be written, a server that goes away. */
+    /** Exit status for a failure during execution: a file that cannot be written, a lost server connection. */
     static final int FAILED = 1;
 
     private static final int ERROR_BESIDE_VERDICT = 4;
 
-    /** Exit status for a service that an application needs and nobody offers. */
+    /** Exit status if an application needs a service that no provider offers. */
     static final int MISSING_SERVICE = 3;
 
     @Spec
@@ -78,7 +91,7 @@ public final class Main implements Callable<Integer> {
 
     private Main() {}
 
-    /** Without a command: what there is to do. */
+    /** Without a subcommand: prints the usage. */
     @Override
     public Integer call() {
         PrintWriter out = spec.commandLine().getOut();
@@ -89,7 +102,7 @@ public final class Main implements Callable<Integer> {
 
     public static void main(String[] arguments) {
         var standardOutput = new StandardOutput(new FileOutputStream(FileDescriptor.out));
-        // as it is, but it says what is lost
+        // the same stream and charset, but write errors are recorded
         System.setOut(new PrintStream(new BufferedOutputStream(standardOutput), true, System.out.charset()));
         var out = new PrintWriter(System.out, true);
         var err = new PrintWriter(System.err, true);
@@ -103,16 +116,16 @@ public final class Main implements Callable<Integer> {
         System.exit(status);
     }
 
-    /** Of {@code verify --net}, whose status 1 says that the net can deadlock. */
+    /** True for {@code verify --net}, where exit status 1 means that the net can deadlock. */
     private static boolean hasVerdict(String... arguments) {
         return Arrays.stream(arguments).anyMatch(each -> each.equals("--net") || each.startsWith("--net="));
     }
 
-    /** Runs a command and answers its exit status, one of {@link #exitStatuses}. */
+    /** Runs a command and returns its exit status, one of {@link #exitStatuses}. */
     static int execute(PrintWriter out, PrintWriter err, String... arguments) {
         var troupe = new CommandLine(new Main());
         troupe.getCommandSpec()
-                .usageMessage() // not in the annotation: commands would inherit it
+                .usageMessage() // not in the annotation, since subcommands would inherit it
                 .exitCodeListHeading("%nExit status:%n")
                 .exitCodeList(exitStatuses())
                 .footer("", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND");
@@ -121,24 +134,24 @@ public final class Main implements Callable<Integer> {
                 .setErr(err)
                 .setCaseInsensitiveEnumValuesAllowed(true)
                 .setParameterExceptionHandler(
-                        (wrong, given) -> complain(wrong.getCommandLine(), UsageProblems.words(wrong)))
+                        (wrong, given) -> reportUsage(wrong.getCommandLine(), UsageProblems.message(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
                     if (thrown instanceof WorldFileException
                             || thrown instanceof PnmlException
                             || thrown instanceof SubsumptionTableException
                             || thrown instanceof ServiceJarException
                             || thrown instanceof ApplicationFileException) {
-                        return complain(commandLine, thrown.getMessage());
+                        return reportUsage(commandLine, thrown.getMessage());
                     }
                     if (thrown instanceof MissingServiceException) {
-                        return tell(err, thrown, MISSING_SERVICE);
+                        return reportFailure(err, thrown, MISSING_SERVICE);
                     }
                     if (thrown instanceof IOException
                             || thrown instanceof UncheckedIOException
                             || thrown instanceof RecordingException
                             || thrown instanceof ApplicationException
                             || thrown instanceof PlayerException) {
-                        return tell(err, thrown, FAILED);
+                        return reportFailure(err, thrown, FAILED);
                     }
                     throw thrown;
                 })
@@ -155,13 +168,13 @@ public final class Main implements Callable<Integer> {
         return statuses;
     }
 
-    private static int tell(PrintWriter err, Exception thrown, int status) {
+    private static int reportFailure(PrintWriter err, Exception thrown, int status) {
         err.println("troupe: " + failure(thrown));
         err.flush();
         return status;
     }
 
-    /** Options without a command are those of {@code run}. */
+    /** Inserts {@code run} before options that have no command. */
     private static String[] withCommand(String[] arguments) {
         boolean optionsOfRun = arguments.length > 0
                 && arguments[0].startsWith("--")
@@ -171,7 +184,7 @@ public final class Main implements Callable<Integer> {
                 : arguments;
     }
 
-    private static int complain(CommandLine commandLine, String problem) {
+    private static int reportUsage(CommandLine commandLine, String problem) {
         PrintWriter err = commandLine.getErr();
         err.println(
                 "troupe: " + problem + " (see " + commandLine.getCommandSpec().qualifiedName() + " --help)");
@@ -179,16 +192,145 @@ public final class Main implements Callable<Integer> {
         return USAGE;
     }
 
-    /** What went wrong without the names of classes. */
+    /** The error message without class names. */
     private static String failure(Exception thrown) {
         if (thrown instanceof UncheckedIOException unchecked
                 && unchecked.getCause() instanceof FileSystemException cause) {
-            return FileProblems.words(cause);
+            return FileProblems.message(cause);
         }
         if (thrown instanceof IOException problem) {
-            return FileProblems.words(problem);
+            return FileProblems.message(problem);
         }
         String message = thrown.getMessage();
         return message == null ? thrown.toString() : message;
+    }
+
+    /** picocli converters for numbers and paths, with plain error messages. */
+    private static final class Converters {
+        private Converters() {}
+
+        static CommandLine register(CommandLine commandLine) {
+            ITypeConverter<Integer> integers = number(Integer::valueOf, "a whole number");
+            ITypeConverter<Long> longs = number(Long::valueOf, "a whole number");
+            ITypeConverter<Double> doubles = number(Double::valueOf, "a number");
+            return commandLine
+                    .registerConverter(int.class, integers)
+                    .registerConverter(Integer.class, integers)
+                    .registerConverter(long.class, longs)
+                    .registerConverter(Long.class, longs)
+                    .registerConverter(double.class, doubles)
+                    .registerConverter(Double.class, doubles)
+                    .registerConverter(Path.class, Converters::path);
+        }
+
+        private static <T> ITypeConverter<T> number(Function<String, T> parse, String expected) {
+            return text -> {
+                try {
+                    return parse.apply(text);
+                } catch (NumberFormatException e) {
+                    throw new TypeConversionException("'" + text + "', expected " + expected);
+                }
+            };
+        }
+
+        private static Path path(String text) {
+            try {
+                return Path.of(text);
+            } catch (InvalidPathException e) {
+                String encoding = System.getProperty("sun.jnu.encoding", "unknown");
+                throw new TypeConversionException("'" + text + "' can be no file here, where names are in " + encoding
+                        + "; in another locale, such as LC_ALL=C.UTF-8, it may");
+            }
+        }
+    }
+
+    /** Error messages for wrong arguments: one line, with a suggestion for misspelled names. */
+    private static final class UsageProblems {
+        private static final String ERROR = "Error: ";
+        private static final String INVALID_VALUE = "Invalid value for ";
+        /** Message of picocli's help command. */
+        private static final Pattern UNKNOWN_COMMAND = Pattern.compile("Unknown subcommand '(.*)'\\.?");
+
+        private static final int FEWEST_LETTERS = 3; // shortest prefix of a name that gives a suggestion
+
+        private UsageProblems() {}
+
+        static String message(ParameterException wrong) {
+            String line = wrong.getMessage().lines().findFirst().orElse("wrong arguments");
+            if (wrong instanceof UnmatchedArgumentException unmatched) {
+                return unmatched(unmatched.getUnmatched(), wrong.getCommandLine());
+            }
+            var unknown = UNKNOWN_COMMAND.matcher(line);
+            if (unknown.matches()) {
+                return unmatched(List.of(unknown.group(1)), wrong.getCommandLine());
+            }
+            if (line.startsWith(INVALID_VALUE)) {
+                return line.substring(INVALID_VALUE.length())
+                        .replaceFirst("^option '([^']*)'(?: \\([^)]*\\))?: ", "$1 is ");
+            }
+            return line.startsWith(ERROR) ? line.substring(ERROR.length()) : line;
+        }
+
+        private static String unmatched(List<String> arguments, CommandLine commandLine) {
+            String first = arguments.getFirst();
+            CommandSpec spec = commandLine.getCommandSpec();
+            if (first.startsWith("-")) {
+                String option = first.replaceFirst("=.*", "");
+                List<String> known = spec.optionsMap().keySet().stream()
+                        .filter(each -> each.startsWith("--"))
+                        .toList();
+                return "there is no option " + option + meant(option, known);
+            }
+            return spec.subcommands().isEmpty()
+                    ? "'" + first + "' is one argument too many"
+                    : "there is no command '" + first + "'"
+                            + meant(first, spec.subcommands().keySet());
+        }
+
+        /** The known name closest to the one given, by edit distance or as a prefix. */
+        private static String meant(String written, Collection<String> known) {
+            return Suggestions.nearest(written, known)
+                    .or(() -> known.stream()
+                            .filter(each -> written.length() >= FEWEST_LETTERS && each.startsWith(written))
+                            .findFirst())
+                    .map(name -> "; did you mean " + name + "?")
+                    .orElseGet(() -> written.startsWith("-") ? "" : "; there are " + String.join(", ", known));
+        }
+    }
+
+    /**
+     * Standard output that records the last write error. The print streams above it swallow exceptions, so that a
+     * command would report success.
+     */
+    private static final class StandardOutput extends FilterOutputStream {
+        /** A reader that stops early, such as {@code head}, is no error. */
+        private static final String READER_GONE = "Broken pipe";
+
+        private volatile @Nullable String lost;
+
+        StandardOutput(OutputStream to) {
+            super(to);
+        }
+
+        @Override
+        public void write(int single) throws IOException {
+            write(new byte[] {(byte) single}, 0, 1);
+        }
+
+        @Override
+        public void write(byte[] bytes, int offset, int length) throws IOException {
+            try {
+                out.write(bytes, offset, length);
+            } catch (IOException e) {
+                lost = e.getMessage();
+                throw e;
+            }
+        }
+
+        /** The error of the last failed write; null if there was none, or if only the reader has closed the pipe. */
+        @Nullable
+        String lost() {
+            return READER_GONE.equals(lost) ? null : lost;
+        }
     }
 }

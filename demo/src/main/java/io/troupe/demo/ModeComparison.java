@@ -1,6 +1,6 @@
 package io.troupe.demo;
 
-import io.troupe.demo.Ledger.StateChange;
+import io.troupe.demo.RunRecorder.StateChange;
 import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Mode;
 import java.util.List;
@@ -12,12 +12,12 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * The same world and seed in all three modes: where the others differ from promise mode, and by what.
+ * Compares runs of the same world and seed in the three modes; promise mode is the reference.
  *
- * @param results one for each mode, all of the same length
+ * @param results one per mode, all of the same length
  */
 record ModeComparison(Map<Mode, RunResult> results) {
-    private static final int COLUMN = 32; // three of them and the number of the row are 100
+    private static final int COLUMN = 32; // three columns and the row number take 100 characters
 
     RunResult result(Mode mode) {
         RunResult result = results.get(mode);
@@ -27,7 +27,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
         return result;
     }
 
-    /** Index of the first state change that promise mode does not have in the same way at the same time. */
+    /** Index of the first state change that is missing in promise mode or differs from it. */
     OptionalInt firstDifference(Mode mode) {
         var ours = result(mode).states();
         var promises = result(Mode.PROMISE).states();
@@ -39,7 +39,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
                 .findFirst();
     }
 
-    /** When the first of the two differing changes happens. */
+    /** Time of the earlier of the two state changes that differ. */
     long firstDifferenceMicros(Mode mode, int index) {
         return Math.min(microsOf(mode, index), microsOf(Mode.PROMISE, index));
     }
@@ -49,7 +49,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
         return index < states.size() ? states.get(index).timeMicros() : Long.MAX_VALUE;
     }
 
-    /** The first tick after which a robot is elsewhere than in promise mode. */
+    /** The first tick after which the pose of a robot differs from promise mode. */
     OptionalInt firstTickApart(Mode mode) {
         return IntStream.range(0, result(mode).robots().getFirst().path().size())
                 .filter(tick -> IntStream.range(0, result(mode).robots().size())
@@ -72,7 +72,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
         return result(mode).robots().get(robot).path().get(tick);
     }
 
-    /** For people: the states, and where the modes differ. */
+    /** The full report for the terminal: the table of states, then the differences. */
     String text() {
         var text = new StringBuilder(table());
         line(text, "* the first change that promise mode does not have in the same way");
@@ -83,7 +83,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
         return text.toString();
     }
 
-    /** In one line: which modes have the states of promise mode, and which until when. */
+    /** One line: which modes have the same states as promise mode, and until when. */
     String finding() {
         String others = results.keySet().stream()
                 .filter(mode -> mode != Mode.PROMISE)
@@ -100,7 +100,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
         return "States compared with promise mode: " + others;
     }
 
-    /** The states side by side, of the modes that there are. */
+    /** The states of all modes side by side. */
     String table() {
         var text = new StringBuilder();
         line(text, "when each state began, its number, and why");
@@ -140,7 +140,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
                 .stripTrailing();
     }
 
-    /** What the mode costs, and why its states are others than those of promise mode, if they are. */
+    /** The number of messages of a mode, and how and why it differs from promise mode. */
     String difference(Mode mode) {
         var result = result(mode);
         String messages = String.format(

@@ -3,7 +3,7 @@ package io.troupe.demo;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.scenario.Scenario;
@@ -22,7 +22,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe modes}: the same robots in the same world, synchronously, with callbacks and with promises. */
+/** {@code troupe modes}: runs the same robots in the same world in synchronous, callback and promise mode. */
 @Command(
         name = "modes",
         description =
@@ -41,7 +41,7 @@ final class ModesCommand implements Callable<Integer> {
     private Path world = Path.of(System.getProperty("troupe.home", ""), "demo", "worlds", "paper-arena.world");
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run in each mode")
     private double seconds = 300;
@@ -58,7 +58,7 @@ final class ModesCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
-        Scenario scenario = reading.read(world);
+        Scenario scenario = loader.read(world);
         OutputDirectory.make(spec, out);
         try (var interruption = Interruption.open()) {
             var results = new EnumMap<Mode, RunResult>(Mode.class);
@@ -71,7 +71,7 @@ final class ModesCommand implements Callable<Integer> {
         }
     }
 
-    /** The states until then: the modes cannot be compared. */
+    /** Prints the states up to the interruption. Incomplete runs are not compared. */
     private int interrupted(Map<Mode, RunResult> results) {
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(new ModeComparison(results).table());
@@ -90,7 +90,7 @@ final class ModesCommand implements Callable<Integer> {
         String title = comparison.finding() + " (" + scenario.world().name() + ", seed " + seed + ")";
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(comparison.text());
-        terminal.flush(); // first: files may fail
+        terminal.flush(); // before writing files, which may fail
         OutputFiles.write(out.resolve("modes.svg"), new ModesSvg(comparison, title).draw());
         terminal.println("wrote " + out.resolve("modes.svg") + " and, beside it, run-sync.jsonl, run-callback.jsonl and"
                 + " run-promise.jsonl");
@@ -100,10 +100,10 @@ final class ModesCommand implements Callable<Integer> {
 
     private RunResult run(Scenario scenario, Mode mode, Interruption interruption)
             throws IOException, InterruptedException {
-        var manner = new PaperRun.Manner(mode, false);
+        var modeSettings = new PaperRun.ModeSettings(mode, false);
         try (var progress = ProgressBar.onTerminal(mode + " mode ", seconds);
                 var log = new RunLog(out.resolve("run-" + mode + ".jsonl"))) {
-            return new PaperRun(scenario, seed, seconds, CornerStyle.FORWARD, false, manner)
+            return new PaperRun(scenario, seed, seconds, CornerStyle.FORWARD, false, modeSettings)
                     .run(log, change -> {}, progress, interruption::isRequested);
         }
     }

@@ -1,14 +1,14 @@
 package io.troupe.demo;
 
-import io.troupe.demo.Ledger.StateChange;
-import io.troupe.demo.svg.Svg;
+import io.troupe.demo.RunRecorder.StateChange;
+import io.troupe.demo.svg.SvgElements;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
 import java.util.List;
 import java.util.Locale;
 
-/** Draws when which state held in which mode, one row a mode. */
+/** Draws the states over time, one row per mode. */
 final class ModesSvg {
     private static final double LEFT_PX = 110;
     private static final double PLOT_PX = 860;
@@ -16,7 +16,7 @@ final class ModesSvg {
     private static final double ROW_PX = 64;
     private static final double BAR_PX = 34;
     private static final double LEGEND_LINE_PX = 22;
-    /** A bar that is narrower has no room for its number. */
+    /** Narrower bars have no number. */
     private static final double NUMBER_PX = 14;
 
     private final ModeComparison comparison;
@@ -36,8 +36,8 @@ final class ModesSvg {
         List<Mode> modes = comparison.modes();
         List<State> states = table.states();
         double axis = TOP_PX + modes.size() * ROW_PX;
-        svg.append(Svg.begin(1000, axis + 50 + states.size() * LEGEND_LINE_PX, 14, title));
-        svg.append(Svg.text(LEFT_PX, 26, "font-size=\"16\"", title));
+        svg.append(SvgElements.begin(1000, axis + 50 + states.size() * LEGEND_LINE_PX, 14, title));
+        svg.append(SvgElements.text(LEFT_PX, 26, "font-size=\"16\"", title));
         for (int row = 0; row < modes.size(); row++) {
             row(modes.get(row), TOP_PX + row * ROW_PX);
         }
@@ -73,12 +73,12 @@ final class ModesSvg {
         double to = x(endMicros / 1e6);
         append(
                 "<g><title>%s</title><rect x=\"%.2f\" y=\"%.1f\" width=\"%.2f\" height=\"%.1f\" fill=\"%s\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/>",
-                Svg.escape(change.describe(table).strip()),
+                SvgElements.escape(change.describe(table).strip()),
                 from,
                 top,
                 to - from,
                 BAR_PX,
-                Svg.colour(change.state().colour()));
+                SvgElements.colour(change.state().colour()));
         if (to - from >= NUMBER_PX) {
             append(
                     "<text x=\"%.2f\" y=\"%.1f\" text-anchor=\"middle\">%d</text>",
@@ -112,7 +112,7 @@ final class ModesSvg {
         }
     }
 
-    /** 1, 2 or 5 times a power of ten, so that there are 5 to 12 of them. */
+    /** The tick distance: 1, 2 or 5 times a power of ten, for 5 to 12 ticks. */
     private static double step(double seconds) {
         double power = StrictMath.pow(10, StrictMath.floor(StrictMath.log10(seconds / 5)));
         double rest = seconds / 5 / power;
@@ -132,12 +132,12 @@ final class ModesSvg {
                 "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">state %d (%s): %s</text>%n",
                 LEFT_PX,
                 y - 12,
-                Svg.colour(state.colour()),
+                SvgElements.colour(state.colour()),
                 LEFT_PX + 34,
                 y,
                 state.number(),
                 table.colourName(state.colour()),
-                Svg.escape(services.toString()));
+                SvgElements.escape(services.toString()));
     }
 
     private double x(double seconds) {

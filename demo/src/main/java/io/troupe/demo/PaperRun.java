@@ -22,10 +22,11 @@ import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
- * The main job: the robots of a scenario under the paper's arbitrator, in lock step with the simulated world.
+ * One run of the main job: the robots of a scenario, controlled by the paper's arbitrator, in lock step with the
+ * simulated world.
  *
- * <p><b>Threads.</b> The calling thread moves the world, another one drives the robots; at any moment one of them waits
- * for the other.
+ * <p><b>Threads.</b> The calling thread advances the world, another thread runs the services. At any time one of the
+ * two waits for the other.
  *
  * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
  */
@@ -41,45 +42,58 @@ final class PaperRun {
     private final long endMicros;
     private final boolean realtime;
     private final SubsumptionTable table;
-    private final Manner manner;
+    private final ModeSettings modeSettings;
 
-    /** A device as the configuration names it. */
+    /** A device that the world's configuration offers. */
     private record Binding(String type, int index, String model) {}
 
     /**
-     * In which of the three modes.
+     * The mode of a run and its variants.
      *
-     * @param reconnects whether every service makes a connection of its own
-     * @param round of the synchronous mode
+     * @param reconnects whether every service opens a new connection
+     * @param round how the synchronous mode distributes readings among the services
      */
-    record Manner(Mode mode, boolean reconnects, SynchronousRound round) {
-        static final Manner DEFAULT = new Manner(Mode.PROMISE, false);
+    record ModeSettings(Mode mode, boolean reconnects, SynchronousRound round) {
+        static final ModeSettings DEFAULT = new ModeSettings(Mode.PROMISE, false);
 
-        /** As the paper has it. */
-        Manner(Mode mode, boolean reconnects) {
+        /** The default round, as in the paper. */
+        ModeSettings(Mode mode, boolean reconnects) {
             this(mode, reconnects, SynchronousRound.ONE_SERVICE_A_READING);
         }
     }
 
     PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime) {
-        this(scenario, seed, seconds, corners, realtime, Manner.DEFAULT);
+        this(scenario, seed, seconds, corners, realtime, ModeSettings.DEFAULT);
     }
 
-    PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime, Manner manner) {
-        this(new TeamOptions.Team(scenario, SubsumptionTable.ofThePaper(corners)), seed, seconds, realtime, manner);
+    PaperRun(
+            Scenario scenario,
+            long seed,
+            double seconds,
+            CornerStyle corners,
+            boolean realtime,
+            ModeSettings modeSettings) {
+        this(
+                new TeamOptions.Team(scenario, SubsumptionTable.ofThePaper(corners)),
+                seed,
+                seconds,
+                realtime,
+                modeSettings);
     }
 
-    PaperRun(TeamOptions.Team team, long seed, double seconds, boolean realtime, Manner manner) {
+    PaperRun(TeamOptions.Team team, long seed, double seconds, boolean realtime, ModeSettings modeSettings) {
         this.table = team.table();
         this.scenario = team.scenario();
         this.settings = WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
         this.endMicros = StrictMath.round(seconds * 1e6);
         this.realtime = realtime;
-        this.manner = manner;
+        this.modeSettings = modeSettings;
         this.port = check(scenario, table);
     }
 
-    /** Whether the world has what the services of the table need; the port on which it is offered. */
+    /**
+     * Checks that the world has the devices that the services of the table need, and returns the port that offers them.
+     */
     private static int check(Scenario scenario, SubsumptionTable table) {
         int expected = table.robots();
         List<RobotSpec> robots = scenario.world().robots();
@@ -130,34 +144,34 @@ final class PaperRun {
     }
 
     /**
-     * Runs to the end, or until {@code stop} says so.
+     * Runs until the end time, or until {@code stop} returns true.
      *
-     * @param changes is told of every state change as it happens, for people
+     * @param changes called with a line of text for every state change, as it happens
      */
     RunResult run(RunLog log, Consumer<String> changes, ProgressBar progress, BooleanSupplier stop)
             throws InterruptedException {
         try (var simulation = Simulation.open(scenario, settings)) {
             log.write(header());
-            var ledger = new Ledger(scenario.world(), table, log, changes);
+            var recorder = new RunRecorder(scenario.world(), table, log, changes);
             var services = new SubsumptionRun.Settings(
-                            manner.mode(), "localhost", port, table, simulation.clock(), ledger, ledger)
-                    .withReconnection(manner.reconnects())
-                    .withRound(manner.round());
+                            modeSettings.mode(), "localhost", port, table, simulation.clock(), recorder, recorder)
+                    .withReconnection(modeSettings.reconnects())
+                    .withRound(modeSettings.round());
             try (var running = SubsumptionRun.start(services)) {
-                ledger.start(simulation.latest());
+                recorder.start(simulation.latest());
                 long origin = System.nanoTime();
                 while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
                     Snapshot snapshot = simulation.tick();
                     running.check();
-                    ledger.record(snapshot);
+                    recorder.record(snapshot);
                     progress.show(snapshot.timeMicros() / 1e6);
                     if (realtime) {
                         awaitRealTime(origin + snapshot.timeMicros() * 1000);
                     }
                 }
-                return ledger.finish(simulation.timeMicros() < endMicros);
+                return recorder.finish(simulation.timeMicros() < endMicros);
             } catch (RuntimeException | Error failure) {
-                ledger.fail();
+                recorder.fail();
                 throw failure;
             }
         }
@@ -168,8 +182,8 @@ final class PaperRun {
                 .put("world", scenario.world().name())
                 .put("robots", scenario.world().robots().size())
                 .put("seed", settings.seed())
-                .put("mode", manner.mode())
-                .put("reconnect", manner.reconnects())
+                .put("mode", modeSettings.mode())
+                .put("reconnect", modeSettings.reconnects())
                 .put("seconds", new Json.Fragment(Json.seconds(endMicros)))
                 .put("interval", new Json.Fragment(Json.seconds(scenario.world().intervalMillis() * 1000L)));
     }

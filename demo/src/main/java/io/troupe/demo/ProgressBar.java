@@ -1,18 +1,18 @@
 package io.troupe.demo;
 
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import java.util.Locale;
 
-/** Says how far a run is: a bar at the bottom of a terminal, or a line now and then in a file. */
+/** The progress of a run: a bar on the last line of a terminal, or an occasional line in a log file. */
 final class ProgressBar implements AutoCloseable {
     private static final int WIDTH = 30;
 
-    private final TerminalLine line;
+    private final ProgressLine line;
     private final String label;
     private final double endSeconds;
     private int shown = -1;
 
-    private ProgressBar(TerminalLine line, String label, double endSeconds) {
+    private ProgressBar(ProgressLine line, String label, double endSeconds) {
         this.line = line;
         this.label = label;
         this.endSeconds = endSeconds;
@@ -22,13 +22,13 @@ final class ProgressBar implements AutoCloseable {
         return onTerminal("", endSeconds);
     }
 
-    /** One with something in front that says what is running. */
+    /** Creates a bar with a label in front of it. */
     static ProgressBar onTerminal(String label, double endSeconds) {
-        return new ProgressBar(TerminalLine.open(), label, endSeconds);
+        return new ProgressBar(ProgressLine.open(), label, endSeconds);
     }
 
     static ProgressBar hidden() {
-        return new ProgressBar(TerminalLine.hidden(), "", 1);
+        return new ProgressBar(ProgressLine.hidden(), "", 1);
     }
 
     void show(double seconds) {
@@ -50,7 +50,7 @@ final class ProgressBar implements AutoCloseable {
                         endSeconds));
     }
 
-    /** Lets something else be printed above the bar. */
+    /** Prints other output above the bar. */
     void interrupt(Runnable print) {
         line.interrupt(print);
         shown = -1;

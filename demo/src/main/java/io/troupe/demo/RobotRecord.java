@@ -12,17 +12,17 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
-/** What one robot did in a run. */
+/** Records what one robot does in a run. */
 final class RobotRecord {
-    /** A robot that stays within so much of a point, while a service is in charge, makes no way. */
+    /** A robot that stays within this distance of a point, while a service is in charge, makes no progress. */
     static final double STAY_M = 0.05;
-    /** From so long on that is worth telling: turning at a corner takes a few seconds. */
+    /** Shorter times without progress are not reported: turning at a corner takes a few seconds. */
     static final long STUCK_MICROS = 10_000_000;
 
-    /** Where it was and which service drove it, at a tick. */
+    /** Pose and service in charge at a tick. */
     record Sample(long timeMicros, Pose pose, String service) {}
 
-    /** A time without a break in which it made no way; it ends with a reading, at which that was still so. */
+    /** An uninterrupted time without progress. It ends at the last reading at which the robot had still made none. */
     record Stay(long fromMicros, long toMicros, String service) {
         static final Stay NONE = new Stay(0, 0, "none");
 
@@ -52,7 +52,7 @@ final class RobotRecord {
     private @Nullable Sample stayFrom;
     private Stay longestStay = Stay.NONE;
 
-    /** @param pathStepM the path leaves out what is nearer to the point before; 0 = nothing */
+    /** @param pathStepM points closer than this to the previous one are left out of the path; 0 keeps all */
     RobotRecord(int index, double pathStepM) {
         this.index = index;
         this.pathStepM = pathStepM;
@@ -61,7 +61,7 @@ final class RobotRecord {
     void began(Service service) {
         inCharge.add(service);
         if (followsWalls(service) && gapM <= Physics.SKIN_M) {
-            followingContacts++; // it takes over while the robot touches something
+            followingContacts++; // the service starts while the robot touches an obstacle
         }
     }
 
@@ -108,7 +108,10 @@ final class RobotRecord {
         }
     }
 
-    /** Whether the last point of the path is near the one before, which says as much. */
+    /**
+     * Whether the last point of the path can be dropped: same service as the previous point, and closer than the path
+     * step.
+     */
     private boolean isPassing() {
         if (path.size() < 2) {
             return false;
@@ -152,7 +155,7 @@ final class RobotRecord {
         return Collections.unmodifiableList(inCharge);
     }
 
-    /** The service in charge, or what is wrong with that. */
+    /** Name of the service in charge, or "none" or "several". */
     String serviceName() {
         return inCharge.size() == 1 ? inCharge.getFirst().name() : inCharge.isEmpty() ? "none" : "several";
     }
@@ -169,12 +172,15 @@ final class RobotRecord {
         return distanceM;
     }
 
-    /** The longest time in which its centre stayed within {@value #STAY_M} m of a point, with a service in charge. */
+    /**
+     * The longest time in which the robot's centre stayed within {@value #STAY_M} m of a point while a service was in
+     * charge.
+     */
     Stay longestStay() {
         return longestStay;
     }
 
-    /** From the body's edge to the nearest obstacle. */
+    /** Smallest distance from the edge of the body to an obstacle. */
     double closestM() {
         return closestM;
     }
@@ -183,7 +189,7 @@ final class RobotRecord {
         return wallContacts;
     }
 
-    /** Those of the wall contacts that happened while it followed a wall. */
+    /** Wall contacts during wall following. */
     int followingContacts() {
         return followingContacts;
     }
@@ -192,12 +198,12 @@ final class RobotRecord {
         return robotContacts;
     }
 
-    /** Ticks at which it had no service, or more than one. */
+    /** Number of ticks with no service in charge, or with more than one. */
     int chargeFaults() {
         return chargeFaults;
     }
 
-    /** Ticks at which no service told it anything: it stood, or rolled on as it was told before. */
+    /** Number of ticks without a command from any service: the robot stood still, or kept its previous speed. */
     int ticksWithoutCycle() {
         return ticksWithoutCycle;
     }

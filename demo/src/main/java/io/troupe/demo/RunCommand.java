@@ -19,7 +19,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe run}: the paper's two robots, two services and three colours, or as many of each as one likes. */
+/** {@code troupe run}: runs the paper's two robots with two services and three colours, or a crowd of any size. */
 @Command(
         name = "run",
         description = "Lets the robots of a world follow walls, wander, and swap services by the colours they see.",
@@ -100,7 +100,7 @@ final class RunCommand implements Callable<Integer> {
     private void run(TeamOptions.Team team, Interruption interruption) throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
         Scenario scenario = team.scenario();
-        var run = new PaperRun(team, seed, seconds, realtime, new PaperRun.Manner(mode, reconnect));
+        var run = new PaperRun(team, seed, seconds, realtime, new PaperRun.ModeSettings(mode, reconnect));
         long begin = System.nanoTime();
         RunResult result;
         Path file = out.resolve("run.jsonl");
@@ -117,7 +117,7 @@ final class RunCommand implements Callable<Integer> {
                     scenario.world().name() + ", " + mode + " mode" + (reconnect ? " with reconnection" : ""),
                     seed,
                     wallSeconds));
-            terminal.flush(); // first: files may fail
+            terminal.flush(); // before writing files, which may fail
         }
         Path picture = out.resolve("trajectory.svg");
         OutputFiles.write(picture, new TrajectorySvg(scenario.world(), result).draw());
@@ -128,7 +128,7 @@ final class RunCommand implements Callable<Integer> {
         terminal.flush();
     }
 
-    /** How large the files of a run become, about; a warning before a long run names them. */
+    /** Estimated sizes of the output files, for the warning before a long run. */
     record Sizes(double logBytes, double pictureBytes) {
         private static final double LARGE_BYTES = 50e6;
         /** Measured in the paper's arena. */
@@ -138,7 +138,7 @@ final class RunCommand implements Callable<Integer> {
 
         static Sizes of(int robots, long intervalMillis, double seconds) {
             double poses = robots * seconds * 1000 / intervalMillis;
-            double logged = robots < Ledger.MANY_ROBOTS ? poses : robots * seconds;
+            double logged = robots < RunRecorder.MANY_ROBOTS ? poses : robots * seconds;
             return new Sizes(logged * BYTES_PER_POSE, poses * BYTES_PER_POINT);
         }
 

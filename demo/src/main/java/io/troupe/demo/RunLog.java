@@ -8,14 +8,17 @@ import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The file {@code run.jsonl}: one JSON object a line, in the order of simulated time; nothing in it depends on the
- * machine's clock. {@code docs/run-log.md} describes it.
+ * The file {@code run.jsonl}: one JSON object per line, in the order of simulated time. No value depends on the wall
+ * clock. The format is described in {@code docs/run-log.md}.
  *
- * <p><b>Errors.</b> A line that cannot be written does not end the run: {@link #close} throws what has happened, and
- * names the file.
+ * <p><b>Errors.</b> A failed write does not end the run. {@link #close} throws the first failure, with the name of the
+ * file.
  */
 final class RunLog implements AutoCloseable {
-    /** The name and version of the format; the version rises when a reader of the old one would misread the new one. */
+    /**
+     * Name and version of the format. The version is incremented when readers of the previous one would misread the
+     * file.
+     */
     static final String FORMAT = "troupe-run";
 
     static final int VERSION = 1;
@@ -33,7 +36,7 @@ final class RunLog implements AutoCloseable {
         }
     }
 
-    /** The first line. */
+    /** The first line of the file. */
     static Json header() {
         return Json.line(0, "header")
                 .put("format", FORMAT)
@@ -54,7 +57,7 @@ final class RunLog implements AutoCloseable {
     }
 
     private IOException named(IOException e) {
-        return new IOException(FileProblems.words(file, e), e);
+        return new IOException(FileProblems.message(file, e), e);
     }
 
     @Override

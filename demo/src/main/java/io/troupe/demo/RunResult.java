@@ -8,27 +8,28 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Function;
+import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 
 /**
- * What came out of a run.
+ * The result of a run.
  *
- * @param states those that began, in order
+ * @param states in order of their start
  * @param robots by index
  */
 record RunResult(
         long endMicros,
         SubsumptionTable table,
-        List<Ledger.StateChange> states,
+        List<RunRecorder.StateChange> states,
         List<RobotRecord> robots,
-        Ledger.Messages messages) {
+        RunRecorder.Messages messages) {
     private static final int TITLE_WIDTH = 38;
 
-    static final String SERVICES_TITLE = "readings with no or several services";
-    static final String NO_CYCLE_TITLE = "readings without a cycle";
-    static final String STAY_TITLE = "longest stay within 5 cm";
+    private static final String SERVICES_TITLE = "readings with no or several services";
+    private static final String NO_CYCLE_TITLE = "readings without a cycle";
+    private static final String STAY_TITLE = "longest stay within 5 cm";
 
-    /** How often a state began. */
+    /** How often a state started. */
     long visits(State state) {
         return states.stream().filter(change -> change.state().equals(state)).count();
     }
@@ -61,7 +62,7 @@ record RunResult(
                 .put("loops", loops);
     }
 
-    /** For people. */
+    /** The summary for the terminal. */
     String summary(String world, long seed, double wallSeconds) {
         var text = new StringBuilder();
         line(
@@ -72,7 +73,7 @@ record RunResult(
                 Json.seconds(endMicros),
                 wallSeconds,
                 endMicros / 1e6 / wallSeconds);
-        text.append(robots.size() < Ledger.MANY_ROBOTS ? eachRobot() : CrowdSummary.of(robots, table));
+        text.append(robots.size() < RunRecorder.MANY_ROBOTS ? eachRobot() : CrowdSummary.of(robots, table));
         line(text, "(a cycle: a service takes a reading of the sensors and commands a speed)");
         text.append(stuck());
         line(text, "%s", messageSummary());
@@ -114,15 +115,15 @@ record RunResult(
         return text.toString();
     }
 
-    /** Which robots made no way, and when; of a crowd the one that did so longest. */
+    /** Reports robots that made no progress, and when. Of a crowd only the longest case is reported. */
     private String stuck() {
         var stuck = robots.stream()
                 .filter(robot -> robot.longestStay().isStuck())
                 .sorted(Comparator.comparingLong(robot -> -robot.longestStay().micros()))
                 .toList();
         var text = new StringBuilder();
-        int told = robots.size() < Ledger.MANY_ROBOTS ? stuck.size() : Math.min(1, stuck.size());
-        for (RobotRecord robot : stuck.subList(0, told)) {
+        int reported = robots.size() < RunRecorder.MANY_ROBOTS ? stuck.size() : Math.min(1, stuck.size());
+        for (RobotRecord robot : stuck.subList(0, reported)) {
             var stay = robot.longestStay();
             line(
                     text,
@@ -133,7 +134,7 @@ record RunResult(
                     seconds(stay.toMicros()),
                     stay.service());
         }
-        if (robots.size() >= Ledger.MANY_ROBOTS && stuck.size() > 1) {
+        if (robots.size() >= RunRecorder.MANY_ROBOTS && stuck.size() > 1) {
             line(text, "%d robots made no way for %s or longer", stuck.size(), seconds(RobotRecord.STUCK_MICROS));
         }
         return text.toString();
@@ -143,12 +144,12 @@ record RunResult(
         return String.format(Locale.ROOT, "%.1f s", micros / 1e6);
     }
 
-    static String loopsTitle(Service service) {
+    private static String loopsTitle(Service service) {
         return "cycles of " + service;
     }
 
-    /** Of the first column: as wide as the longest title, which may have the name of a service in it. */
-    static String titleFormat(SubsumptionTable table) {
+    /** Format of the first column: as wide as the longest title, which may contain the name of a service. */
+    private static String titleFormat(SubsumptionTable table) {
         int longest = table.services().stream()
                 .mapToInt(service -> loopsTitle(service).length())
                 .max()
@@ -190,5 +191,65 @@ record RunResult(
 
     private static void line(StringBuilder text, String format, Object... values) {
         text.append(String.format(Locale.ROOT, format, values)).append(System.lineSeparator());
+    }
+
+    /** The summary of a run with many robots: sum, mean, minimum and maximum of each figure. */
+    private static final class CrowdSummary {
+        private final List<RobotRecord> robots;
+        private final String columns;
+        private final StringBuilder text = new StringBuilder();
+
+        private CrowdSummary(List<RobotRecord> robots, SubsumptionTable table) {
+            this.robots = robots;
+            this.columns = titleFormat(table) + "%12s%12s%24s%24s";
+        }
+
+        static String of(List<RobotRecord> robots, SubsumptionTable table) {
+            var summary = new CrowdSummary(robots, table);
+            summary.line(robots.size() + " robots", "all", "mean", "least", "most");
+            summary.row("distance driven, m", 1, RobotRecord::distanceM);
+            summary.extremes("closest approach to a wall, m", 3, "", RobotRecord::closestM);
+            summary.row("contacts with walls and boxes", 0, RobotRecord::wallContacts);
+            summary.row("  while following a wall", 0, RobotRecord::followingContacts);
+            summary.row("contacts with a robot", 0, RobotRecord::robotContacts);
+            for (Service service : table.services()) {
+                summary.row(loopsTitle(service), 0, robot -> robot.loops().getOrDefault(service.name(), 0L));
+            }
+            summary.row(SERVICES_TITLE, 0, RobotRecord::chargeFaults);
+            summary.row(NO_CYCLE_TITLE, 0, RobotRecord::ticksWithoutCycle);
+            summary.extremes(
+                    STAY_TITLE + ", s", 1, "", robot -> robot.longestStay().micros() / 1e6);
+            return summary.text.toString();
+        }
+
+        private void row(String title, int decimals, ToDoubleFunction<RobotRecord> figure) {
+            double sum = robots.stream().mapToDouble(figure).sum();
+            extremes(title, decimals, number(sum, decimals), figure);
+        }
+
+        private void extremes(String title, int decimals, String all, ToDoubleFunction<RobotRecord> figure) {
+            double mean = robots.stream().mapToDouble(figure).average().orElse(0);
+            var least = robots.stream().min(Comparator.comparingDouble(figure)).orElseThrow();
+            var most = robots.stream().max(Comparator.comparingDouble(figure)).orElseThrow();
+            boolean same = figure.applyAsDouble(least) == figure.applyAsDouble(most);
+            line(
+                    title,
+                    all,
+                    number(mean, Math.max(1, decimals)),
+                    number(figure.applyAsDouble(least), decimals) + (same ? "" : whose(least)),
+                    number(figure.applyAsDouble(most), decimals) + (same ? "" : whose(most)));
+        }
+
+        private static String whose(RobotRecord robot) {
+            return " (robot " + (robot.index() + 1) + ")";
+        }
+
+        private static String number(double value, int decimals) {
+            return String.format(Locale.ROOT, "%,." + decimals + "f", value);
+        }
+
+        private void line(Object... values) {
+            text.append(String.format(Locale.ROOT, columns, values)).append(System.lineSeparator());
+        }
     }
 }

@@ -3,7 +3,7 @@ package io.troupe.demo;
 import io.troupe.demo.crowd.CrowdLimits;
 import io.troupe.demo.crowd.CrowdTable;
 import io.troupe.demo.table.ServiceJars;
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -19,15 +19,18 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Which robots run in which world, and the table of their services: the paper's two, those of a file, or a crowd. */
+/**
+ * Command line options for the world, its robots, and the table of their services: the paper's, those of files, or a
+ * crowd.
+ */
 final class TeamOptions implements AutoCloseable {
     private static final int COLOURS = 8;
     private static final int SERVICES = 3;
     private static final double MOST_HOLD_SECONDS = 3600;
-    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    /** Directory of the installation. The start script sets the property; builds run in that directory. */
     private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
-    /** A world and who does what in it. */
+    /** A world and the table of services of its robots. */
     record Team(Scenario scenario, SubsumptionTable table) {}
 
     @Spec(Spec.Target.MIXEE)
@@ -41,7 +44,7 @@ final class TeamOptions implements AutoCloseable {
     private @Nullable Path world;
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     @Option(
             names = "--robots",
@@ -81,16 +84,16 @@ final class TeamOptions implements AutoCloseable {
     private ServiceJars jars;
 
     /**
-     * The team that the options ask for.
+     * Creates the team that the options select.
      *
-     * @param corners of the wall follower
+     * @param corners how the wall follower turns at corners
      */
     Team team(CornerStyle corners) {
         ServiceCatalogue catalogue = jars.catalogue(table);
         return robots == null ? ofTheFile(corners, catalogue) : crowd(robots, corners, catalogue);
     }
 
-    /** The services of the team cannot run any more, if they are those of a jar. */
+    /** Closes the service jars. Services that were loaded from them cannot be used any more. */
     @Override
     public void close() {
         jars.close();
@@ -103,7 +106,7 @@ final class TeamOptions implements AutoCloseable {
         Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
         var services =
                 table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table, catalogue);
-        return new Team(reading.read(file), services);
+        return new Team(loader.read(file), services);
     }
 
     private void refuseWithoutCrowd(String option, @Nullable Number value) {

@@ -1,6 +1,6 @@
 package io.troupe.demo;
 
-import io.troupe.demo.svg.Svg;
+import io.troupe.demo.svg.SvgElements;
 import io.troupe.services.subsumption.Service;
 import io.troupe.sim.scenario.ObstacleSpec;
 import io.troupe.sim.scenario.Point;
@@ -16,33 +16,33 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
 
 /**
- * Draws the arena, all paths in the colours of the services, and where states changed. A few robots have direction and
- * time marks; the paths of a crowd fade with age instead, and its robots have no numbers.
+ * Draws the arena, the paths coloured by service, and the places of state changes. Paths of a few robots have arrows
+ * and time marks. Paths of a crowd fade with age instead, and its robots have no numbers.
  */
 final class TrajectorySvg {
-    private static final double SCALE = 70; // pixels per metre, at most
-    private static final double MOST_PX = 1400; // along the longer side
+    private static final double SCALE = 70; // pixels per metre, upper limit
+    private static final double MOST_PX = 1400; // length of the longer side
     private static final double MARGIN_M = 0.3;
     private static final double FONT_PX = 14;
     private static final double TITLE_PX = 17;
     private static final double LEFT_PX = 16;
     private static final double LINE_PX = 24;
     private static final double LEGEND_LINE_PX = 44;
-    /** The picture of a narrower world has white beside it, so that title and legend have room. */
+    /** The picture of a narrower world gets white margins, so that title and legend fit. */
     private static final double LEAST_WIDTH_PX = 460;
-    /** Between two marks of direction on a path. */
+    /** Distance between two arrows on a path. */
     private static final double ARROW_EVERY_PX = 130;
-    /** Of all robots together. */
+    /** For all robots together. */
     private static final int MOST_TIME_MARKS = 12;
-    /** A crowd's paths are drawn in so many steps from old and faint to new. */
+    /** Number of steps from faint (old) to solid (new) in the paths of a crowd. */
     private static final int AGES = 6;
-    /** Of the robots' lines, round and round; the first is solid. */
+    /** Dash patterns of the robots' paths, used cyclically; the first one is solid. */
     private static final List<String> DASHES = List.of("", "8 4", "2 3", "14 4 2 4", "18 6", "8 3 2 3 2 3", "5 2");
 
     private static final Map<String, String> PATH_COLOURS = Map.of(
             Service.WALL_FOLLOWER.name(), "#7b3fa0",
             Service.SPACE_WANDERER.name(), "#1b9e9e");
-    /** For the other services of a table, round and round. */
+    /** Colours of further services, used cyclically. */
     private static final List<String> MORE_COLOURS =
             List.of("#d95f02", "#4c78a8", "#9c755f", "#66a61e", "#b07aa1", "#888888");
 
@@ -77,9 +77,9 @@ final class TrajectorySvg {
         width = -edge(corners, point -> -point.x(), -1) - left;
         height = top - edge(corners, Point::y, -1);
         scale = Math.min(SCALE, MOST_PX / Math.max(width, height));
-        crowd = result.robots().size() >= Ledger.MANY_ROBOTS;
+        crowd = result.robots().size() >= RunRecorder.MANY_ROBOTS;
         pageWidth = Math.max(width * scale, LEAST_WIDTH_PX);
-        title = Svg.wrap(finding(), pageWidth - 2 * LEFT_PX, TITLE_PX);
+        title = SvgElements.wrap(finding(), pageWidth - 2 * LEFT_PX, TITLE_PX);
         shiftX = (pageWidth - width * scale) / 2;
         shiftY = title.size() * LINE_PX + 6;
         legendY = shiftY + height * scale + LINE_PX;
@@ -91,9 +91,10 @@ final class TrajectorySvg {
 
     String draw() {
         drawLegend();
-        svg.append(Svg.begin(pageWidth, legendY + LEFT_PX, FONT_PX, finding()));
+        svg.append(SvgElements.begin(pageWidth, legendY + LEFT_PX, FONT_PX, finding()));
         for (int line = 0; line < title.size(); line++) {
-            svg.append(Svg.text(LEFT_PX, (line + 1) * LINE_PX, "font-size=\"" + TITLE_PX + "\"", title.get(line)));
+            svg.append(
+                    SvgElements.text(LEFT_PX, (line + 1) * LINE_PX, "font-size=\"" + TITLE_PX + "\"", title.get(line)));
         }
         world.obstacles().forEach(this::obstacle);
         for (int age = 0; age < (crowd ? AGES : 1); age++) {
@@ -114,7 +115,7 @@ final class TrajectorySvg {
         return svg.toString();
     }
 
-    /** What the picture shows, in one sentence. */
+    /** The main result in one sentence; the picture's title. */
     private String finding() {
         int changes = result.states().size() - 1;
         int robots = result.robots().size();
@@ -125,16 +126,16 @@ final class TrajectorySvg {
                 robots == 1 ? "1 robot" : robots + " robots",
                 robots == 1 ? "changes" : "change",
                 changes == 1 ? "once" : changes + " times",
-                Svg.number(result.endMicros() / 1e6));
+                SvgElements.number(result.endMicros() / 1e6));
     }
 
     private void obstacle(ObstacleSpec obstacle) {
-        append("<g><title>%s</title>", Svg.escape(obstacle.name()));
-        polygons(obstacle.shape(), obstacle.pose(), "fill=\"" + Svg.colour(obstacle.colour()) + "\"");
+        append("<g><title>%s</title>", SvgElements.escape(obstacle.name()));
+        polygons(obstacle.shape(), obstacle.pose(), "fill=\"" + SvgElements.colour(obstacle.colour()) + "\"");
         append("</g>%n");
     }
 
-    /** One line for each stretch under the same service; in a crowd only those of one age. */
+    /** Draws one polyline per stretch under the same service; of a crowd, only the stretches of one age. */
     private void path(RobotRecord robot, int age) {
         var path = robot.path();
         int from = 0;
@@ -165,7 +166,7 @@ final class TrajectorySvg {
                 "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-opacity=\"%s\"%s/>%n",
                 points,
                 colourOf(first),
-                crowd ? Svg.number(0.6 + 1.4 * newness) : "2",
+                crowd ? SvgElements.number(0.6 + 1.4 * newness) : "2",
                 crowd ? String.format(Locale.ROOT, "%.2f", 0.08 + 0.77 * newness * newness) : "0.8",
                 dash(robot));
     }
@@ -178,7 +179,7 @@ final class TrajectorySvg {
         return pathColours.getOrDefault(sample.service(), "#888888");
     }
 
-    /** A triangle on the path, again and again. */
+    /** Draws arrow heads along the path at equal distances. */
     private void directions(RobotRecord robot) {
         double sinceLastPx = ARROW_EVERY_PX / 2;
         var path = robot.path();
@@ -188,7 +189,7 @@ final class TrajectorySvg {
             sinceLastPx += Math.hypot(dx, dy);
             if (sinceLastPx >= ARROW_EVERY_PX && Math.hypot(dx, dy) > 0) {
                 sinceLastPx = 0;
-                svg.append(Svg.head(
+                svg.append(SvgElements.head(
                         x(path.get(i).pose().x()),
                         y(path.get(i).pose().y()),
                         StrictMath.atan2(dy, dx),
@@ -198,7 +199,7 @@ final class TrajectorySvg {
         }
     }
 
-    /** Where it was after so many seconds. */
+    /** Marks the robot's position at regular times. */
     private void timeMarks(RobotRecord robot) {
         long every = timeMarkMicros();
         var path = robot.path();
@@ -208,8 +209,8 @@ final class TrajectorySvg {
                 append(
                         "<circle class=\"time\" cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"white\" stroke=\"%s\" stroke-width=\"1.5\"/>%n",
                         x(sample.pose().x()), y(sample.pose().y()), colourOf(sample));
-                String label = Svg.number(next / 1e6) + " s";
-                svg.append(Svg.textOnLines(
+                String label = SvgElements.number(next / 1e6) + " s";
+                svg.append(SvgElements.textOnLines(
                         x(sample.pose().x()) + 6,
                         y(sample.pose().y()) - 5,
                         "font-size=\"11\" fill=\"#333333\"",
@@ -219,17 +220,17 @@ final class TrajectorySvg {
         }
     }
 
-    /** 1, 2 or 5 times a power of ten seconds, so that all robots together have about a dozen marks. */
+    /** Interval of time marks: 1, 2 or 5 times a power of ten seconds, for about a dozen marks in all. */
     private long timeMarkMicros() {
         double marksOfOne =
                 Math.max(3, (double) MOST_TIME_MARKS / result.robots().size());
-        return StrictMath.round(1e6 * Svg.roundStep(Math.max(0.1, result.endMicros() / 1e6 / marksOfOne)));
+        return StrictMath.round(1e6 * SvgElements.roundStep(Math.max(0.1, result.endMicros() / 1e6 / marksOfOne)));
     }
 
-    /** The body at the start, faint, and at the end. */
+    /** Draws the body, faint at the start and solid at the end. */
     private void robot(RobotRecord robot) {
         RobotSpec spec = world.robots().get(robot.index());
-        String fill = "fill=\"" + Svg.colour(spec.colour()) + "\" stroke=\"#444444\"";
+        String fill = "fill=\"" + SvgElements.colour(spec.colour()) + "\" stroke=\"#444444\"";
         if (!crowd) {
             polygons(spec.shape(), robot.path().getFirst().pose(), fill + " opacity=\"0.35\"");
         }
@@ -238,15 +239,18 @@ final class TrajectorySvg {
             return;
         }
         Pose end = robot.path().getLast().pose();
-        svg.append(Svg.text(
+        svg.append(SvgElements.text(
                 x(end.x()),
                 y(end.y()) + 5,
-                "text-anchor=\"middle\" font-weight=\"bold\" fill=\"" + Svg.inkOn(spec.colour()) + "\"",
+                "text-anchor=\"middle\" font-weight=\"bold\" fill=\"" + SvgElements.inkOn(spec.colour()) + "\"",
                 Integer.toString(robot.index() + 1)));
     }
 
-    /** At the robot that saw the colour: a tag of that colour with the letter s, since robots have plain numbers. */
-    private void stateChange(Ledger.StateChange change) {
+    /**
+     * Marks the robot that saw the colour with a tag of that colour. Its label begins with "s", since plain numbers are
+     * robots.
+     */
+    private void stateChange(RunRecorder.StateChange change) {
         if (change.seenBy() == null) {
             return;
         }
@@ -258,7 +262,7 @@ final class TrajectorySvg {
                 .pose();
         append(
                 "<g class=\"state\"><title>%s</title>",
-                Svg.escape(change.describe(result.table()).strip()));
+                SvgElements.escape(change.describe(result.table()).strip()));
         svg.append(tag(
                 x(pose.x()),
                 y(pose.y()),
@@ -268,22 +272,25 @@ final class TrajectorySvg {
     }
 
     private static String tag(double x, double y, int colour, String words) {
-        double wide = Svg.width(words, 11) + 8;
+        double wide = SvgElements.width(words, 11) + 8;
         return String.format(
                         Locale.ROOT,
                         "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"15\" rx=\"3\" fill=\"%s\" stroke=\"white\" stroke-width=\"1.5\"/>",
                         x - wide / 2,
                         y - 7.5,
                         wide,
-                        Svg.colour(colour))
-                + Svg.text(
-                        x, y + 4, "text-anchor=\"middle\" font-size=\"11\" fill=\"" + Svg.inkOn(colour) + "\"", words);
+                        SvgElements.colour(colour))
+                + SvgElements.text(
+                        x,
+                        y + 4,
+                        "text-anchor=\"middle\" font-size=\"11\" fill=\"" + SvgElements.inkOn(colour) + "\"",
+                        words);
     }
 
-    /** The scale, lines as long as they fit side by side, then sentences. */
+    /** Draws the scale bar and the legend. Samples stand side by side as far as they fit; sentences follow. */
     private void drawLegend() {
-        legend.append(Svg.scaleBar(legendX + 1, legendY - 5, scale));
-        legendX += Svg.scaleBarWidth(scale, FONT_PX) + LINE_PX;
+        legend.append(SvgElements.scaleBar(legendX + 1, legendY - 5, scale));
+        legendX += SvgElements.scaleBarWidth(scale, FONT_PX) + LINE_PX;
         for (Service service : result.table().services()) {
             entry(service.name(), "stroke=\"" + pathColours.get(service.name()) + "\" stroke-width=\"3\"");
         }
@@ -292,9 +299,9 @@ final class TrajectorySvg {
                 entry("robot " + (robot + 1), "stroke=\"#444444\" stroke-width=\"2\"" + dash(robot));
             }
         }
-        for (String line : Svg.wrap(caption(), pageWidth - 2 * LEFT_PX, FONT_PX)) {
+        for (String line : SvgElements.wrap(caption(), pageWidth - 2 * LEFT_PX, FONT_PX)) {
             legendY += LINE_PX;
-            legend.append(Svg.text(LEFT_PX, legendY, "class=\"caption\"", line));
+            legend.append(SvgElements.text(LEFT_PX, legendY, "class=\"caption\"", line));
         }
     }
 
@@ -309,7 +316,7 @@ final class TrajectorySvg {
     }
 
     private void entry(String words, String style) {
-        double wide = LEGEND_LINE_PX + Svg.width(words, FONT_PX) + LINE_PX;
+        double wide = LEGEND_LINE_PX + SvgElements.width(words, FONT_PX) + LINE_PX;
         if (legendX > LEFT_PX && legendX + wide - LINE_PX > pageWidth - LEFT_PX) {
             legendX = LEFT_PX;
             legendY += LINE_PX;
@@ -322,7 +329,7 @@ final class TrajectorySvg {
                 legendX + LEGEND_LINE_PX - 6,
                 legendY - 5,
                 style));
-        legend.append(Svg.text(legendX + LEGEND_LINE_PX, legendY, "", words));
+        legend.append(SvgElements.text(legendX + LEGEND_LINE_PX, legendY, "", words));
         legendX += wide;
     }
 

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Crowds in the real world, on real threads. */
+/** Runs of crowds in the real world with real threads. */
 @Timeout(300)
 class CrowdRunTest {
     private static final int COLOURS = 8;
@@ -25,7 +25,7 @@ class CrowdRunTest {
         var table = CrowdTable.of(robots, CrowdWorld.colours(COLOURS), 3, holdSeconds, CornerStyle.FORWARD);
         var team = new TeamOptions.Team(CrowdWorld.scenario(robots, COLOURS), table);
         try (var log = new RunLog(file)) {
-            return new PaperRun(team, 1, seconds, false, new PaperRun.Manner(mode, false))
+            return new PaperRun(team, 1, seconds, false, new PaperRun.ModeSettings(mode, false))
                     .run(log, change -> {}, ProgressBar.hidden(), () -> false);
         }
     }

@@ -57,9 +57,9 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
 /**
- * A robot stands half a second of the world's time after its driver has gone, whichever way it goes. The world has no
- * watchdog, and another client has all robots open, so that no robot stops because its last client has left. Until the
- * driver goes the world is in lock step: nothing is on its way then.
+ * A robot stands still half a second of simulated time after its driver is gone, however the driver ended. The world
+ * has no watchdog, and another client has all robots open, so no robot stops because its last client has disconnected.
+ * Until then the world runs in lock step, so no message is in transit at that time.
  */
 @Timeout(value = 10, unit = TimeUnit.MINUTES)
 class DriverGoneTest {
@@ -104,7 +104,7 @@ class DriverGoneTest {
         }
     }
 
-    /** In lock step, until the service drives. */
+    /** In lock step, until the service moves the robot. */
     private void awaitMoving(int robot) {
         simulation.lockStep(true);
         for (int tick = 0; tick < 100 && !moves(robot); tick++) {
@@ -113,7 +113,7 @@ class DriverGoneTest {
         assertThat(moves(robot)).as("robot %d is driven", robot + 1).isTrue();
     }
 
-    /** The driver has just gone, and the world does not wait for it. */
+    /** The driver has just ended, and the world does not wait for it. */
     private void assertStandsAfterHalfASecond(int robot) {
         assertThat(moves(robot)).as("robot %d was driven until now", robot + 1).isTrue();
         simulation.lockStep(false);
@@ -155,7 +155,7 @@ class DriverGoneTest {
         try (var run = SubsumptionRun.start(settings)) {
             awaitMoving(0);
             awaitMoving(1);
-            hangs.set(true); // both robots' services are on one thread
+            hangs.set(true); // the services of both robots share one thread
             assertStandsAfterHalfASecond(0);
             assertThat(moves(1)).isFalse();
             goesOn.countDown();
@@ -234,7 +234,7 @@ class DriverGoneTest {
                 failing);
         try (var run = SubsumptionRun.start(settings)) {
             for (int tick = 0; tick < 3_000 && states.get() < 2; tick++) {
-                simulation.tick(); // the speeds of the reading before are still in the newest snapshot
+                simulation.tick(); // the newest snapshot still has the speeds of the previous reading
             }
             assertThat(states).hasValue(2);
             assertThatThrownBy(run::check).hasMessage("no way on");
@@ -313,7 +313,7 @@ class DriverGoneTest {
         }
     }
 
-    /** Forwards one connection, until it is cut: both ends stay open, and nothing goes through any more. */
+    /** Forwards one TCP connection. After {@link #cut} both ends stay open, but no data are forwarded. */
     private static final class Cable implements AutoCloseable {
         private final ServerSocket listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
         private final List<Socket> ends = new CopyOnWriteArrayList<>();
@@ -331,7 +331,7 @@ class DriverGoneTest {
                     Thread.ofVirtual().start(() -> forward(client, server));
                     forward(server, client);
                 } catch (IOException closed) {
-                    // by the test
+                    // closed by the test
                 }
             });
         }
@@ -347,7 +347,7 @@ class DriverGoneTest {
                     }
                 }
             } catch (IOException closed) {
-                // by the test
+                // closed by the test
             }
         }
 
@@ -368,7 +368,10 @@ class DriverGoneTest {
         }
     }
 
-    /** Drives robot 1 in a process of its own; says so, and goes on until it is killed or its input ends. */
+    /**
+     * Main class of a child process that drives robot 1. It prints a line when it starts, and runs until it is killed
+     * or its input ends.
+     */
     static final class Driver {
         private Driver() {}
 
@@ -408,7 +411,7 @@ class DriverGoneTest {
         }
     }
 
-    /** Sends a signal and waits until it has had its effect. */
+    /** Sends a signal and waits until it has taken effect. */
     private static boolean signal(Process process, String name) throws InterruptedException {
         String pid = String.valueOf(process.pid());
         try {

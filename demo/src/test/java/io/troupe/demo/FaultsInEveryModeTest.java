@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** What goes wrong is known after the tick in which it does, in each of the three modes. */
+/** A failure is reported after the tick in which it occurs, in each of the three modes. */
 @Timeout(60)
 class FaultsInEveryModeTest {
     private static final int GOOD_CYCLES = 5;

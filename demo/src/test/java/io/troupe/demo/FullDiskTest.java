@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** What the system's device for a full disk shows. */
+/** Error messages of the commands on {@code /dev/full}. */
 @Timeout(120)
 class FullDiskTest {
     private static final Path FULL = Path.of("/dev/full");
@@ -75,7 +75,7 @@ class FullDiskTest {
     private static int statusWithFullOutput(String... arguments) throws IOException, InterruptedException {
         var command = new ArrayList<>(List.of(
                 Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Dtroupe.progress.seconds=600", // no progress lines among the errors
+                "-Dtroupe.progress.seconds=600", // keeps progress lines out of the errors
                 "-cp",
                 System.getProperty("java.class.path"),
                 Main.class.getName()));

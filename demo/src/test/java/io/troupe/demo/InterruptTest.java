@@ -21,8 +21,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * A command that is interrupted says what it has measured until then. The signal is SIGTERM, which the virtual machine
- * treats as SIGINT, and which no shell lets its background processes ignore.
+ * An interrupted command reports what it has measured so far. The signal is SIGTERM: the virtual machine handles it
+ * like SIGINT, and no shell makes background processes ignore it.
  */
 @Timeout(300)
 @DisabledOnOs(OS.WINDOWS)
@@ -32,7 +32,10 @@ class InterruptTest {
     @TempDir
     private Path out;
 
-    /** All lines of a command with {@code --out} that is ended as soon as it has printed a line like that. */
+    /**
+     * Runs a command with {@code --out}, interrupts it after the first line that matches the marker, and returns all
+     * its lines.
+     */
     private List<String> interrupted(String marker, String... arguments) throws IOException, InterruptedException {
         return endedAt(
                 marker,

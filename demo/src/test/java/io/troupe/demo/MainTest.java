@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** The command line: one clear line and exit status 2 for whatever was wrong. */
+/** The command line: every usage error gives one clear line and exit status 2. */
 class MainTest {
     private static final String WORLD = Path.of("worlds", "paper-arena.world").toString();
 
@@ -191,7 +191,7 @@ class MainTest {
         assertThat(RunCommand.Sizes.of(2, 100, 300).areLarge()).isFalse();
     }
 
-    /** The run then fails at once, since the log cannot be a directory. */
+    /** The run fails at once, since the log file is a directory. */
     @Test
     void longRun_warnsBeforeItBegins() throws Exception {
         Files.createDirectories(directory.resolve("run.jsonl"));

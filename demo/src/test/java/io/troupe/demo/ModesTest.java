@@ -2,7 +2,7 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.demo.PaperRun.Manner;
+import io.troupe.demo.PaperRun.ModeSettings;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
@@ -29,7 +29,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** What the three modes have in common and where they differ, in the paper's arena on real threads. */
+/** Common properties and differences of the three modes, in the paper's arena with real threads. */
 @Timeout(300)
 class ModesTest {
     private static final Path WORLD = Path.of("worlds", "paper-arena.world");
@@ -39,15 +39,15 @@ class ModesTest {
     @TempDir
     private Path out;
 
-    private RunResult run(Manner manner, long seed, String name) throws Exception {
+    private RunResult run(ModeSettings modeSettings, long seed, String name) throws Exception {
         try (var log = new RunLog(out.resolve(name))) {
-            return new PaperRun(ScenarioReader.read(WORLD), seed, SECONDS, CornerStyle.FORWARD, false, manner)
+            return new PaperRun(ScenarioReader.read(WORLD), seed, SECONDS, CornerStyle.FORWARD, false, modeSettings)
                     .run(log, change -> {}, ProgressBar.hidden(), () -> false);
         }
     }
 
-    private static Manner in(Mode mode) {
-        return new Manner(mode, false);
+    private static ModeSettings in(Mode mode) {
+        return new ModeSettings(mode, false);
     }
 
     @ParameterizedTest
@@ -67,12 +67,15 @@ class ModesTest {
     @ValueSource(longs = {1, 2, 3})
     void synchronousModeWithoutItsCycleTimes_hasTheSameStatesAndPosesAsPromiseMode(long seed) throws Exception {
         run(in(Mode.PROMISE), seed, "promise");
-        var sync = run(new Manner(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), seed, "sync");
+        var sync = run(new ModeSettings(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), seed, "sync");
         assertThat(linesBeforeSummary("sync")).isEqualTo(linesBeforeSummary("promise"));
         assertThat(sync.messages().sent()).isZero();
     }
 
-    /** The summary counts cycles: at a switch one robot may see the reading only under its next service. */
+    /**
+     * The lines before the summary. The summary counts cycles: at a switch, a robot may process the reading only under
+     * its next service.
+     */
     private List<String> linesBeforeSummary(String name) throws IOException {
         var lines = RunLines.afterHeader(out.resolve(name));
         assertThat(lines.getLast()).contains("\"type\":\"summary\"");
@@ -106,9 +109,9 @@ class ModesTest {
 
     @Test
     void reconnection_costsEachRobotATickWithoutAServiceAtEverySwitch_inBothAsynchronousModesAlike() throws Exception {
-        var promise = run(new Manner(Mode.PROMISE, true), 1, "promise");
-        run(new Manner(Mode.CALLBACK, true), 1, "callback");
-        run(new Manner(Mode.CALLBACK, true), 1, "again");
+        var promise = run(new ModeSettings(Mode.PROMISE, true), 1, "promise");
+        run(new ModeSettings(Mode.CALLBACK, true), 1, "callback");
+        run(new ModeSettings(Mode.CALLBACK, true), 1, "again");
         int switches = promise.states().size() - 1;
         assertThat(switches).isPositive();
         assertThat(promise.robots())
@@ -147,7 +150,7 @@ class ModesTest {
         assertThat(threads.seen).hasSize(1).doesNotContain(Thread.currentThread());
     }
 
-    /** Which threads call, and what. */
+    /** Records the threads of the callbacks. */
     private static final class Callers implements ServiceObserver, Arbitrator.StateListener {
         private final Set<Thread> seen = ConcurrentHashMap.newKeySet();
         private final Set<String> called = ConcurrentHashMap.newKeySet();

@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The main job: what it promises is measured here on the real world file, on real threads. */
+/** The main job: its guarantees are measured on the real world file with real threads. */
 @Timeout(300)
 class PaperRunTest {
     private static final Path WORLD = Path.of("worlds", "paper-arena.world");
@@ -136,9 +136,9 @@ class PaperRunTest {
         }
     }
 
-    /** All within the limit, and some in the outer half of it on either side. */
+    /** All offsets are within the limit, and some are in the outer half on either side. */
     private static void assertSpread(List<Double> offsets, double limit) {
-        double rounding = 1e-4; // the log's
+        double rounding = 1e-4; // of the log
         assertThat(offsets).allSatisfy(offset -> assertThat(offset).isBetween(-limit - rounding, limit + rounding));
         assertThat(offsets).anySatisfy(offset -> assertThat(offset).isLessThan(-limit / 2));
         assertThat(offsets).anySatisfy(offset -> assertThat(offset).isGreaterThan(limit / 2));
@@ -224,7 +224,7 @@ class PaperRunTest {
         assertThat(svg).startsWith("<svg").endsWith("</svg>" + System.lineSeparator());
         assertThat(svg).contains("<title>red box 1</title>", "wallFollower", "spaceWanderer", "stroke-dasharray");
         assertThat(svg.split("<g class=\"state\"", -1))
-                .hasSize(result.states().size()); // one for each change, none for the start
+                .hasSize(result.states().size()); // one per change, none for the start
         javax.xml.parsers.DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()
                 .parse(new java.io.ByteArrayInputStream(svg.getBytes(java.nio.charset.StandardCharsets.UTF_8)));

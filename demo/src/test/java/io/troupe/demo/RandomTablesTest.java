@@ -2,7 +2,7 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.demo.PaperRun.Manner;
+import io.troupe.demo.PaperRun.ModeSettings;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
@@ -21,8 +21,8 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Tables and crowds made by chance: the modes agree in them as they do in the paper's arena, with several colour
- * finders in a state, holds and priorities.
+ * Random tables and crowds: the modes agree as in the paper's arena, with several colour finders per state, holds and
+ * priorities.
  */
 @Timeout(300)
 class RandomTablesTest {
@@ -52,7 +52,7 @@ class RandomTablesTest {
             for (int robot = 0; robot < robots; robot++) {
                 services.add(SERVICES.get(random.nextInt(SERVICES.size())));
             }
-            services.set(random.nextInt(robots), Service.SPACE_WANDERER); // so that somebody looks for colours
+            services.set(random.nextInt(robots), Service.SPACE_WANDERER); // at least one service that looks for colours
             table.when(colour, services);
             if (random.nextBoolean()) {
                 table.priority(colour, random.nextInt(5) - 2);
@@ -61,9 +61,9 @@ class RandomTablesTest {
         return new TeamOptions.Team(CrowdWorld.scenario(robots, colours), table.build());
     }
 
-    private RunResult run(TeamOptions.Team team, long seed, Manner manner, String name) throws Exception {
+    private RunResult run(TeamOptions.Team team, long seed, ModeSettings modeSettings, String name) throws Exception {
         try (var log = new RunLog(out.resolve(name))) {
-            return new PaperRun(team, seed, SECONDS, false, manner)
+            return new PaperRun(team, seed, SECONDS, false, modeSettings)
                     .run(log, change -> {}, ProgressBar.hidden(), () -> false);
         }
     }
@@ -73,9 +73,9 @@ class RandomTablesTest {
         int switches = 0;
         for (long seed = 1; seed <= SEEDS; seed++) {
             var team = team(new Random(seed));
-            var promise = run(team, seed, new Manner(Mode.PROMISE, false), "promise");
-            var callback = run(team, seed, new Manner(Mode.CALLBACK, false), "callback");
-            run(team, seed, new Manner(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), "sync");
+            var promise = run(team, seed, new ModeSettings(Mode.PROMISE, false), "promise");
+            var callback = run(team, seed, new ModeSettings(Mode.CALLBACK, false), "callback");
+            run(team, seed, new ModeSettings(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), "sync");
 
             requireSameFiles(seed);
             assertThat(linesBeforeSummary("sync"))
@@ -94,8 +94,8 @@ class RandomTablesTest {
         int switches = 0;
         for (long seed = 1; seed <= SEEDS; seed++) {
             var team = team(new Random(seed));
-            var promise = run(team, seed, new Manner(Mode.PROMISE, true), "promise");
-            run(team, seed, new Manner(Mode.CALLBACK, true), "callback");
+            var promise = run(team, seed, new ModeSettings(Mode.PROMISE, true), "promise");
+            run(team, seed, new ModeSettings(Mode.CALLBACK, true), "callback");
 
             requireSameFiles(seed);
             switches += promise.states().size() - 1;

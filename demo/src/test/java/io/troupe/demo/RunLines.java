@@ -11,14 +11,14 @@ import java.util.List;
 final class RunLines {
     private RunLines() {}
 
-    /** All but the header, which says in which mode the run was. */
+    /** All lines except the header, which contains the mode of the run. */
     static List<String> afterHeader(Path file) throws IOException {
         List<String> lines = Files.readAllLines(file);
         assertThat(lines.getFirst()).startsWith("{\"t\":0.0,\"type\":\"header\",");
         return lines.subList(1, lines.size());
     }
 
-    /** Two runs in different modes are the same but for the name of the mode. */
+    /** Asserts that two runs in different modes differ only in the name of the mode. */
     static void assertSameButForTheMode(Path file, Path other) throws IOException {
         assertThat(afterHeader(file)).isEqualTo(afterHeader(other));
         assertThat(header(file)).isEqualTo(header(other));

@@ -2,7 +2,7 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.demo.Ledger.StateChange;
+import io.troupe.demo.RunRecorder.StateChange;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
@@ -30,7 +30,7 @@ class RunResultTest {
         var records = IntStream.range(0, robots)
                 .mapToObj(robot -> new RobotRecord(robot, 0))
                 .toList();
-        return new RunResult(1_000_000, table, states, records, new Ledger.Messages());
+        return new RunResult(1_000_000, table, states, records, new RunRecorder.Messages());
     }
 
     @Test
@@ -56,7 +56,7 @@ class RunResultTest {
     }
 
     @ParameterizedTest
-    @ValueSource(ints = {2, Ledger.MANY_ROBOTS})
+    @ValueSource(ints = {2, RunRecorder.MANY_ROBOTS})
     void columns_standBelowEachOther_howeverLongTheNameOfAServiceIs(int robots) {
         var lines = result(robots)
                 .summary("here", 1, 1)

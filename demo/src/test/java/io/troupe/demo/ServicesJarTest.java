@@ -21,7 +21,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The way of the guide: its sources are compiled and packed, and a table that names their kinds is run. */
+/** The procedure of the guide: its sources are compiled and packed, and a table that names their services is run. */
 @Timeout(120)
 class ServicesJarTest {
     private static final Path SOURCES = Path.of("src", "test", "java", "io", "troupe", "demo", "guide");
@@ -55,7 +55,9 @@ class ServicesJarTest {
                 .toString();
     }
 
-    /** The sources of the guide have no package there, so that they do not meet those of these tests. */
+    /**
+     * Compiles the guide's sources without their package, so that they do not clash with the classes of these tests.
+     */
     private Path jar() throws Exception {
         List<File> sources = new ArrayList<>();
         for (String name : List.of("LightSeeker.java", "LeaderFollower.java", "SeekingKinds.java")) {

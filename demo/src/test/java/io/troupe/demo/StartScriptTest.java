@@ -20,7 +20,8 @@ import org.junit.jupiter.api.condition.OS;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
- * The start script in a built installation, with a {@code java} that prints its arguments and a {@code mvn} that fails.
+ * The start script in a built installation, with a stub {@code java} that prints its arguments and a stub {@code mvn}
+ * that fails.
  */
 @Timeout(60)
 @DisabledOnOs(OS.WINDOWS)
@@ -122,7 +123,7 @@ class StartScriptTest {
         Files.setPosixFilePermissions(demo, PosixFilePermissions.fromString("r-xr-xr-x"));
         try {
             var command = new ArrayList<String>();
-            if (Files.isWritable(demo)) { // to root, who becomes nobody
+            if (Files.isWritable(demo)) { // as root: the script runs as an unprivileged user
                 Assumptions.assumeTrue(Files.exists(SET_USER));
                 command.addAll(List.of(SET_USER.toString(), "--reuid=65534", "--clear-groups"));
             }

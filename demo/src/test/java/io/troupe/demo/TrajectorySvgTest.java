@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.w3c.dom.Element;
 
-/** A world of 5.4 m by 8.4 m, with five robots, two of them navy. */
+/** With a world of 5.4 m by 8.4 m and five robots, two of them navy. */
 class TrajectorySvgTest {
     private static final List<String> COLOURS = List.of("orange", "black", "navy", "navy", "gold");
 
@@ -103,7 +103,7 @@ class TrajectorySvgTest {
         pathsHaveDirectionAndTime(svg);
     }
 
-    /** Half the font's size for a letter, which is about the mean of a sans-serif font. */
+    /** Estimates the text width: half the font size per letter, about the mean of a sans-serif font. */
     private static void captionIsInside(Element svg) {
         double width = Double.parseDouble(svg.getAttribute("viewBox").split(" ")[2]);
         double height = Double.parseDouble(svg.getAttribute("viewBox").split(" ")[3]);

@@ -15,7 +15,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * Every command that reads a world warns of what is not simulated; unknown names are errors without {@code --lenient}.
+ * Every command that reads a world warns of parts that are not simulated. Unknown names are errors without
+ * {@code --lenient}.
  */
 class WorldWarningsTest {
     @TempDir
@@ -29,7 +30,7 @@ class WorldWarningsTest {
         }
     }
 
-    /** @param takenPort at which serve gives up */
+    /** @param takenPort a port in use, on which serve fails */
     private int troupe(String command, Path world, int takenPort, String... more) {
         Path out = directory.resolve("out");
         String text = switch (command) {
@@ -46,7 +47,7 @@ class WorldWarningsTest {
         return Main.execute(new PrintWriter(new StringWriter()), new PrintWriter(err), arguments);
     }
 
-    /** The command reads the world first, and then complains of this. */
+    /** An existing empty file: the command reads the world first and then rejects this file. */
     private Path empty(String name) {
         try {
             return Files.writeString(directory.resolve(name), "");
@@ -55,7 +56,7 @@ class WorldWarningsTest {
         }
     }
 
-    /** No robots, so that the commands end soon after they have read it. */
+    /** A world without robots, so that the commands end soon after reading it. */
     private Path world(String text) throws IOException {
         return Files.writeString(directory.resolve("t.world"), text);
     }

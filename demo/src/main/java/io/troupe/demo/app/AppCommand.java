@@ -4,6 +4,8 @@ import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.WorldReading;
 import io.troupe.services.component.kinds.ComponentKinds;
+import io.troupe.demo.terminal.WorldLoader;
+import io.troupe.services.component.kinds.Kinds;
 import io.troupe.sim.scenario.Scenario;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -19,7 +21,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe app}: components, found and started by the broker, wired by a declaration. */
+/** {@code troupe app}: runs an application of components that the broker finds and starts and a declaration wires. */
 @Command(
         name = "app",
         description = {
@@ -29,7 +31,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class AppCommand implements Callable<Integer> {
-    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    /** Directory of the installation. The start script sets the property; builds run in that directory. */
     private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
     @Spec
@@ -52,7 +54,7 @@ public final class AppCommand implements Callable<Integer> {
     private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     @Option(names = "--realtime", description = "no faster than real time")
     private boolean realtime;
@@ -73,7 +75,7 @@ public final class AppCommand implements Callable<Integer> {
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
         FileProblems.checkInput(spec, file, "the file of a declaration");
-        Scenario scenario = reading.read(world);
+        Scenario scenario = loader.read(world);
         try (var interruption = Interruption.open()) {
             new AppRun(file, scenario, new AppReport(terminal)).run(seconds, realtime, interruption::isRequested);
             return interruption.isRequested() ? Interruption.STATUS : 0;

@@ -19,14 +19,14 @@ import java.util.function.LongSupplier;
 import java.util.stream.Collectors;
 
 /**
- * What people are told of an application, as it happens and at its end.
+ * Reports events of an application as they happen, and a summary at its end.
  *
- * <p><b>Threads.</b> Any; one lock. Most of it comes from the application's space, the world's part from the thread
- * that moves the world.
+ * <p><b>Threads.</b> Any thread; guarded by one lock. Most calls come from the application's space, those about the
+ * world from the thread that advances e.
  */
 final class AppReport implements ComponentObserver {
     private final PrintWriter terminal;
-    private final Map<String, Integer> loops = new TreeMap<>(); // by the topic that commands a robot
+    private final Map<String, Integer> loops = new TreeMap<>(); // by the topic with a robot's commands
     private LongSupplier clockMicros = () -> 0;
     private double[] distanceM = {};
     private int[] contacts = {};
@@ -36,7 +36,7 @@ final class AppReport implements ComponentObserver {
         this.terminal = terminal;
     }
 
-    /** The world's side. */
+    /** Starts the recording of the world. */
     synchronized void watch(Snapshot first, LongSupplier newClockMicros) {
         last = first;
         clockMicros = newClockMicros;
@@ -59,28 +59,28 @@ final class AppReport implements ComponentObserver {
         last = snapshot;
     }
 
-    private synchronized void say(String what, String of) {
+    private synchronized void print(String what, String of) {
         terminal.printf(Locale.ROOT, "%7.1f s  %-10s %s%n", clockMicros.getAsLong() / 1e6, what, of);
         terminal.flush();
     }
 
     void onBroker(BrokerEvent event) {
         switch (event) {
-            case BrokerEvent.Registered it -> say("offered", words(it.provider()));
-            case BrokerEvent.Started it -> say("started", words(it.provider()));
-            case BrokerEvent.Stopped it -> say("stopped", words(it.provider()));
-            case BrokerEvent.StartFailed it ->
-                say("not started", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.Failed it ->
-                say("failed", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.Suspect it ->
-                say("suspect", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.StopFailed it ->
-                say("not stopped", words(it.provider()) + ": " + it.why().getMessage());
-            case BrokerEvent.UserFailed it ->
-                say("trouble", it.need().by() + ": " + it.why().getMessage());
+            case BrokerEvent.Registered e -> print("offered", words(e.provider()));
+            case BrokerEvent.Started e -> print("started", words(e.provider()));
+            case BrokerEvent.Stopped e -> print("stopped", words(e.provider()));
+            case BrokerEvent.StartFailed e ->
+                print("not started", words(e.provider()) + ": " + e.why().getMessage());
+            case BrokerEvent.Failed e ->
+                print("failed", words(e.provider()) + ": " + e.why().getMessage());
+            case BrokerEvent.Suspect e ->
+                print("suspect", words(e.provider()) + ": " + e.why().getMessage());
+            case BrokerEvent.StopFailed e ->
+                print("not stopped", words(e.provider()) + ": " + e.why().getMessage());
+            case BrokerEvent.UserFailed e ->
+                print("trouble", e.need().by() + ": " + e.why().getMessage());
             default -> {
-                // told by the application, or nothing that people need to know
+                // reported as an application event, or of no interest to users
             }
         }
     }
@@ -93,8 +93,8 @@ final class AppReport implements ComponentObserver {
 
     void onApplication(ApplicationEvent event) {
         switch (event) {
-            case ApplicationEvent.Connected it ->
-                say(
+            case ApplicationEvent.Connected e ->
+                print(
                         "connected",
                         it.need().by() + " with " + it.provider().provider().name() + words(it.wires()));
             case ApplicationEvent.Lost it -> say("lost", it.why().getMessage());
@@ -115,16 +115,16 @@ final class AppReport implements ComponentObserver {
         }
     }
 
-    // ---- from components
+    // ---- component events
 
     @Override
     public void dropped(Address component, ApplicationData<?> lost, long total) {
-        say("lost", component.name() + ": " + lost + " (" + total + " so far)");
+        print("lost", component.name() + ": " + lost + " (" + total + " so far)");
     }
 
     @Override
     public void problem(Address component, String what, Throwable why) {
-        say("problem", component.name() + " " + what + ": " + why.getMessage());
+        print("problem", component.name() + " " + what + ": " + why.getMessage());
     }
 
     @Override
@@ -132,12 +132,12 @@ final class AppReport implements ComponentObserver {
         say("told", component.name() + ": " + what);
     }
 
-    /** Something that a component says to whoever listens. */
+    /** Called for each {@code ColourSeen} that a component publishes. */
     void saw(String component, ColourSeen seen) {
         say("seen", component + " sees " + NamedColours.name(seen.colour()));
     }
 
-    // ---- the end
+    // ---- the summary
 
     synchronized void summary(String application, String world) {
         terminal.printf(Locale.ROOT, "%n%s on %s, %.1f s simulated%n", application, world, last.timeMicros() / 1e6);

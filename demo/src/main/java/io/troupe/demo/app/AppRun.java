@@ -34,21 +34,21 @@ import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An application on a simulated world, in lock step.
+ * Runs an application on a simulated world, in lock step.
  *
- * <p><b>Threads.</b> The calling thread moves the world; one actor space, on simulated time, has the application with
- * its bus and its broker. At any moment one of them waits for the other.
+ * <p><b>Threads.</b> The calling thread advances the world. The application, its bus and its broker run on one actor
+ * space in simulated time. At any time one of the two waits for the other.
  */
 final class AppRun {
     /**
-     * A robot stops half a second after its last command, whoever sent that. Our components ask the server for a limit
-     * of their own, for each command, which may be shorter; this one is for programs that ask for none, such as
-     * another's process that is killed while the robot is open elsewhere too.
+     * Stops a robot half a second after its last command, from any client. Our components request a limit for each of
+     * their commands, which may be shorter. This one is for programs that request none, such as an external process
+     * that is killed while another client has the robot open.
      */
     static final WorldSettings WORLD = WorldSettings.DEFAULT.withWatchdogMicros(500_000);
 
     private static final String TCP = "${tcp}";
-    /** By our clock: simulated time stands still while services start and stop. */
+    /** Wall-clock limits: simulated time does not advance while services start and stop. */
     private static final Duration START_LIMIT = Duration.ofSeconds(60);
 
     private static final Duration STOP_LIMIT = Duration.ofSeconds(20);
@@ -63,7 +63,10 @@ final class AppRun {
         this.report = report;
     }
 
-    /** Runs until so much time has passed, or {@code stop} says so; throws what has ended the application before. */
+    /**
+     * Runs for the given simulated time, or until {@code stop} returns true. Rethrows the failure that ended the
+     * application.
+     */
     void run(double seconds, boolean realtime, BooleanSupplier stop) throws IOException, InterruptedException {
         String declaration = ApplicationReader.text(file);
         int port = port();
@@ -107,7 +110,7 @@ final class AppRun {
     }
 
     private static TcpServer tcp(Simulation simulation, int port) {
-        simulation.disconnectSilentClients(true); // a process may hang; the others go on
+        simulation.disconnectSilentClients(true); // a process may hang; the others must continue
         return TcpServer.open(PlayerPorts.find(port).orElseThrow(), 0);
     }
 

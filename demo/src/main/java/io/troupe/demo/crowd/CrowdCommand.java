@@ -5,7 +5,7 @@ import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.sim.scenario.CrowdWorld;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -20,7 +20,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe crowd}: what a robot costs, by how many there are. */
+/** {@code troupe crowd}: measures the cost of a robot for crowds of several sizes. */
 @Command(
         name = "crowd",
         description =
@@ -70,7 +70,7 @@ public final class CrowdCommand implements Callable<Integer> {
         terminal.println("crowds of " + Plural.of(colours, "colour") + " and " + Plural.of(services, "service") + " on "
                 + Plural.of(cores, "core") + (cores == 1 ? "" : ", of which two take turns"));
         terminal.flush();
-        List<Trial> trials = new ArrayList<>();
+        List<TrialResult> trials = new ArrayList<>();
         try (var interruption = Interruption.open()) {
             try {
                 measure(trials, interruption);
@@ -88,7 +88,7 @@ public final class CrowdCommand implements Callable<Integer> {
 
     private void report(CrowdReport report, PrintWriter terminal) throws IOException {
         terminal.print(report.table());
-        terminal.flush(); // first: files may fail
+        terminal.flush(); // before writing files, which may fail
         OutputFiles.write(out.resolve("crowd.csv"), report.csv());
         new CrowdFigure(report.medians(), colours, services).write(out);
         terminal.println("wrote " + out.resolve("crowd.csv") + ", crowd.svg and crowd.png");
@@ -109,10 +109,11 @@ public final class CrowdCommand implements Callable<Integer> {
     }
 
     /**
-     * The sizes take turns, so that all of them see the same machine; a round before that warms up and does not count.
+     * Measures all sizes in each round, so that changes in the machine's speed affect all of them. The first round is a
+     * warm-up and is not counted.
      */
-    private void measure(List<Trial> trials, Interruption interruption) throws InterruptedException {
-        try (var line = TerminalLine.open()) {
+    private void measure(List<TrialResult> trials, Interruption interruption) throws InterruptedException {
+        try (var line = ProgressLine.open()) {
             for (int round = 0; round <= repeat; round++) {
                 for (int robots : sizes) {
                     String what = Plural.of(robots, "robot") + ", "
@@ -131,7 +132,7 @@ public final class CrowdCommand implements Callable<Integer> {
         }
     }
 
-    private static void show(TerminalLine line, String what, double done) {
+    private static void show(ProgressLine line, String what, double done) {
         int full = (int) (Math.min(1, done) * BAR);
         line.show(what, String.format(Locale.ROOT, "[%s%s] %s", "#".repeat(full), ".".repeat(BAR - full), what));
     }

@@ -12,15 +12,15 @@ import java.util.function.ToDoubleFunction;
 import java.util.stream.Stream;
 
 /**
- * The cost of a robot by how many there are, both axes logarithmic; a flat line is a crowd that costs in proportion to
- * its size. Below the dashed line the crowd is faster than real time.
+ * Chart of the cost per robot by crowd size; both axes are logarithmic. A flat line means a cost proportional to the
+ * size. Points below the dashed line are faster than real time.
  */
 final class CrowdFigure {
-    private static final double MICROS_PER_TICK = 100_000; // at real time
+    private static final double MICROS_PER_TICK = 100_000; // in real time
     private static final int WIDTH_PX = 860;
     private static final int HEIGHT_PX = 480;
     private static final int LEFT_PX = 76;
-    private static final int RIGHT_PX = 680; // the names of the lines stand right of it
+    private static final int RIGHT_PX = 680; // the labels of the lines are right of it
     private static final int TOP_PX = 92;
     private static final int BOTTOM_PX = 420;
     private static final int NAME_PX = 16;
@@ -30,7 +30,7 @@ final class CrowdFigure {
     private static final int GRID = 0xdddddd;
     private static final int LIMIT = 0xb3261e;
 
-    /** A measured line. */
+    /** One measured line of the chart. */
     private record Line(String name, int colour, ToDoubleFunction<Row> micros) {}
 
     private static final List<Line> LINES = List.of(
@@ -46,7 +46,7 @@ final class CrowdFigure {
     private final double robotDecades;
     private final Chart chart;
 
-    /** @param rows at least one, by the number of robots */
+    /** @param rows at least one, by number of robots */
     CrowdFigure(List<Row> rows, int colours, int services) {
         this.rows = rows.stream().sorted(Comparator.comparingInt(Row::robots)).toList();
         this.colours = colours;
@@ -67,12 +67,12 @@ final class CrowdFigure {
         draw();
     }
 
-    /** What a tick of 100 ms leaves for one of so many robots. */
+    /** Time available per robot in a tick of 100 ms. */
     private static double budgetMicros(double robots) {
         return MICROS_PER_TICK / robots;
     }
 
-    /** The finding, from the largest crowd. */
+    /** The result of the largest crowd. */
     private String title() {
         Row largest = rows.getLast();
         double times = largest.timesRealTime();
@@ -124,7 +124,7 @@ final class CrowdFigure {
         chart.text((LEFT_PX + RIGHT_PX) / 2.0, BOTTOM_PX + 44, 12, Anchor.MIDDLE, INK, "number of robots");
     }
 
-    /** A limit rather than a measurement, and so dashed. */
+    /** Draws the limit of real time, dashed because it is not measured. */
     private void budget() {
         double most = Math.pow(10, robotDecades);
         chart.line(x(1), y(budgetMicros(1)), x(most), y(budgetMicros(most)), LIMIT, 2, "7 5");
@@ -158,7 +158,7 @@ final class CrowdFigure {
         }
     }
 
-    /** Beside the ends of the lines, moved down where they would stand on each other. */
+    /** Labels the right ends of the lines; moves labels down where they would overlap. */
     private void names() {
         double free = Double.NEGATIVE_INFINITY;
         List<Line> downwards = LINES.stream()

@@ -4,9 +4,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
 
-/** Trials as a table for people and as CSV. */
+/** Formats trials as a text table and as CSV. */
 final class CrowdReport {
-    /** Medians of the rounds of one size, between what the speed lay, and the quartiles of the cost. */
+    /** Medians over the rounds of one size, with the extremes of the speed and the quartiles of the cost. */
     record Row(
             int robots,
             double timesRealTime,
@@ -26,36 +26,40 @@ final class CrowdReport {
              robots   one core          (from .. to)     by the wall     robot and tick   world  services   kB per robot  states
             """;
 
-    private final List<Trial> trials;
+    private final List<TrialResult> trials;
 
-    CrowdReport(List<Trial> trials) {
+    CrowdReport(List<TrialResult> trials) {
         this.trials = List.copyOf(trials);
     }
 
     List<Row> medians() {
-        return trials.stream().map(Trial::robots).distinct().map(this::row).toList();
+        return trials.stream()
+                .map(TrialResult::robots)
+                .distinct()
+                .map(this::row)
+                .toList();
     }
 
     private Row row(int robots) {
-        List<Trial> rounds =
+        List<TrialResult> rounds =
                 trials.stream().filter(trial -> trial.robots() == robots).toList();
-        double[] speeds = sorted(rounds, Trial::timesRealTimeOfOneCore);
+        double[] speeds = sorted(rounds, TrialResult::timesRealTimeOfOneCore);
         return new Row(
                 robots,
                 median(speeds),
                 speeds[0],
                 speeds[speeds.length - 1],
-                median(sorted(rounds, Trial::timesRealTime)),
-                median(sorted(rounds, Trial::micros)),
-                quantile(sorted(rounds, Trial::micros), 0.25),
-                quantile(sorted(rounds, Trial::micros), 0.75),
-                median(sorted(rounds, Trial::worldMicros)),
-                median(sorted(rounds, Trial::servicesMicros)),
-                median(sorted(rounds, Trial::retainedKilobytesPerRobot)),
-                median(sorted(rounds, Trial::states)));
+                median(sorted(rounds, TrialResult::timesRealTime)),
+                median(sorted(rounds, TrialResult::micros)),
+                quantile(sorted(rounds, TrialResult::micros), 0.25),
+                quantile(sorted(rounds, TrialResult::micros), 0.75),
+                median(sorted(rounds, TrialResult::worldMicros)),
+                median(sorted(rounds, TrialResult::servicesMicros)),
+                median(sorted(rounds, TrialResult::retainedKilobytesPerRobot)),
+                median(sorted(rounds, TrialResult::states)));
     }
 
-    private static double[] sorted(List<Trial> rounds, ToDoubleFunction<Trial> figure) {
+    private static double[] sorted(List<TrialResult> rounds, ToDoubleFunction<TrialResult> figure) {
         return rounds.stream().mapToDouble(figure).sorted().toArray();
     }
 
@@ -63,7 +67,7 @@ final class CrowdReport {
         return quantile(sorted, 0.5);
     }
 
-    /** On the straight line between neighbours. */
+    /** Quantile with linear interpolation. */
     static double quantile(double[] sorted, double share) {
         double at = share * (sorted.length - 1);
         int below = (int) at;
@@ -91,11 +95,11 @@ final class CrowdReport {
         return text.toString();
     }
 
-    /** A line for each trial. */
+    /** One line per trial. */
     String csv() {
         var text = new StringBuilder(
                 "robots,ticks,wall_seconds,processor_seconds,times_real_time_of_one_core,times_real_time_by_the_wall,micros_per_robot_tick,world_micros,services_micros,retained_bytes,states\n");
-        for (Trial trial : trials) {
+        for (TrialResult trial : trials) {
             text.append(String.format(
                     Locale.ROOT,
                     "%d,%d,%.6f,%.6f,%.4f,%.4f,%.4f,%.4f,%.4f,%d,%d%n",

@@ -2,33 +2,35 @@ package io.troupe.demo.crowd;
 
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableReader;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
- * The table of a crowd: a state for each colour, in which the services go round among the robots.
+ * Creates the table of a crowd: one state per colour; the services rotate among the robots.
  *
- * <p><b>Order.</b> In state k robot r has service (r + k) modulo the number of services, so that each state has all of
- * them if there are robots enough, and every change of state moves them on. If nobody in a state would look for
- * colours, its robot k modulo the number of robots wanders instead: else the state could never end.
+ * <p><b>Order.</b> In state k, robot r has service (r + k) modulo the number of services. With enough robots each state
+ * has all services, and every state change moves them on. If no service of a state looks for colours, robot k modulo
+ * the number of robots gets the space wanderer instead: otherwise the state would never end.
  */
 public final class CrowdTable {
     /**
-     * How long a state lasts at least, unless told otherwise. Among many robots somebody sees another colour at nearly
-     * every reading; without a hold all of them would be stopped and started ten times a second, and no service would
-     * ever get anywhere.
+     * Default minimum duration of a state. In a large crowd some robot sees another colour at almost every reading.
+     * Without a minimum the services would be stopped and restarted ten times a second and make no progress.
      */
     public static final double HOLD_SECONDS = 5;
 
     private CrowdTable() {}
 
     /**
-     * Makes one.
+     * Creates the table.
      *
-     * @param colours one for each state, the first for the one to begin with
-     * @param services how many of the {@link CrowdServices}
-     * @param corners of the wall follower
+     * @param colours one per state; the first one is the initial state
+     * @param services number of {@link CrowdServices}
+     * @param corners how the wall follower turns at corners
      */
     public static SubsumptionTable of(
             int robots, List<Integer> colours, int services, double holdSeconds, CornerStyle corners) {
@@ -49,5 +51,43 @@ public final class CrowdTable {
             assignment.set(state % robots, Service.SPACE_WANDERER);
         }
         return assignment;
+    }
+
+    /**
+     * Creates the services of a crowd, any number of them: the space wanderer, the wall follower, then patrols with
+     * obstacle avoidance.
+     *
+     * <p><b>Units and shapes.</b> A patrol drives between its robot's start pose and a target 2 m to 5 m away. Each
+     * patrol has a different direction. In the world of a crowd odometry starts at zero, so the route stays in the
+     * robot's hall.
+     */
+    private static final class CrowdServices {
+        private static final double FIRST_M = 2;
+        private static final double MORE_M = 0.5;
+        private static final int DISTANCES = 7;
+        private static final double TURN_RAD = StrictMath.toRadians(137);
+
+        private CrowdServices() {}
+
+        static List<Service> first(int count, CornerStyle corners) {
+            List<Service> services = new ArrayList<>(List.of(Service.SPACE_WANDERER, Service.wallFollower(corners)));
+            Service avoid = SubsumptionTableReader.service("avoid = avoid", ServiceCatalogue.standard());
+            for (int patrol = 1; services.size() < count; patrol++) {
+                services.add(avoid.over(patrol(patrol)));
+            }
+            return services.subList(0, count);
+        }
+
+        /** Created from the words of the table file format, so that it can be written to such a file. */
+        private static Service patrol(int number) {
+            double distanceM = FIRST_M + number % DISTANCES * MORE_M;
+            String declaration = String.format(
+                    Locale.ROOT,
+                    "patrol%d = goToGoal(%.2f, %.2f; 0, 0; again) colours",
+                    number,
+                    distanceM * StrictMath.cos(number * TURN_RAD),
+                    distanceM * StrictMath.sin(number * TURN_RAD));
+            return SubsumptionTableReader.service(declaration, ServiceCatalogue.standard());
+        }
     }
 }

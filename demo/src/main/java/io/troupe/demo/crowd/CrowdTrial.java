@@ -20,19 +20,19 @@ import org.jspecify.annotations.Nullable;
  * Runs a crowd and measures it: world, in-process Player connections, one actor space with arbitrator and services, in
  * lock step.
  *
- * <p><b>Threads.</b> The calling thread moves the world, the actor space's thread does all else, and at any moment one
- * of the two waits for the other: so their processor times split what a tick costs into the world and the services.
+ * <p><b>Threads.</b> The calling thread advances the world, the actor space's thread does everything else. At any time
+ * one of the two waits for the other, so their processor times split the cost of a tick into world and services.
  */
 final class CrowdTrial {
     /**
      * What to run.
      *
-     * @param seconds of simulated time to measure, at least
+     * @param seconds minimum simulated time to measure
      */
     record Settings(int robots, int colours, int services, double seconds, long seed) {}
 
     private static final int WARM_UP_TICKS = 20;
-    /** A few robots do ten seconds in the wink of an eye: they go on until there is something to measure. */
+    /** Minimum wall-clock time: a few robots simulate ten seconds too fast to be measured. */
     private static final long LEAST_WALL_NANOS = 500_000_000;
 
     private static final int COLLECTIONS = 4;
@@ -40,7 +40,7 @@ final class CrowdTrial {
             ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
 
-    /** Counts states and learns which thread the services live on. */
+    /** Counts states and records the thread that runs the services. */
     private static final class Watch implements Arbitrator.StateListener {
         private volatile long servicesThread;
         private volatile int states;
@@ -48,7 +48,7 @@ final class CrowdTrial {
         @Override
         public void stateStarted(State state, @Nullable Integer seenBy) {
             servicesThread = Thread.currentThread().threadId();
-            states = states + 1; // by one thread only
+            states = states + 1; // written by one thread only
         }
     }
 
@@ -65,8 +65,8 @@ final class CrowdTrial {
                 CornerStyle.FORWARD);
     }
 
-    /** @param progress is told how much has been done, from 0 to 1 */
-    Trial run(DoubleConsumer progress) throws InterruptedException {
+    /** @param progress called with the completed share, from 0 to 1 */
+    TrialResult run(DoubleConsumer progress) throws InterruptedException {
         long before = usedHeapBytes();
         var scenario = CrowdWorld.scenario(settings.robots(), settings.colours());
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(settings.seed()))) {
@@ -78,13 +78,13 @@ final class CrowdTrial {
                 for (int tick = 0; tick < WARM_UP_TICKS; tick++) {
                     simulation.tick();
                 }
-                Trial timed = measure(simulation, running, watch, progress);
+                TrialResult timed = measure(simulation, running, watch, progress);
                 return withRetained(timed, usedHeapBytes() - before);
             }
         }
     }
 
-    private Trial measure(Simulation simulation, SubsumptionRun running, Watch watch, DoubleConsumer progress) {
+    private TrialResult measure(Simulation simulation, SubsumptionRun running, Watch watch, DoubleConsumer progress) {
         long intervalMicros = simulation.world().spec().intervalMillis() * 1000L;
         long leastTicks = StrictMath.max(1, StrictMath.round(settings.seconds() * 1e6 / intervalMicros));
         long services = THREADS.getThreadCpuTime(watch.servicesThread);
@@ -101,7 +101,7 @@ final class CrowdTrial {
             wallNanos = System.nanoTime() - begin;
             progress.accept(Math.min((double) ticks / leastTicks, (double) wallNanos / LEAST_WALL_NANOS));
         }
-        return new Trial(
+        return new TrialResult(
                 settings.robots(),
                 ticks,
                 intervalMicros,
@@ -113,8 +113,8 @@ final class CrowdTrial {
                 watch.states - states);
     }
 
-    private static Trial withRetained(Trial trial, long bytes) {
-        return new Trial(
+    private static TrialResult withRetained(TrialResult trial, long bytes) {
+        return new TrialResult(
                 trial.robots(),
                 trial.ticks(),
                 trial.intervalMicros(),

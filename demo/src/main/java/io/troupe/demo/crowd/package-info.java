@@ -1,4 +1,4 @@
-/** Crowds: teams of any number of robots, and {@code troupe crowd}, which measures what they cost. */
+/** Crowds: teams of any number of robots, and {@code troupe crowd}, which measures their cost. */
 @NullMarked
 package io.troupe.demo.crowd;
 

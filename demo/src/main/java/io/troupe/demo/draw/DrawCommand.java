@@ -3,7 +3,7 @@ package io.troupe.demo.draw;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.scenario.Scenario;
@@ -18,7 +18,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe draw}: reads a world and draws it, to see what is in it before anything moves. */
+/** {@code troupe draw}: draws a world file in its initial state. */
 @Command(
         name = "draw",
         description = "Draws a world file as SVG, with the first readings of its sonars and lasers.",
@@ -34,12 +34,12 @@ public final class DrawCommand implements Callable<Integer> {
     private Path out = Path.of("world.svg");
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     @Override
     public Integer call() throws IOException {
         FileProblems.checkOutput(spec, "--out", out);
-        Scenario scenario = reading.read(world);
+        Scenario scenario = loader.read(world);
         try (var simulated = World.create(scenario.world(), WorldSettings.DEFAULT)) {
             OutputFiles.write(out, new WorldDrawing(scenario.world(), simulated.latest()).svg());
         }

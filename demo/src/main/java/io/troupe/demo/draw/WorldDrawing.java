@@ -1,6 +1,6 @@
 package io.troupe.demo.draw;
 
-import io.troupe.demo.svg.Svg;
+import io.troupe.demo.svg.SvgElements;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.device.Ranger;
 import io.troupe.sim.scenario.CargoSpec;
@@ -18,7 +18,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** A world seen from above at one moment, with the rays of its sonars and lasers, as SVG. */
+/** Draws a snapshot of a world from above, with the rays of its sonars and lasers, as SVG. */
 final class WorldDrawing {
     private static final double LONGEST_PX = 1000;
     private static final double MARGIN_M = 0.3;
@@ -26,7 +26,7 @@ final class WorldDrawing {
     private static final double TITLE_PX = 36;
     private static final double LEGEND_PX = 40;
     private static final double LEFT_PX = 16;
-    /** The picture of a narrower world has white beside it, so that the legend has room. */
+    /** The picture of a narrower world gets white margins, so that the legend fits. */
     private static final double LEAST_WIDTH_PX = 560;
 
     private static final String SONAR = "#d9822b";
@@ -73,8 +73,8 @@ final class WorldDrawing {
 
     String svg() {
         double bottom = TITLE_PX + heightM * pixelsPerMetre;
-        svg.append(Svg.begin(pageWidth, bottom + LEGEND_PX, FONT_PX, title()));
-        svg.append(Svg.text(LEFT_PX, TITLE_PX - 10, "font-size=\"17\"", title()));
+        svg.append(SvgElements.begin(pageWidth, bottom + LEGEND_PX, FONT_PX, title()));
+        svg.append(SvgElements.text(LEFT_PX, TITLE_PX - 10, "font-size=\"17\"", title()));
         for (int i = 0; i < world.robots().size(); i++) {
             rays(i);
         }
@@ -97,7 +97,7 @@ final class WorldDrawing {
         return svg.toString();
     }
 
-    /** Filled between its lines, so that holes stay open. */
+    /** Filled with the even-odd rule, so that holes stay open. */
     private void area(String name, Shape shape, Pose pose, int colour) {
         String path = shape.outlines().stream()
                 .map(line ->
@@ -105,7 +105,7 @@ final class WorldDrawing {
                 .collect(Collectors.joining(" "));
         append(
                 "<path d=\"%s\" fill=\"%s\" fill-rule=\"evenodd\" stroke=\"#444444\" stroke-width=\"0.5\"><title>%s</title></path>%n",
-                path, Svg.colour(colour), Svg.escape(name));
+                path, SvgElements.colour(colour), SvgElements.escape(name));
     }
 
     private String title() {
@@ -115,11 +115,11 @@ final class WorldDrawing {
                 + (obstacles == 1 ? "1 obstacle" : obstacles + " obstacles");
     }
 
-    /** Above the robot, or below it if it looks upwards. */
+    /** Draws the name above the robot, or below it if the robot faces upwards. */
     private void name(RobotSpec robot, Pose pose) {
         double y = (top - pose.y()) * pixelsPerMetre;
         double gap = (robot.lengthM() + robot.widthM()) / 2 * pixelsPerMetre;
-        svg.append(Svg.textOnLines(
+        svg.append(SvgElements.textOnLines(
                 shiftX + (pose.x() - left) * pixelsPerMetre,
                 TITLE_PX + (StrictMath.sin(pose.headingRad()) > 0.5 ? y + gap + 10 : y - gap + 4),
                 "class=\"name\" text-anchor=\"middle\" font-weight=\"bold\" fill=\"#222222\"",
@@ -127,8 +127,8 @@ final class WorldDrawing {
     }
 
     private void legend(double y) {
-        svg.append(Svg.scaleBar(LEFT_PX, y - 5, pixelsPerMetre));
-        double x = LEFT_PX + Svg.scaleBarWidth(pixelsPerMetre, FONT_PX) + 30;
+        svg.append(SvgElements.scaleBar(LEFT_PX, y - 5, pixelsPerMetre));
+        double x = LEFT_PX + SvgElements.scaleBarWidth(pixelsPerMetre, FONT_PX) + 30;
         if (world.robots().stream().anyMatch(robot -> robot.sonar() != null)) {
             x = sample(x, y, SONAR, "sonar, first reading");
         }
@@ -141,11 +141,11 @@ final class WorldDrawing {
         append(
                 "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"2\"/>",
                 x, y - 5, x + 30, y - 5, colour);
-        svg.append(Svg.text(x + 38, y, "", words));
-        return x + 38 + Svg.width(words, FONT_PX) + 20;
+        svg.append(SvgElements.text(x + 38, y, "", words));
+        return x + 38 + SvgElements.width(words, FONT_PX) + 20;
     }
 
-    /** Where a robot looks. */
+    /** Draws a line that shows the robot's heading. */
     private void nose(RobotSpec robot, Pose pose) {
         Pose ahead = pose.compose(new Pose(robot.lengthM(), 0, 0));
         append(

@@ -1,4 +1,4 @@
-/** {@code troupe draw}: a picture of a world. */
+/** {@code troupe draw}: draws a world as SVG. */
 @NullMarked
 package io.troupe.demo.draw;
 

@@ -2,7 +2,7 @@ package io.troupe.demo.evaluate;
 
 import java.util.Arrays;
 
-/** Many durations in nanoseconds. */
+/** A growing list of durations in nanoseconds. */
 final class Durations {
     private long[] nanos = new long[64];
     private int count;
@@ -18,16 +18,16 @@ final class Durations {
         return count;
     }
 
-    /** The duration below which a share of all lies, in units of so many nanoseconds; there must be one. */
+    /** A quantile, in units of {@code unitNanos} nanoseconds. The list must not be empty. */
     double quantile(double share, double unitNanos) {
         double[] sorted =
                 Arrays.stream(nanos, 0, count).sorted().asDoubleStream().toArray();
-        return Spread.quantile(sorted, share) / unitNanos;
+        return SampleStatistics.quantile(sorted, share) / unitNanos;
     }
 
     /**
-     * The mean of the shorter ones, without the longest hundredth, which the collector, the compiler or another program
-     * has made so; in units of so many nanoseconds. There must be one.
+     * The mean without the longest hundredth, which garbage collection, compilation or other programs cause; in units
+     * of {@code unitNanos} nanoseconds. The list must not be empty.
      */
     double trimmedMean(double unitNanos) {
         int kept = count - count / 100;

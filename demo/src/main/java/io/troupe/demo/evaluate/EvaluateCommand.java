@@ -4,8 +4,8 @@ import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.TerminalLine;
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.ProgressLine;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -25,7 +25,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe evaluate}: Figures 15, 18, 21, 22 and 23 again. */
+/** {@code troupe evaluate}: measures Figures 15, 18, 21, 22 and 23 of the paper again. */
 @Command(
         name = "evaluate",
         description =
@@ -99,23 +99,23 @@ public final class EvaluateCommand implements Callable<Integer> {
     private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
     @Option(names = "--out", paramLabel = "DIR", description = "where evaluation.csv and the pictures go")
     private Path out = Path.of("out");
 
     @Override
     public Integer call() throws IOException {
-        System.setProperty("java.awt.headless", "true"); // pictures need no screen
+        System.setProperty("java.awt.headless", "true"); // drawing needs no display
         var settings = settings();
         FileProblems.checkInput(spec, world, "a world file");
         prepare(settings.log());
-        var paperWorld = PaperWorld.of(reading.read(world), world);
+        var paperWorld = PaperWorld.of(loader.read(world), world);
         long begin = System.nanoTime();
         try (var interruption = Interruption.open()) {
             Measurements measurements;
             Evaluation evaluation;
-            try (var progress = new EvaluationProgress(TerminalLine.open())) {
+            try (var progress = new EvaluationProgress(ProgressLine.open())) {
                 evaluation = new Evaluation(settings, paperWorld, progress, interruption);
                 measurements = evaluation.measure();
             }
@@ -127,7 +127,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
     }
 
-    /** What was measured; claims and figures only of repetitions in which everything was. */
+    /** Reports what was measured before the interruption. Claims and figures use complete repetitions only. */
     private int interrupted(EvaluationSettings settings, Measurements measurements, int complete) throws IOException {
         PrintWriter terminal = spec.commandLine().getOut();
         if (complete > 0) {
@@ -144,7 +144,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
         if (!measurements.all().isEmpty()) {
             Path csv = out.resolve("evaluation.csv");
-            EvaluationCsv.write(measurements, csv);
+            measurements.writeCsv(csv);
             terminal.println("wrote " + Plural.of(measurements.all().size(), "number") + ", all that was measured, to "
                     + csv + "; there are no new pictures");
         }
@@ -154,7 +154,7 @@ public final class EvaluateCommand implements Callable<Integer> {
 
     private int report(EvaluationSettings settings, Measurements measurements, double tookSeconds) throws IOException {
         PrintWriter terminal = spec.commandLine().getOut();
-        terminal.print(new EvaluationReport(settings, measurements).text()); // first: files may fail
+        terminal.print(new EvaluationReport(settings, measurements).text()); // before writing files, which may fail
         terminal.flush();
         if (Files.size(settings.log()) == 0) {
             Files.delete(settings.log());
@@ -162,10 +162,10 @@ public final class EvaluateCommand implements Callable<Integer> {
             terminal.println("\nwhat was logged meanwhile is in " + settings.log());
         }
         Path csv = out.resolve("evaluation.csv");
-        EvaluationCsv.write(measurements, csv);
+        measurements.writeCsv(csv);
         terminal.printf(Locale.ROOT, "%ntook %.0f s, wrote %s%n", tookSeconds, csv);
         terminal.flush();
-        var names = new Figures(settings, measurements).write(out);
+        var names = new EvaluationFigures(settings, measurements).write(out);
         terminal.println("and, as .svg and .png: "
                 + names.stream().map(name -> out.resolve(name).toString()).collect(Collectors.joining(", ")));
         terminal.flush();
@@ -209,7 +209,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         }
     }
 
-    /** Now rather than when all has been measured. */
+    /** Creates the output directory and the log before the measurement, so that errors appear early. */
     private void prepare(Path log) {
         OutputDirectory.make(spec, out);
         try {
@@ -217,7 +217,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         } catch (IOException e) {
             throw new ParameterException(
                     spec.commandLine(),
-                    "--out " + out + " is no directory that can be written to: " + FileProblems.words(log, e));
+                    "--out " + out + " is no directory that can be written to: " + FileProblems.message(log, e));
         }
     }
 }

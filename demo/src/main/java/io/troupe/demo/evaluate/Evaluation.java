@@ -6,7 +6,10 @@ import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.CopyOnWriteArrayList;
 
-/** Measures everything, one job at a time, so that no two measurements disturb each other: the JVMs take turns. */
+/**
+ * Runs all measurements, one job at a time, alternating between the measuring JVMs, so that no measurement disturbs
+ * another.
+ */
 final class Evaluation {
     private static final Duration NOTICE = Duration.ofSeconds(2);
 
@@ -19,8 +22,8 @@ final class Evaluation {
     private int completeRepetitions;
 
     /**
-     * @param world that of the settings
-     * @param interruption ends the measuring where it is
+     * @param world the world of the settings
+     * @param interruption stops the measurement
      */
     Evaluation(EvaluationSettings settings, PaperWorld world, EvaluationProgress progress, Interruption interruption) {
         this.interruption = interruption;
@@ -30,7 +33,7 @@ final class Evaluation {
         this.progress = progress;
     }
 
-    /** All that was measured; after an interruption, what was measured until then. */
+    /** Runs the measurements and returns them; after an interruption, those completed so far. */
     Measurements measure() throws IOException {
         var processes = new CopyOnWriteArrayList<MeasuringProcess>();
         interruption.onRequest(() -> processes.forEach(MeasuringProcess::end));
@@ -56,8 +59,8 @@ final class Evaluation {
                 completeRepetitions++;
             }
             return measurements;
-        } catch (IOException
-                | RuntimeException ended) { // Ctrl-C ends the processes too, perhaps before it is noticed here
+        } catch (IOException | RuntimeException ended) {
+            // Ctrl-C also ends the child processes, possibly before this process receives it
             if (!interruption.isRequestedWithin(NOTICE)) {
                 throw ended;
             }
@@ -67,7 +70,7 @@ final class Evaluation {
         }
     }
 
-    /** Those in which everything was measured. */
+    /** Number of repetitions in which every job was measured. */
     int completeRepetitions() {
         return completeRepetitions;
     }
@@ -85,7 +88,7 @@ final class Evaluation {
         }
     }
 
-    /** In real time the warm-up takes next to nothing. */
+    /** The warm-up runs in lock step, so in real time its duration is negligible. */
     private double warmUpSeconds(Job job) {
         return settings.realTime() ? 0 : Plan.expectedSeconds(job);
     }
@@ -93,14 +96,14 @@ final class Evaluation {
     private Result inRealTime(Job job, MeasuringProcess process) throws IOException {
         try (var server = RealTimeServer.open(world, job.seed(), progress::within)) {
             return process.measure(new Job(
-                    job.part(), job.mode(), job.subject(), job.loops(), job.seconds(), job.seed(), server.port()));
+                    job.kind(), job.mode(), job.subject(), job.loops(), job.seconds(), job.seed(), server.port()));
         }
     }
 
     private void keep(Result result, Job job, int cores) {
         for (var value : result.values()) {
             measurements.add(new Measurement(
-                    job.part(),
+                    job.kind(),
                     job.mode(),
                     cores,
                     Math.toIntExact(job.seed()),
@@ -110,7 +113,7 @@ final class Evaluation {
         }
     }
 
-    /** On the robots' clock, of all that takes time. */
+    /** Total expected duration, in robot time. Negligible parts are left out. */
     private double expectedSeconds() {
         double once =
                 plan.repetition(1).stream().mapToDouble(Plan::expectedSeconds).sum();

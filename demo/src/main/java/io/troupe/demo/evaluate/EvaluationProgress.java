@@ -1,45 +1,45 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.time.Clock;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import java.util.Locale;
 
-/** How far an evaluation is, and how long it may still take, on the last line of a terminal. */
+/** Shows the progress of an evaluation and the estimated remaining time on the last line of a terminal. */
 final class EvaluationProgress implements AutoCloseable {
     private static final int WIDTH = 30;
 
-    private final TerminalLine line;
+    private final ProgressLine line;
     private final Clock clock;
     private final long beganNanos;
     private double expected = 1;
     private double done;
     private String doing = "";
 
-    EvaluationProgress(TerminalLine line) {
+    EvaluationProgress(ProgressLine line) {
         this(line, Clock.system());
     }
 
-    /** @param clock by which it says how long it may still take */
-    EvaluationProgress(TerminalLine line, Clock clock) {
+    /** @param clock for the estimate of the remaining time */
+    EvaluationProgress(ProgressLine line, Clock clock) {
         this.line = line;
         this.clock = clock;
         this.beganNanos = clock.nanos();
     }
 
-    /** How much there is to do, in any unit. */
+    /** Sets the total amount of work, in any unit. */
     void expect(double amount) {
         expected = amount;
     }
 
     void warmsUp(int cores) {
-        show("warming up, told " + Findings.cores(cores));
+        show("warming up, told " + CoreMeasurements.cores(cores));
     }
 
     void begins(Job job, int cores) {
-        show(job.title() + ", told " + Findings.cores(cores));
+        show(job.title() + ", told " + CoreMeasurements.cores(cores));
     }
 
-    /** So much of what is going on has been done; any thread may say it, one at a time. */
+    /** Reports the completed part of the current job. May be called by any thread, one at a time. */
     void within(double amount) {
         show(Math.min(1, (done + amount) / expected));
     }

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 
-/** What came out, for the terminal. */
+/** Formats the results for the terminal. */
 final class EvaluationReport {
     private final EvaluationSettings settings;
     private final Measurements measurements;
@@ -15,7 +15,7 @@ final class EvaluationReport {
         this.measurements = measurements;
     }
 
-    List<Claim> claims() {
+    List<PaperClaim> claims() {
         return Claims.of(measurements, settings.modes(), settings.cores(), settings.realTime());
     }
 
@@ -60,7 +60,8 @@ final class EvaluationReport {
         var missing = settings.cores().stream().filter(cores -> cores > real).toList();
         return missing.isEmpty()
                 ? machine
-                : machine + "told " + missing.stream().map(Findings::cores).collect(Collectors.joining(", "))
+                : machine + "told "
+                        + missing.stream().map(CoreMeasurements::cores).collect(Collectors.joining(", "))
                         + ", the machine has " + real
                         + ": that changes how many threads Java starts, not how many run\n";
     }
@@ -71,29 +72,31 @@ final class EvaluationReport {
                 mode,
                 cores,
                 seconds(mode, cores),
-                text(mode, cores, Findings.FOLLOWER, Quantity.CYCLE),
-                text(mode, cores, Findings.WANDERER, Quantity.CYCLE),
+                text(mode, cores, CoreMeasurements.FOLLOWER, Quantity.CYCLE),
+                text(mode, cores, CoreMeasurements.WANDERER, Quantity.CYCLE),
                 text(mode, cores, Measurement.BOTH, Quantity.TURN),
                 text(mode, cores, Measurement.BOTH, Quantity.PROCESSOR));
     }
 
     private String seconds(Mode mode, int cores) {
-        double[] millis = measurements.values(Part.LOOPS, mode, cores, Measurement.BOTH, Quantity.TIME);
-        return Findings.seconds(millis).replace(" s", "");
+        double[] millis = measurements.values(MeasurementKind.LOOPS, mode, cores, Measurement.BOTH, Quantity.TIME);
+        return CoreMeasurements.seconds(millis).replace(" s", "");
     }
 
     private String text(Mode mode, int cores, String subject, Quantity quantity) {
-        return measurements.spread(Part.LOOPS, mode, cores, subject, quantity).text(2);
+        return measurements
+                .statistics(MeasurementKind.LOOPS, mode, cores, subject, quantity)
+                .text(2);
     }
 
     private String changes() {
         var text = new StringBuilder("\nChanges of state, connection kept");
         text.append(settings.reconnect() ? "; below it with a new connection for each service\n" : "\n");
-        for (Part part : List.of(Part.SWITCHES, Part.RECONNECTS)) {
+        for (MeasurementKind kind : List.of(MeasurementKind.SWITCHES, MeasurementKind.RECONNECTS)) {
             for (Mode mode : settings.modes()) {
                 for (int cores : settings.cores()) {
-                    if (measurements.has(part, mode, cores, Measurement.BOTH, Quantity.STATE_CHANGES)) {
-                        text.append(change(part, mode, cores));
+                    if (measurements.has(kind, mode, cores, Measurement.BOTH, Quantity.STATE_CHANGES)) {
+                        text.append(change(kind, mode, cores));
                     }
                 }
             }
@@ -101,26 +104,26 @@ final class EvaluationReport {
         return text.toString();
     }
 
-    private String change(Part part, Mode mode, int cores) {
+    private String change(MeasurementKind kind, Mode mode, int cores) {
         return String.format(
                 "  %-9s %-6d %s changes, %s messages%s%s%n",
                 mode,
                 cores,
-                spread(part, mode, cores, Quantity.STATE_CHANGES).text(0),
-                spread(part, mode, cores, Quantity.SENT).text(0),
-                measurements.has(part, mode, cores, Measurement.BOTH, Quantity.SWITCH_TIME)
+                statistics(kind, mode, cores, Quantity.STATE_CHANGES).text(0),
+                statistics(kind, mode, cores, Quantity.SENT).text(0),
+                measurements.has(kind, mode, cores, Measurement.BOTH, Quantity.SWITCH_TIME)
                         ? "; until all robots have had a cycle of the next state "
-                                + spread(part, mode, cores, Quantity.SWITCH_TIME)
+                                + statistics(kind, mode, cores, Quantity.SWITCH_TIME)
                                         .text(0) + " ms"
                         : "",
-                part == Part.RECONNECTS ? " (connecting anew)" : "");
+                kind == MeasurementKind.RECONNECTS ? " (connecting anew)" : "");
     }
 
-    private Spread spread(Part part, Mode mode, int cores, Quantity quantity) {
-        return measurements.spread(part, mode, cores, Measurement.BOTH, quantity);
+    private SampleStatistics statistics(MeasurementKind kind, Mode mode, int cores, Quantity quantity) {
+        return measurements.statistics(kind, mode, cores, Measurement.BOTH, quantity);
     }
 
-    private static String paragraph(Claim claim) {
+    private static String paragraph(PaperClaim claim) {
         return String.format(
                 "%n  %-14s  %s: %s%n                  ours, %s: %s%n                  criterion: %s%n",
                 claim.verdict(),

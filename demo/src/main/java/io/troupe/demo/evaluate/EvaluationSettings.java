@@ -5,12 +5,12 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * What is evaluated.
+ * Settings of an evaluation.
  *
- * @param cores what the JVMs that measure are told, one after the other
- * @param warmUps how often everything is done before it is measured, in lock step, so that the JVMs have compiled it
- * @param seconds with changes of state, on the robots' clock
- * @param log where the JVMs that measure write what they log
+ * @param cores numbers of cores for which the measuring JVMs are configured
+ * @param warmUps rounds in lock step before the measurement, so that the JVMs have compiled the code
+ * @param seconds duration of the parts with state changes, in robot time
+ * @param log file for the log output of the measuring JVMs
  */
 record EvaluationSettings(
         Path world,

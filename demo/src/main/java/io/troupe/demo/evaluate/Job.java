@@ -4,33 +4,33 @@ import io.troupe.services.subsumption.Mode;
 import java.util.Locale;
 
 /**
- * One run to measure, as a line of text for the JVM that does it.
+ * One run to measure; sent to the measuring JVM as a line of text.
  *
- * @param subject a service by its name, or both
- * @param loops of each service, for {@link Part#LOOPS} and {@link Part#ALONE}
- * @param seconds on the robots' clock, for the others
+ * @param subject name of a service, or {@value Measurement#BOTH}
+ * @param loops of each service, for {@link MeasurementKind#LOOPS} and {@link MeasurementKind#ALONE}
+ * @param seconds in robot time, for the other kinds
  * @param seed of the start poses
- * @param server the TCP port of the robots on this machine, which move in real time; 0 for a world of the job's own, in
- *     lock step
+ * @param server local TCP port of a world in real time; 0 for a separate world in lock step
  */
-record Job(Part part, Mode mode, String subject, int loops, double seconds, long seed, int server) {
+record Job(MeasurementKind kind, Mode mode, String subject, int loops, double seconds, long seed, int server) {
     private static final int FIELDS = 7;
 
     boolean countsLoops() {
-        return part == Part.LOOPS || part == Part.ALONE;
+        return kind == MeasurementKind.LOOPS || kind == MeasurementKind.ALONE;
     }
 
-    /** The same without what repetitions change. */
+    /** A description without the parameters that vary between repetitions. */
     String title() {
-        return String.format(Locale.ROOT, "%s mode, %s%s", mode, part, part == Part.ALONE ? " (" + subject + ")" : "");
+        return String.format(
+                Locale.ROOT, "%s mode, %s%s", mode, kind, kind == MeasurementKind.ALONE ? " (" + subject + ")" : "");
     }
 
     String line() {
         return String.format(
-                Locale.ROOT, "%s %s %s %d %s %d %d", part.name(), mode.name(), subject, loops, seconds, seed, server);
+                Locale.ROOT, "%s %s %s %d %s %d %d", kind.name(), mode.name(), subject, loops, seconds, seed, server);
     }
 
-    /** @throws IllegalArgumentException if the line is none that {@link #line} writes */
+    /** @throws IllegalArgumentException if the line was not written by {@link #line} */
     static Job parse(String line) {
         String[] fields = line.split(" ", -1);
         if (fields.length != FIELDS) {
@@ -38,7 +38,7 @@ record Job(Part part, Mode mode, String subject, int loops, double seconds, long
                     "a job of " + fields.length + " fields, expected " + FIELDS + ": " + line);
         }
         return new Job(
-                Part.valueOf(fields[0]),
+                MeasurementKind.valueOf(fields[0]),
                 Mode.valueOf(fields[1]),
                 fields[2],
                 Integer.parseInt(fields[3]),

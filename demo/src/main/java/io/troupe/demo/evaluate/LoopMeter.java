@@ -11,14 +11,14 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Measures the first so many loops of each service, one service to a robot. Time begins when all are connected, so that
- * connecting is not counted.
+ * Measures a fixed number of loops of each service, one service per robot. Time starts when all services are connected,
+ * so that connecting is not counted.
  */
 final class LoopMeter implements Meter {
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double NANOS_PER_MICRO = 1e3;
 
-    /** A service's share of the measurement. */
+    /** Measurements of one service. */
     private static final class Track {
         private final Durations intervals = new Durations();
         private final Durations cycles = new Durations();
@@ -39,20 +39,20 @@ final class LoopMeter implements Meter {
     private final List<Track> tracks;
     private final int loops;
     private final boolean inTurn;
-    private final RobotTime time;
+    private final RobotClock time;
     private final AtomicInteger unfinished;
-    private final Turns turns = new Turns();
+    private final TurnTimer turns = new TurnTimer();
     private long beganNanos;
     private long lastEndNanos;
     private long processorBegan = -1;
     private long processorNanos;
 
     /**
-     * For the services of a state, robot by robot.
+     * Creates a meter for the services of a state, by robot.
      *
      * @param loops at least 2
      */
-    LoopMeter(Mode mode, State state, int loops, RobotTime time) {
+    LoopMeter(Mode mode, State state, int loops, RobotClock time) {
         this.tracks = state.services().stream()
                 .map(service -> new Track(service.name()))
                 .toList();
@@ -99,10 +99,11 @@ final class LoopMeter implements Meter {
         long computed = System.nanoTime();
         Track track = tracks.get(robot);
         long end = time.endOfCycleNanos();
-        turns.goesOn(computed);
+        turns.extend(computed);
         if (track.loops < loops) {
             track.cycles.add(computed - track.beganComputing);
-            // one after the other, a service's loop begins where the other's ended; at the same time, where its own did
+            // in turn: a loop starts where the other service's loop ended; concurrently: where the service's previous
+            // one did
             track.timeNanos += end - (inTurn ? lastEndNanos : track.endedCycle);
             track.endedCycle = end;
             lastEndNanos = end;
@@ -128,7 +129,7 @@ final class LoopMeter implements Meter {
     public void colourReceived(int robot, int colour) {
         messages.received(robot);
         if (!isDone()) {
-            turns.goesOn(System.nanoTime());
+            turns.extend(System.nanoTime());
         }
     }
 
@@ -160,5 +161,46 @@ final class LoopMeter implements Meter {
 
     private double processorPerLoopMicros() {
         return processorNanos / NANOS_PER_MICRO / loops;
+    }
+
+    /** Machine time of the work at each reading: from the first cycle to the last message that results from it. */
+    private static final class TurnTimer {
+        private final Durations durations = new Durations();
+        private long readingNanos = Long.MIN_VALUE;
+        private long began;
+        private long last;
+
+        /**
+         * Starts a cycle.
+         *
+         * @param reading robot time of its reading
+         * @param now machine time
+         */
+        void begin(long reading, long now) {
+            if (reading != readingNanos) {
+                end();
+                readingNanos = reading;
+                began = now;
+                last = now;
+            }
+        }
+
+        /** Extends the current turn up to {@code now}, in machine time. */
+        void extend(long now) {
+            last = now;
+        }
+
+        /** The durations of all turns so far. */
+        Durations durations() {
+            end();
+            return durations;
+        }
+
+        private void end() {
+            if (readingNanos != Long.MIN_VALUE) {
+                durations.add(last - began);
+                readingNanos = Long.MIN_VALUE;
+            }
+        }
     }
 }

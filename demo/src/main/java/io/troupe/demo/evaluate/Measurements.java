@@ -1,12 +1,19 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.subsumption.Mode;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
-/** All numbers of an evaluation. */
+/** All measured numbers of an evaluation. */
 final class Measurements {
+    private static final String CSV_HEADER = "part,mode,cores_told,repetition,subject,quantity,unit,value";
+
     private final List<Measurement> all = new ArrayList<>();
 
     void add(Measurement measurement) {
@@ -17,21 +24,21 @@ final class Measurements {
         return List.copyOf(all);
     }
 
-    /** Those of the first repetitions. */
+    /** The measurements of repetitions 1 to {@code first}. */
     Measurements ofRepetitions(int first) {
         var some = new Measurements();
         all.stream().filter(each -> each.repetition() <= first).forEach(some::add);
         return some;
     }
 
-    boolean has(Part part, Mode mode, int cores, String subject, Quantity quantity) {
-        return values(part, mode, cores, subject, quantity).length > 0;
+    boolean has(MeasurementKind kind, Mode mode, int cores, String subject, Quantity quantity) {
+        return values(kind, mode, cores, subject, quantity).length > 0;
     }
 
-    /** In the order of repetitions; none if it was not measured. */
-    double[] values(Part part, Mode mode, int cores, String subject, Quantity quantity) {
+    /** Values by repetition; empty if not measured. */
+    double[] values(MeasurementKind kind, Mode mode, int cores, String subject, Quantity quantity) {
         return all.stream()
-                .filter(each -> each.part() == part
+                .filter(each -> each.kind() == kind
                         && each.mode() == mode
                         && each.cores() == cores
                         && each.subject().equals(subject)
@@ -41,17 +48,17 @@ final class Measurements {
                 .toArray();
     }
 
-    /** @throws IllegalArgumentException if it was not measured */
-    Spread spread(Part part, Mode mode, int cores, String subject, Quantity quantity) {
-        double[] values = values(part, mode, cores, subject, quantity);
+    /** @throws IllegalArgumentException if not measured */
+    SampleStatistics statistics(MeasurementKind kind, Mode mode, int cores, String subject, Quantity quantity) {
+        double[] values = values(kind, mode, cores, subject, quantity);
         if (values.length == 0) {
             throw new IllegalArgumentException(
-                    quantity + " of " + subject + " in " + mode + " mode, " + part + ", was not measured");
+                    quantity + " of " + subject + " in " + mode + " mode, " + kind + ", was not measured");
         }
-        return Spread.of(values);
+        return SampleStatistics.of(values);
     }
 
-    /** The quotients of what was measured in the same repetition. */
+    /** Ratios of values measured in the same repetition. */
     static double[] ratios(double[] numerators, double[] denominators) {
         if (numerators.length != denominators.length) {
             throw new IllegalArgumentException(
@@ -62,5 +69,24 @@ final class Measurements {
             ratios[index] = numerators[index] / denominators[index];
         }
         return ratios;
+    }
+
+    /** Writes all measurements as CSV, one number per line. */
+    void writeCsv(Path file) throws IOException {
+        var lines = Stream.concat(Stream.of(CSV_HEADER), all.stream().map(Measurements::csvLine));
+        OutputFiles.write(file, lines.collect(Collectors.joining("\n", "", "\n")));
+    }
+
+    private static String csvLine(Measurement each) {
+        return String.join(
+                ",",
+                each.kind().toString(),
+                each.mode().toString(),
+                Integer.toString(each.cores()),
+                Integer.toString(each.repetition()),
+                each.subject(),
+                each.quantity().toString(),
+                each.quantity().unit(),
+                Double.toString(each.value()));
     }
 }

@@ -2,15 +2,17 @@ package io.troupe.demo.evaluate;
 
 import java.io.BufferedReader;
 import java.io.IOException;
+import java.io.InputStreamReader;
+import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 
 /**
- * A JVM of its own that measures, and is told how many processors it has.
+ * A child JVM that runs measurements with a configured number of processors.
  *
- * <p><b>Errors.</b> {@link IOException} if it cannot be started, fails, ends, or has another number of processors than
- * it was told; what it logs goes to a file.
+ * <p><b>Errors.</b> {@link IOException} if the JVM cannot be started, fails, exits, or has a different number of
+ * processors. Its log output goes to a file.
  */
 final class MeasuringProcess implements AutoCloseable {
     private final int cores;
@@ -62,8 +64,8 @@ final class MeasuringProcess implements AutoCloseable {
             var value = Result.Value.parse(line);
             result.add(value.subject(), value.quantity(), value.value());
         }
-        throw new IOException(job.title() + ": the JVM that measures (told " + Findings.cores(cores) + ") has ended: "
-                + status() + ", see " + log);
+        throw new IOException(job.title() + ": the JVM that measures (told " + CoreMeasurements.cores(cores)
+                + ") has ended: " + status() + ", see " + log);
     }
 
     private void checkProcessors(String had) throws IOException {
@@ -82,7 +84,7 @@ final class MeasuringProcess implements AutoCloseable {
         }
     }
 
-    /** Ends it, whatever it does; any thread may. */
+    /** Kills the process in any state. May be called by any thread. */
     void end() {
         process.destroy();
     }
@@ -91,5 +93,39 @@ final class MeasuringProcess implements AutoCloseable {
     public void close() {
         jobs.close();
         process.destroy();
+    }
+
+    /**
+     * Main class of the measuring JVM. It reads jobs from standard input, one per line. It answers each job with its
+     * values and a line of {@value #END} and the number of available processors, or with one line that starts with
+     * {@value #ERROR}. It exits at the end of its input.
+     */
+    static final class MeasuringMain {
+        static final String END = "end ";
+        static final String ERROR = "error ";
+
+        private MeasuringMain() {}
+
+        /** @param arguments the world file */
+        public static void main(String[] arguments) throws IOException, InterruptedException {
+            PrintStream out = System.out;
+            System.setOut(System.err); // keeps other output out of the protocol
+            var world = PaperWorld.read(Path.of(arguments[0]));
+            var run = new JobRunner(world.scenario(), world.port());
+            var in = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
+            for (String line = in.readLine(); line != null; line = in.readLine()) {
+                answer(run, Job.parse(line), out);
+            }
+        }
+
+        private static void answer(JobRunner run, Job job, PrintStream out) throws InterruptedException {
+            try {
+                run.measure(job).values().forEach(value -> out.println(value.line()));
+                out.println(END + Runtime.getRuntime().availableProcessors());
+            } catch (RuntimeException failed) {
+                out.println(ERROR + failed.toString().replaceAll("\\R", " "));
+            }
+            out.flush();
+        }
     }
 }

@@ -5,13 +5,12 @@ import java.util.HashMap;
 import java.util.Map;
 import java.util.Queue;
 
-/** Counts the colours on their way from services to the main code, and how long each takes. */
+/** Counts the colour messages from services to the main code, and measures their delay. */
 final class MessageMeter {
     private static final double NANOS_PER_MICRO = 1e3;
 
     /**
-     * When the colours were sent that have not arrived, by robot; a robot's colours arrive in the order in which it
-     * sends them.
+     * Send times of messages in transit, by robot. Messages of one robot arrive in the order in which they were sent.
      */
     private final Map<Integer, Queue<Long>> onTheirWay = new HashMap<>();
 
@@ -28,7 +27,7 @@ final class MessageMeter {
         long now = System.nanoTime();
         Long then =
                 onTheirWay.computeIfAbsent(robot, index -> new ArrayDeque<>()).poll();
-        if (then != null) { // else it was sent when nobody counted any more
+        if (then != null) { // null if it was sent after counting had ended
             received++;
             delays.add(now - then);
         }

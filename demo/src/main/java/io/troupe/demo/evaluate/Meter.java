@@ -4,13 +4,13 @@ import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.ServiceObserver;
 
 /**
- * Watches a run and says when it has seen enough.
+ * Measures a run, and decides when it has enough data.
  *
- * <p><b>Threads.</b> Told on the thread that runs the services; {@link #result} is for when that has ended or waits for
- * the world.
+ * <p><b>Threads.</b> Callbacks arrive on the thread that runs the services. {@link #result} may be called once that
+ * thread has ended or waits for the world.
  */
 interface Meter extends ServiceObserver, Arbitrator.StateListener {
-    /** Any thread may ask. */
+    /** May be called by any thread. */
     boolean isDone();
 
     Result result();

@@ -6,27 +6,27 @@ import io.troupe.sim.scenario.ScenarioReader;
 import io.troupe.sim.scenario.WorldFileException;
 import java.nio.file.Path;
 
-/** A world with the two robots of the paper. */
+/** A world with the paper's two robots, and the port that offers them. */
 record PaperWorld(Scenario scenario, int port) {
     private static final int ROBOTS = 2;
     private static final double JITTER_M = 0.02;
     private static final double JITTER_RAD = StrictMath.toRadians(2);
 
-    /** Start poses that the seed has moved a little, in simulated time as on the wall. */
+    /** Settings with start poses varied by the seed; the same in simulated and in real time. */
     static WorldSettings settings(long seed) {
         return WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
     }
 
     /**
-     * The world of a file which the command has read before, with its warnings.
+     * Reads a world file that the command has read before; its warnings were printed then.
      *
-     * @throws WorldFileException if it is none
+     * @throws WorldFileException if it does not have two robots, or offers no position2d
      */
     static PaperWorld read(Path file) {
         return of(ScenarioReader.readLeniently(file, warning -> {}), file);
     }
 
-    /** @throws WorldFileException if it is none */
+    /** @throws WorldFileException if it does not have two robots, or offers no position2d */
     static PaperWorld of(Scenario scenario, Path file) {
         int robots = scenario.world().robots().size();
         if (robots != ROBOTS) {

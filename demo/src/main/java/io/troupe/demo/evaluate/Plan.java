@@ -6,10 +6,10 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 
-/** Which jobs are done in which order. */
+/** The jobs of an evaluation and their order. */
 final class Plan {
     private static final double CYCLE_SECONDS = 0.1;
-    /** In a round that warms up: enough for the compilers, however few are measured. */
+    /** Loops of a warm-up round: enough for the compilers, even if fewer are measured. */
     private static final int WARM_UP_LOOPS = 1000;
 
     private final EvaluationSettings settings;
@@ -18,11 +18,11 @@ final class Plan {
         this.settings = settings;
     }
 
-    /** What warms up a JVM: everything once. */
+    /** The jobs of a warm-up round: each one once. */
     List<Job> warmUp(int round) {
         return repetition(round).stream()
                 .map(job -> new Job(
-                        job.part(),
+                        job.kind(),
                         job.mode(),
                         job.subject(),
                         Math.max(WARM_UP_LOOPS, job.loops()),
@@ -32,38 +32,38 @@ final class Plan {
                 .toList();
     }
 
-    /** The jobs of a repetition: each mode once with each thing, beginning with another one each time. */
+    /** The jobs of a repetition: each kind in each mode once. The order rotates between repetitions. */
     List<Job> repetition(int number) {
         var jobs = new ArrayList<Job>();
         for (Mode mode : settings.modes()) {
-            jobs.add(job(Part.LOOPS, mode, Measurement.BOTH, number));
-            jobs.add(job(Part.SWITCHES, mode, Measurement.BOTH, number));
-            if (settings.reconnect() && mode != Mode.SYNC) { // in the paper the synchronous program connects once
-                jobs.add(job(Part.RECONNECTS, mode, Measurement.BOTH, number));
+            jobs.add(job(MeasurementKind.LOOPS, mode, Measurement.BOTH, number));
+            jobs.add(job(MeasurementKind.SWITCHES, mode, Measurement.BOTH, number));
+            if (settings.reconnect() && mode != Mode.SYNC) { // in the paper the synchronous program connects only once
+                jobs.add(job(MeasurementKind.RECONNECTS, mode, Measurement.BOTH, number));
             }
         }
         for (Service service : List.of(Service.WALL_FOLLOWER, Service.SPACE_WANDERER)) {
-            jobs.add(job(Part.ALONE, modeAlone(settings.modes()), service.name(), number));
+            jobs.add(job(MeasurementKind.ALONE, modeAlone(settings.modes()), service.name(), number));
         }
         Collections.rotate(jobs, number);
         return jobs;
     }
 
-    /** The mode in which a service runs by itself: an asynchronous one if there is one. */
+    /** The mode for services that run alone: promise mode if it is measured. */
     static Mode modeAlone(List<Mode> modes) {
         return modes.contains(Mode.PROMISE) ? Mode.PROMISE : modes.getLast();
     }
 
-    private Job job(Part part, Mode mode, String subject, int number) {
-        return new Job(part, mode, subject, settings.loops(), settings.seconds(), number, 0);
+    private Job job(MeasurementKind kind, Mode mode, String subject, int number) {
+        return new Job(kind, mode, subject, settings.loops(), settings.seconds(), number, 0);
     }
 
-    /** How long a job takes on the robots' clock, about. */
+    /** Approximate duration of a job in robot time. */
     static double expectedSeconds(Job job) {
         if (!job.countsLoops()) {
             return job.seconds();
         }
-        boolean oneAfterTheOther = job.mode() == Mode.SYNC && job.part() == Part.LOOPS;
+        boolean oneAfterTheOther = job.mode() == Mode.SYNC && job.kind() == MeasurementKind.LOOPS;
         return job.loops() * CYCLE_SECONDS * (oneAfterTheOther ? 2 : 1);
     }
 }

@@ -2,46 +2,46 @@ package io.troupe.demo.evaluate;
 
 import java.util.Locale;
 
-/** What is measured. */
+/** A measured quantity and its unit. */
 enum Quantity {
-    /** On the robots' clock, from the first reading that the services wait for to the end of the last loop. */
+    /** Robot time from the first reading that the services wait for to the end of the last loop. */
     TIME("ms"),
-    /** Between the beginnings of two cycles of one service, on the robots' clock: the middle of all. */
+    /** Robot time between the starts of two cycles of one service: the median. */
     INTERVAL("ms"),
-    /** The same: what 99 of 100 do not exceed. */
+    /** The same: the 99th percentile. */
     INTERVAL_P99("ms"),
     /**
-     * One loop's computing, by the machine's clock: look for colours, send them, read, control law, command. The mean
+     * Machine time to compute one loop: look for colours, send them, read sensors, control law, command. The mean
      * without the longest hundredth.
      */
     CYCLE("us"),
-    /** The same: what 99 of 100 do not exceed. */
+    /** The same: the 99th percentile. */
     CYCLE_P99("us"),
     /**
-     * The computing of one loop of each service and the way of their colours to the main code, by the machine's clock.
-     * The mean without the longest hundredth.
+     * Machine time to compute one loop of each service and deliver their colours to the main code. The mean without the
+     * longest hundredth.
      */
     TURN("us"),
     /**
-     * Processor time of the thread that runs the services, for one loop of each, with all messages, and with waking up
-     * for each reading.
+     * Processor time of the thread that runs the services, for one loop of each, including all messages and a wake-up
+     * per reading.
      */
     PROCESSOR("us"),
     STATE_CHANGES("1"),
-    /** Colours that left a service for the main code. */
+    /** Colour messages sent by services. */
     SENT("1"),
-    /** Colours that the main code got. */
+    /** Colour messages received by the main code. */
     RECEIVED("1"),
-    /** From sending a colour to the main code having it, by the machine's clock: the middle of all. */
+    /** Machine time from sending a colour to its receipt by the main code: the median. */
     DELAY("us"),
-    /** The same: what 99 of 100 do not exceed. */
+    /** The same: the 99th percentile. */
     DELAY_P99("us"),
     /**
-     * From the cycle that sees the colour that ends a state to every robot's first cycle in the next, by the machine's
-     * clock: the middle of those that take no time on the robots' clock.
+     * Machine time from the cycle that sees the colour that ends a state to the last robot's first cycle in the next
+     * state. The median of the switches that take no robot time.
      */
     SWITCH("us"),
-    /** The same on the robots' clock. */
+    /** The same in robot time. */
     SWITCH_TIME("ms");
 
     private final String unit;

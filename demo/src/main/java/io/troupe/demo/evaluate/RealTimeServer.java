@@ -7,7 +7,7 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.SimulationRunner;
 import java.util.function.DoubleConsumer;
 
-/** The world behind a socket of this machine, in real time, as Stage offers it: it waits for nobody. */
+/** A world in real time on a local TCP socket, as Stage offers it: it does not wait for slow clients. */
 final class RealTimeServer implements AutoCloseable {
     private final Simulation simulation;
     private final TcpServer server;
@@ -19,7 +19,7 @@ final class RealTimeServer implements AutoCloseable {
         this.runner = runner;
     }
 
-    /** @param passed is told how many seconds have passed, on a thread of the world's */
+    /** @param passed called with the elapsed seconds, on a thread of the world */
     static RealTimeServer open(PaperWorld world, long seed, DoubleConsumer passed) {
         var simulation = Simulation.open(world.scenario(), PaperWorld.settings(seed));
         try {

@@ -3,7 +3,7 @@ package io.troupe.demo.evaluate;
 import java.util.ArrayList;
 import java.util.List;
 
-/** What one run gave: its numbers, as lines of text between two JVMs. */
+/** The measured values of one run; lines of text between two JVMs. */
 record Result(List<Value> values) {
     record Value(String subject, Quantity quantity, double value) {
         String line() {

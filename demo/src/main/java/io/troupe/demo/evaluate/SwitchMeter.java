@@ -8,16 +8,16 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** Measures what changes of state cost, for so long on the robots' clock. */
+/** Measures the cost of state changes for a fixed time on the robots' clock. */
 final class SwitchMeter implements Meter {
     private static final double NANOS_PER_MILLI = 1e6;
     private static final double NANOS_PER_MICRO = 1e3;
 
-    /** When a cycle began, on both clocks. */
+    /** Start of a cycle, on both clocks. */
     private record Moment(long machineNanos, long robotNanos) {}
 
     private final MessageMeter messages = new MessageMeter();
-    private final RobotTime time;
+    private final RobotClock time;
     private final long endNanos;
     private final Map<Integer, Moment> cycles = new HashMap<>();
     private final Set<Integer> awaited = new HashSet<>();
@@ -26,7 +26,7 @@ final class SwitchMeter implements Meter {
     private @Nullable Moment seen;
     private int changes;
 
-    SwitchMeter(double seconds, RobotTime time) {
+    SwitchMeter(double seconds, RobotClock time) {
         this.time = time;
         this.endNanos = time.nanos() + Math.round(seconds * 1e9);
     }
@@ -58,7 +58,7 @@ final class SwitchMeter implements Meter {
         cycles.put(robot, now);
         if (awaited.remove(robot) && awaited.isEmpty() && seen != null) {
             passing.add(now.robotNanos - seen.robotNanos);
-            if (now.robotNanos == seen.robotNanos) { // else the world has computed as well, or waited
+            if (now.robotNanos == seen.robotNanos) { // else it includes computing by the world, or waiting
                 computing.add(now.machineNanos - seen.machineNanos);
             }
         }

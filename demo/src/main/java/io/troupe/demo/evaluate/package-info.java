@@ -1,4 +1,6 @@
-/** {@code troupe evaluate}: section 4 of the paper measured again, its claims beside what we find. */
+/**
+ * {@code troupe evaluate}: repeats the measurements of section 4 of the paper and compares its claims with the results.
+ */
 @NullMarked
 package io.troupe.demo.evaluate;
 

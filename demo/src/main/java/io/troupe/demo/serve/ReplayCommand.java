@@ -4,7 +4,7 @@ import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.Replay;
 import io.troupe.sim.Snapshot;
@@ -25,7 +25,7 @@ import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe replay}: does once more, bit for bit, what {@code troupe serve --record} has written down. */
+/** {@code troupe replay}: repeats a run recorded by {@code troupe serve --record}, bit for bit. */
 @Command(
         name = "replay",
         description =
@@ -69,7 +69,7 @@ public final class ReplayCommand implements Callable<Integer> {
     }
 
     private static long play(Replay replay, WorldSpec world, Travelled travelled, Interruption interruption) {
-        try (var line = TerminalLine.open()) {
+        try (var line = ProgressLine.open()) {
             return replay.play(world, snapshot -> {
                 interruption.check();
                 travelled.add(snapshot);
@@ -102,7 +102,7 @@ public final class ReplayCommand implements Callable<Integer> {
         }
     }
 
-    /** How far each robot has driven, and what it has touched. */
+    /** Distance and contacts of each robot. */
     private static final class Travelled {
         private final double[] distanceM;
         private final int[] contacts;

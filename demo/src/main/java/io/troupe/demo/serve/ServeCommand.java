@@ -1,7 +1,7 @@
 package io.troupe.demo.serve;
 
 import io.troupe.demo.terminal.FileProblems;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.sim.Pace;
 import io.troupe.sim.WorldSettings;
 import java.io.IOException;
@@ -21,9 +21,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/**
- * {@code troupe serve}: simulates a world and offers its robots to Player clients over TCP, until it is interrupted.
- */
+/** {@code troupe serve}: simulates a world and offers its robots to Player clients over TCP until interrupted. */
 @Command(
         name = "serve",
         description = "Simulates a world and offers its robots to Player clients over TCP, until Ctrl-C.",
@@ -56,7 +54,7 @@ public final class ServeCommand implements Callable<Integer> {
     @ArgGroup
     private @Nullable Speed speed;
 
-    /** One of these. */
+    /** The mutually exclusive speed options. */
     static final class Speed {
         @Option(names = "--realtime", description = "simulated time passes like ours (the default)")
         private boolean realtime;
@@ -118,7 +116,7 @@ public final class ServeCommand implements Callable<Integer> {
         PrintWriter terminal = spec.commandLine().getOut();
         try {
             try (serving;
-                    var line = TerminalLine.open()) {
+                    var line = ProgressLine.open()) {
                 if (recording != null) {
                     serving.record(recording);
                 }
@@ -129,7 +127,7 @@ public final class ServeCommand implements Callable<Integer> {
             terminal.println(serving.farewell());
             terminal.flush();
         } finally {
-            ended.countDown(); // on Ctrl-C nothing is sure to happen after this
+            ended.countDown(); // lets the shutdown hook return; after that the virtual machine may exit at any time
             forget(hook);
         }
         return 0;
@@ -176,11 +174,14 @@ public final class ServeCommand implements Callable<Integer> {
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException shuttingDown) {
-            // it runs already, and that is what it is for
+            // the hook is already running
         }
     }
 
-    /** On Ctrl-C the machine ends when this returns: after clients were told and the recording was written. */
+    /**
+     * Body of the shutdown hook. It returns after clients are disconnected and the recording is written; then the
+     * virtual machine exits.
+     */
     private static void finish(Serving serving, CountDownLatch ended) {
         serving.stop();
         try {

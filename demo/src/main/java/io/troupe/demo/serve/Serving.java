@@ -1,6 +1,6 @@
 package io.troupe.demo.serve;
 
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.sim.Pace;
@@ -24,16 +24,16 @@ import java.util.concurrent.CountDownLatch;
 import java.util.stream.Collectors;
 
 /**
- * A world and the sockets on which it is served.
+ * A world and the TCP servers that offer it.
  *
- * <p><b>Threads.</b> {@link #run} blocks its caller; {@link #stop} ends it from any thread.
+ * <p><b>Threads.</b> {@link #run} blocks its caller. {@link #stop} ends it and may be called by any thread.
  */
 final class Serving implements AutoCloseable {
     private static final long MICROS_PER_SECOND = 1_000_000;
 
     private final Scenario scenario;
     private final Simulation simulation;
-    /** By the port in the scenario. */
+    /** By the port of the scenario. */
     private final Map<Integer, TcpServer> servers = new TreeMap<>();
 
     private final InetAddress bind;
@@ -46,18 +46,18 @@ final class Serving implements AutoCloseable {
     }
 
     /**
-     * Creates the world and listens.
+     * Creates the world and opens the server sockets.
      *
-     * @param port of the devices that the scenario offers on Player's usual one
+     * @param port for devices that the scenario offers on Player's default port
      */
     static Serving open(Scenario given, WorldSettings settings, InetAddress bind, int port, boolean lockStep) {
         return open(given, settings, bind, port, lockStep, 0);
     }
 
     /**
-     * The same.
+     * As above, with a limit on clients.
      *
-     * @param maxClients on each port; 0 = as many as the machine bears
+     * @param maxClients per port; 0 means no limit
      */
     static Serving open(
             Scenario given, WorldSettings settings, InetAddress bind, int port, boolean lockStep, int maxClients) {
@@ -99,7 +99,7 @@ final class Serving implements AutoCloseable {
                 port, binding.interfaceName(), binding.index(), binding.model(), binding.ranger(), binding.where());
     }
 
-    /** The ports it listens on, in the order of those in the scenario. */
+    /** The open ports, in the order of the scenario's ports. */
     List<Integer> ports() {
         return servers.values().stream().map(TcpServer::port).toList();
     }
@@ -108,7 +108,7 @@ final class Serving implements AutoCloseable {
         simulation.record(new NamedWriter(file, Files.newBufferedWriter(file)));
     }
 
-    /** A file whose errors say its name. */
+    /** A writer whose exceptions name the file. */
     static final class NamedWriter extends FilterWriter {
         private final Path file;
 
@@ -167,7 +167,7 @@ final class Serving implements AutoCloseable {
         }
     }
 
-    /** What is offered where; one line for each port. */
+    /** The offered devices, one line per port. */
     String greeting() {
         return servers.entrySet().stream()
                 .map(server ->
@@ -187,15 +187,15 @@ final class Serving implements AutoCloseable {
     }
 
     /**
-     * Lets time pass while there are clients, until it is stopped or so much time has passed.
+     * Advances the world while there are clients, until it is stopped or the end time is reached.
      *
-     * @param clients how many there must be before it begins
-     * @throws RuntimeException what has ended the simulation before
+     * @param clients number of clients required before the start
+     * @throws RuntimeException the failure that ended the simulation
      */
-    void run(Pace pace, int clients, long endMicros, TerminalLine line) throws InterruptedException {
+    void run(Pace pace, int clients, long endMicros, ProgressLine line) throws InterruptedException {
         try (var runner =
                 SimulationRunner.start(simulation, clients, snapshot -> report(snapshot, endMicros, line), pace)) {
-            runner.ended().whenComplete((end, failure) -> stop()); // by a failure, of which closing the runner tells
+            runner.ended().whenComplete((end, failure) -> stop()); // a failure is rethrown when the runner is closed
             stopped.await();
             line.close();
             if (runner.droppedMicros() > 0) {
@@ -208,7 +208,7 @@ final class Serving implements AutoCloseable {
         }
     }
 
-    private void report(Snapshot snapshot, long endMicros, TerminalLine line) {
+    private void report(Snapshot snapshot, long endMicros, ProgressLine line) {
         if (snapshot.timeMicros() % MICROS_PER_SECOND == 0) {
             line.show("", String.format(Locale.ROOT, "%d s simulated", snapshot.timeMicros() / MICROS_PER_SECOND));
         }

@@ -1,6 +1,6 @@
 package io.troupe.demo.serve;
 
-import io.troupe.demo.terminal.WorldReading;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.sim.scenario.CrowdWorld;
 import io.troupe.sim.scenario.Scenario;
 import java.nio.file.Path;
@@ -12,9 +12,9 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** Which world a command works with. */
+/** Command line options for the world. */
 final class WorldOptions {
-    /** Where our own worlds are: the start script says so, builds run in that directory. */
+    /** Directory of the installation. The start script sets the property; builds run in that directory. */
     private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
     @Spec(Spec.Target.MIXEE)
@@ -31,12 +31,12 @@ final class WorldOptions {
     private @Nullable Integer crowd;
 
     @Mixin
-    private WorldReading reading;
+    private WorldLoader loader;
 
-    /** Reads it. */
+    /** Reads the world. */
     Scenario scenario() {
         if (crowd == null) {
-            return reading.read(world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world);
+            return loader.read(world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world);
         }
         if (world != null) {
             throw new ParameterException(spec.commandLine(), "--crowd and --world are both given, expected one");

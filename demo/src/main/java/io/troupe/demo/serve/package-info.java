@@ -1,4 +1,4 @@
-/** {@code troupe serve}: a world for Player clients behind sockets. */
+/** {@code troupe serve}: offers a world to Player clients over TCP; {@code troupe replay}: repeats its recordings. */
 @NullMarked
 package io.troupe.demo.serve;
 

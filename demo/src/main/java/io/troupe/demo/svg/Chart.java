@@ -23,12 +23,12 @@ import javax.imageio.ImageIO;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Lines, bars and text that are drawn once and written as SVG, where text stays text, and as PNG.
+ * A drawing of lines, bars and text, written as SVG, where text stays text, and as PNG.
  *
- * <p><b>Units and shapes.</b> Pixels, y downwards; colours are {@code 0x00RRGGBB}.
+ * <p><b>Units and shapes.</b> Pixels, y downwards. Colours are {@code 0x00RRGGBB}.
  */
 public final class Chart {
-    /** Where a text lies by its point. */
+    /** Position of a text relative to its point. */
     public enum Anchor {
         START("start", 0),
         MIDDLE("middle", 0.5),
@@ -43,7 +43,7 @@ public final class Chart {
         }
     }
 
-    /** Pixels of the PNG for one of the drawing. */
+    /** Pixels of the PNG per pixel of the drawing. */
     private static final int SCALE = 2;
 
     private final int width;
@@ -54,14 +54,14 @@ public final class Chart {
     public Chart(int width, int height, String title) {
         this.width = width;
         this.height = height;
-        this.svg = new StringBuilder(Svg.begin(width, height, 12, title));
+        this.svg = new StringBuilder(SvgElements.begin(width, height, 12, title));
     }
 
     public void line(double x1, double y1, double x2, double y2, int colour, double thick) {
         line(x1, y1, x2, y2, colour, thick, "");
     }
 
-    /** @param dash lengths of dashes and gaps in turn, with blanks between; "" = solid */
+    /** @param dash alternating lengths of dashes and gaps, separated by blanks; "" is solid */
     public void line(double x1, double y1, double x2, double y2, int colour, double thick, String dash) {
         svg.append(String.format(
                 Locale.ROOT,
@@ -117,7 +117,7 @@ public final class Chart {
     }
 
     public void text(double x, double y, int sizePx, Anchor anchor, int colour, String words) {
-        svg.append(Svg.text(
+        svg.append(SvgElements.text(
                 x,
                 y,
                 String.format(
@@ -135,7 +135,7 @@ public final class Chart {
         return svg + "</svg>\n";
     }
 
-    /** Twice as large as the drawing, for sharp screens. */
+    /** An image of twice the size of the drawing, for high-resolution screens. */
     public BufferedImage image() {
         var image = new BufferedImage(SCALE * width, SCALE * height, BufferedImage.TYPE_INT_RGB);
         Graphics2D canvas = image.createGraphics();
@@ -149,7 +149,7 @@ public final class Chart {
         return image;
     }
 
-    /** @throws IOException if there is no font for the PNG, which says what to do about it */
+    /** @throws IOException if Java finds no font for the PNG; the message explains how to fix it */
     public static void checkFonts() throws IOException {
         try {
             if (GraphicsEnvironment.getLocalGraphicsEnvironment().getAvailableFontFamilyNames().length > 0) {
@@ -169,7 +169,7 @@ public final class Chart {
     }
 
     /**
-     * As {@code name.svg} and {@code name.png}.
+     * Writes {@code name.svg} and {@code name.png}.
      *
      * @throws IOException if a file cannot be written, or Java finds no font on this machine
      */

@@ -1,4 +1,4 @@
-/** What the pictures of the command line have in common. */
+/** Charts and SVG elements shared by the pictures of the commands. */
 @NullMarked
 package io.troupe.demo.svg;
 

@@ -7,32 +7,32 @@ import java.util.ArrayList;
 import java.util.List;
 
 /**
- * What a diagram of a table shows. Every state that can end leads to every other, so an arrow's label depends on where
- * it goes alone.
+ * The content of a diagram of a table. Every state that can end leads to every other state, so the label of an arrow
+ * depends only on its target.
  *
- * @param title for people who cannot see it, and for the window
+ * @param title window title and text for screen readers
  * @param notes lines below the picture
  */
 record Diagram(String title, List<Node> nodes, List<String> notes) {
     /**
-     * Up to so many states every arrow is drawn; more would be a net of crossing lines, so that one bar stands for all
-     * other states.
+     * Up to this number of states all arrows are drawn. Of more, the arrows would cross too often: one bar represents
+     * all other states.
      */
     private static final int MOST_WITH_ALL_ARROWS = 3;
 
-    /** What stands in the bar. */
+    /** The text of the bar. */
     static final String BAR = "any other state in which a robot looks for colours";
 
     /**
-     * A state.
+     * A state in the diagram.
      *
-     * @param enters the label of arrows that lead to it
+     * @param enters label of arrows that lead to it
      * @param colour {@code 0x00RRGGBB}
      * @param ends whether arrows lead away from it
      */
     record Node(int number, String heading, List<String> lines, String enters, int colour, boolean ends) {}
 
-    /** An arrow between two nodes, by their indices. */
+    /** An arrow between two nodes, given by index. */
     record Arrow(int from, int to) {}
 
     Diagram {
@@ -77,7 +77,7 @@ record Diagram(String title, List<Node> nodes, List<String> notes) {
         return nodes.size() > MOST_WITH_ALL_ARROWS;
     }
 
-    /** All of them; the bar stands for them if there is one. */
+    /** All arrows between states. With a bar, the arrows to a state are drawn as one arrow from the bar. */
     List<Arrow> arrows() {
         List<Arrow> arrows = new ArrayList<>();
         for (int from = 0; from < nodes.size(); from++) {

@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Writes a diagram for Graphviz. */
+/** Writes a diagram in the DOT format of Graphviz. */
 final class DiagramDot {
     private DiagramDot() {}
 
@@ -46,7 +46,7 @@ final class DiagramDot {
         text.append(String.format(Locale.ROOT, ", color=\"#%06x\"];\n", to.colour()));
     }
 
-    /** A label that shows exactly these lines; each ends with what Graphviz calls a line break. */
+    /** A quoted label; each line ends with the given Graphviz line break. */
     private static String quoted(List<String> lines, String lineBreak) {
         var label = new StringBuilder("\"");
         for (int index = 0; index < lines.size(); index++) {

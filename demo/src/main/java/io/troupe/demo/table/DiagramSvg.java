@@ -1,23 +1,29 @@
 package io.troupe.demo.table;
 
+import io.troupe.demo.svg.SvgElements;
 import io.troupe.demo.table.Diagram.Node;
-import io.troupe.demo.table.SvgText.Point;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Stream;
 
-/** Draws a diagram: up to three states with all arrows between them, more with one arrow from a bar into each. */
+/**
+ * Draws a diagram as SVG: up to three states with all arrows between them, more states with one arrow each from a
+ * common bar.
+ */
 final class DiagramSvg {
+    private record Point(double x, double y) {}
+
     private static final double MARGIN_PX = 24;
     private static final double GAP_PX = 22;
-    /** Between bar and boxes, and between the boxes of a triangle: room for a label. */
+    /** Distance between the bar and boxes, and between the boxes of a triangle; fits a label. */
     private static final double ARROW_PX = 150;
 
     private static final double MOST_BOW_PX = 70;
-    /** Which part of an arrow is before its label. */
+    /** Position of the label along an arrow, as a share of its length. */
     private static final double LABEL_AT = 0.4;
 
     private static final double BAR_PX = 150;
-    /** From so many states on, there are some on both sides of the bar. */
+    /** From this number of states on, there are boxes on both sides of the bar. */
     private static final int TWO_SIDED = 9;
 
     private static final String BOX = "fill=\"#f6f6f6\" stroke=\"#444\" stroke-width=\"1.5\"";
@@ -77,14 +83,14 @@ final class DiagramSvg {
         }
     }
 
-    /** One box, two beside each other, or a triangle with the first state on top. */
+    /** Draws one box, two side by side, or a triangle with the first state on top. */
     private String withAllArrows() {
         int count = diagram.nodes().size();
         double across = boxWidth + ARROW_PX * (count == 2 ? 1 : 1.5);
         double down = boxHeight + ARROW_PX;
         double width = 2 * MARGIN_PX + boxWidth + (count > 1 ? across : 0);
-        double top =
-                MARGIN_PX + 30 + boxHeight / 2 + (count == 2 ? 20 : 0); // an arrow from above begins the first state
+        // the initial arrow enters the first state from above
+        double top = MARGIN_PX + 30 + boxHeight / 2 + (count == 2 ? 20 : 0);
         double left = MARGIN_PX + boxWidth / 2;
         List<Point> centres = switch (count) {
             case 1 -> List.of(new Point(left, top));
@@ -93,7 +99,7 @@ final class DiagramSvg {
                 List.of(new Point(width / 2, top), new Point(left, top + down), new Point(left + across, top + down));
         };
         double bottom = centres.getLast().y() + boxHeight / 2;
-        // arrows beside each other bow below the lowest boxes, if these are low
+        // parallel arrows curve below the lowest boxes if these are not high enough
         double bow = count == 1 ? 0 : Math.max(0, (MOST_BOW_PX + SvgText.LINE_PX) / 2 + 4 - boxHeight / 2);
         SvgText svg = begin(width, bottom + bow + MARGIN_PX);
         Point first = centres.getFirst();
@@ -112,7 +118,7 @@ final class DiagramSvg {
         return svg.end();
     }
 
-    /** An arrow that keeps to its left, so that there and back are two. */
+    /** Draws an arrow that curves to its left, so that the arrows of both directions are apart. */
     private void arc(SvgText svg, Point from, Point to, Node entered) {
         double dx = to.x() - from.x();
         double dy = to.y() - from.y();
@@ -129,13 +135,13 @@ final class DiagramSvg {
                 onCurve(start.y(), bend.y(), end.y()));
     }
 
-    /** A coordinate of the label: before the middle, so that the labels of there and back are apart. */
+    /** A coordinate of the label, before the middle of the curve, so that the labels of both directions are apart. */
     private static double onCurve(double start, double bend, double end) {
         double rest = 1 - LABEL_AT;
         return rest * rest * start + 2 * rest * LABEL_AT * bend + LABEL_AT * LABEL_AT * end;
     }
 
-    /** Where the line from a box's centre to a point outside leaves the box. */
+    /** Point where the line from a box's centre to an outside point leaves the box. */
     private Point edge(Point centre, Point outside) {
         double dx = outside.x() - centre.x();
         double dy = outside.y() - centre.y();
@@ -143,7 +149,7 @@ final class DiagramSvg {
         return new Point(centre.x() + dx * Math.min(1, share), centre.y() + dy * Math.min(1, share));
     }
 
-    /** The bar, and the states in one column to its right, or in two on both sides. */
+    /** Draws the bar, with the states in one column on its right, or in one on each side. */
     private String withBar() {
         int count = diagram.nodes().size();
         boolean twoSided = count >= TWO_SIDED;
@@ -155,7 +161,7 @@ final class DiagramSvg {
                                 .mapToDouble(node -> SvgText.width(node.enters()))
                                 .max()
                                 .orElse(0));
-        double side = arrow + boxWidth + 40; // the first state's beginning needs room
+        double side = arrow + boxWidth + 40; // room for the initial arrow of the first state
         double barX = MARGIN_PX + (twoSided ? side : 0);
         double height = rows * (boxHeight + GAP_PX) - GAP_PX;
         SvgText svg = begin(barX + BAR_PX + side + MARGIN_PX, height + 2 * MARGIN_PX);
@@ -190,5 +196,79 @@ final class DiagramSvg {
 
     private static String pair(Point point) {
         return SvgText.number(point.x()) + "," + SvgText.number(point.y());
+    }
+
+    /** Writes the SVG elements of diagrams. */
+    private static final class SvgText {
+        static final double FONT_PX = 14;
+        static final double LINE_PX = 19;
+        private static final double HEAD_PX = 9;
+        /** Letter width of a sans-serif font. Generous, since fonts differ. */
+        private static final double LETTER_PX = 8;
+
+        private final StringBuilder text = new StringBuilder();
+
+        SvgText(double width, double height, String title) {
+            text.append(SvgElements.begin(width, height, FONT_PX, title));
+        }
+
+        /** Upper estimate of the width of a line. */
+        static double width(String line) {
+            return line.length() * LETTER_PX;
+        }
+
+        void box(double x, double y, double width, double height, String style) {
+            add("<rect x=\"%s\" y=\"%s\" width=\"%s\" height=\"%s\" rx=\"8\" " + style + "/>", x, y, width, height);
+        }
+
+        void line(String words, double x, double y, String style) {
+            add("<text x=\"%s\" y=\"%s\" " + style + ">%s</text>", x, y, words);
+        }
+
+        /** An arrow: SVG path data, continued to {@code tip}, which is approached from {@code before}. */
+        void arrow(String start, Point before, Point tip) {
+            double direction = StrictMath.atan2(tip.y() - before.y(), tip.x() - before.x());
+            var end = new Point(
+                    tip.x() - HEAD_PX / 2 * StrictMath.cos(direction),
+                    tip.y() - HEAD_PX / 2 * StrictMath.sin(direction));
+            add("<path class=\"arrow\" d=\"" + start + number(end.x()) + "," + number(end.y())
+                    + "\" fill=\"none\" stroke=\"#444\" stroke-width=\"1.5\"/>");
+            text.append(SvgElements.head(tip.x(), tip.y(), direction, HEAD_PX, "#444"));
+        }
+
+        void dot(double x, double y) {
+            add("<circle cx=\"%s\" cy=\"%s\" r=\"5\" fill=\"#444\"/>", x, y);
+        }
+
+        /** A coloured square and a label on white, centred on a line. */
+        void label(String words, int colour, double x, double y) {
+            double width = width(words) + 18;
+            add(
+                    "<rect x=\"%s\" y=\"%s\" width=\"%s\" height=\"%s\" fill=\"white\"/>",
+                    x - width / 2 - 3, y - LINE_PX / 2, width + 6, LINE_PX);
+            add(
+                    "<rect x=\"%s\" y=\"%s\" width=\"12\" height=\"12\" fill=\"%s\" stroke=\"#444\"/>",
+                    x - width / 2, y - 6, SvgElements.colour(colour));
+            line(words, x - width / 2 + 18, y + 5, "");
+        }
+
+        String end() {
+            return text.append("</svg>\n").toString();
+        }
+
+        private void add(String format, Object... values) {
+            var safe = new Object[values.length];
+            for (int index = 0; index < values.length; index++) {
+                safe[index] = values[index] instanceof Double number
+                        ? number(number)
+                        : SvgElements.escape(values[index].toString());
+            }
+            text.append(values.length == 0 ? format : String.format(Locale.ROOT, format, safe))
+                    .append('\n');
+        }
+
+        static String number(double value) {
+            return String.format(Locale.ROOT, "%.1f", value).replaceFirst("\\.0$", "");
+        }
     }
 }

@@ -8,9 +8,9 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Function;
 
-/** Says what robots do without a line for each of many: those that do the same are one group. */
+/** Describes the services of many robots briefly: robots with the same service form a group. */
 final class RobotGroups {
-    /** Up to so many robots, each is named. */
+    /** Up to this number, robots are listed individually. */
     private static final int FEW_ROBOTS = 4;
 
     private static final int LINE_LENGTH = 44;
@@ -24,7 +24,7 @@ final class RobotGroups {
                 .toList();
     }
 
-    /** One such phrase for each robot of few, or for each service. */
+    /** One phrase per robot for a few robots, otherwise one per service. */
     static List<String> phrases(State state, Function<Service, String> words) {
         var services = state.services();
         if (services.size() <= FEW_ROBOTS) {
@@ -44,7 +44,7 @@ final class RobotGroups {
                 .toList();
     }
 
-    /** {@code robots 1..2, 6..50}. */
+    /** Numbers as ranges: {@code robots 1..2, 6..50}. */
     static String numbers(List<Integer> ascending) {
         List<String> parts = new ArrayList<>();
         for (int from = 0; from < ascending.size(); ) {
@@ -58,7 +58,7 @@ final class RobotGroups {
         return (ascending.size() == 1 ? "robot " : "robots ") + String.join(", ", parts);
     }
 
-    /** Lines of so many letters, or of one longer word. */
+    /** Breaks a text into lines of at most this length; a longer word gets a separate line. */
     static List<String> wrap(String text, int length) {
         List<String> lines = new ArrayList<>();
         var line = new StringBuilder();

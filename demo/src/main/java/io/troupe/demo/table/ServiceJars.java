@@ -12,7 +12,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** The option {@code --services-jar} of the commands that read tables; the jars are open until it is closed. */
+/** The option {@code --services-jar}. The jars stay open until this is closed. */
 public final class ServiceJars implements AutoCloseable {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
@@ -29,9 +29,9 @@ public final class ServiceJars implements AutoCloseable {
     private final List<ServiceJar> open = new ArrayList<>();
 
     /**
-     * What a table can name: our kinds and those of the jars.
+     * The services that a table may name: the standard ones and those of the jars.
      *
-     * @param table that is to be read; null if there is none, so that a jar is of no use
+     * @param table to be read; null if there is none, and then a jar is rejected
      */
     public ServiceCatalogue catalogue(@Nullable Path table) {
         if (table == null && !jars.isEmpty()) {

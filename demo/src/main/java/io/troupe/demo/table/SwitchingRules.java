@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
- * The rules of a table in the form of the paper's list in section 3.3: conditions, and which service goes before which.
+ * The rules of a table in the form of the list in section 3.3 of the paper: conditions, and the order of services.
  *
  * <p><b>Source.</b> The paper's list contradicts its Table 4 for blue and red; this follows the table.
  */
@@ -34,14 +34,16 @@ final class SwitchingRules {
                 });
     }
 
-    /** {@code WF} for {@code wallFollower}; the name itself if that would be one letter. */
+    /** {@code WF} for {@code wallFollower}; the full name if the abbreviation would be one letter. */
     private static String initials(String name) {
         String initials = name.substring(0, 1).toUpperCase(Locale.ROOT)
                 + name.substring(1).replaceAll("[^\\p{Lu}]", "");
         return initials.length() > 1 ? initials : name;
     }
 
-    /** The services in charge, the highest layer first, before all others: {@code WF > SW}. */
+    /**
+     * The order of services: the layers of the one in charge, highest first, then all others, such as {@code WF > SW}.
+     */
     String order(Service inCharge) {
         var layers = inCharge.layers();
         var others = abbreviations.keySet().stream()
@@ -56,12 +58,12 @@ final class SwitchingRules {
         };
     }
 
-    /** The letter of the condition that leads to a state; A is the one that all have in common. */
+    /** The letter of the condition that leads to a state. A is the condition common to all. */
     String condition(State state) {
         return state.number() < 26 ? String.valueOf((char) ('A' + state.number())) : "B" + state.number();
     }
 
-    /** What the letters mean. */
+    /** Explains the letters. */
     List<String> notes() {
         List<String> notes = new ArrayList<>();
         notes.addAll(RobotGroups.wrap("A: " + common(), NOTE_LENGTH));

@@ -1,4 +1,4 @@
-/** {@code troupe table}: tables of services as grids and as state diagrams. */
+/** {@code troupe table}: subsumption tables as text grids and as state diagrams. */
 @NullMarked
 package io.troupe.demo.table;
 

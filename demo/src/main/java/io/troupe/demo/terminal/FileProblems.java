@@ -12,18 +12,18 @@ import java.nio.file.Path;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
-/** What is wrong with a file, in the same words for all commands. */
+/** Error messages for files, with the same wording in all commands. */
 public final class FileProblems {
     private FileProblems() {}
 
-    /** Without names of classes; begins with the file if the system says which. */
-    public static String words(IOException problem) {
+    /** The message without class names. It starts with the file if the exception names it. */
+    public static String message(IOException problem) {
         return problem instanceof FileSystemException file ? file.getFile() + ": " + reason(file) : reason(problem);
     }
 
-    /** The same, for a file that is known: some messages of the system, as that of a full disk, name none. */
-    public static String words(Path file, IOException problem) {
-        String words = words(problem);
+    /** The message with the name of the file; some system errors, such as a full disk, do not contain it. */
+    public static String message(Path file, IOException problem) {
+        String words = message(problem);
         return words.contains(file.toString()) ? words : file + ": " + words;
     }
 
@@ -44,9 +44,9 @@ public final class FileProblems {
     }
 
     /**
-     * Refuses what a command cannot read, before it begins.
+     * Rejects an input file that cannot be read, before the command starts.
      *
-     * @throws ParameterException if it is missing, a directory, or may not be read
+     * @throws ParameterException if it is missing, a directory, or not readable
      */
     public static void checkInput(CommandSpec spec, Path file, String expected) {
         String problem = Files.isDirectory(file)
@@ -60,9 +60,9 @@ public final class FileProblems {
     }
 
     /**
-     * Refuses a place for a file that is none, before there is something to write.
+     * Rejects an output file that cannot be created, before the command starts.
      *
-     * @throws ParameterException if it is a directory, or its directory is missing
+     * @throws ParameterException if it is a directory, or its parent directory is missing
      */
     public static void checkOutput(CommandSpec spec, String option, Path file) {
         Path directory = file.toAbsolutePath().getParent();

@@ -6,19 +6,20 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
- * Lets a command finish in order on Ctrl-C: the virtual machine ends when this is closed, or after half a minute.
+ * Lets a command finish in order after Ctrl-C. The virtual machine exits when this is closed, or after half a minute.
  *
- * <p><b>Threads.</b> Ctrl-C is noticed on a thread of the virtual machine; the rest may be called on any.
+ * <p><b>Threads.</b> Ctrl-C is handled by a shutdown hook on a separate thread. The methods may be called from any
+ * thread.
  */
 public final class Interruption implements AutoCloseable {
-    /** Exit status of a command that Ctrl-C has ended, as shells have it. */
+    /** Exit status of an interrupted command, by shell convention. */
     public static final int STATUS = 130;
 
     private static final long CLOSING_SECONDS = 30;
-    private static final long LAST_WORDS_MILLIS = 500;
+    private static final long LAST_OUTPUT_MILLIS = 500;
     private static final Runnable NOTHING = () -> {};
 
-    /** Ends what a command does when Ctrl-C was pressed; caught where it prints what it has. */
+    /** Aborts the work of a command after Ctrl-C. The command catches it and prints its partial results. */
     public static final class InterruptedCommand extends RuntimeException {
         private static final long serialVersionUID = 1;
 
@@ -42,7 +43,7 @@ public final class Interruption implements AutoCloseable {
         return interruption;
     }
 
-    /** One that never comes. */
+    /** An interruption that never occurs. */
     public static Interruption none() {
         return new Interruption();
     }
@@ -51,7 +52,7 @@ public final class Interruption implements AutoCloseable {
         return requested;
     }
 
-    /** Waits for a Ctrl-C that a child process noticed first: it goes to all processes of a terminal. */
+    /** Waits for a Ctrl-C that may have reached a child process first: the terminal sends it to all processes. */
     public boolean isRequestedWithin(Duration limit) {
         try {
             return asked.await(limit.toMillis(), TimeUnit.MILLISECONDS);
@@ -68,7 +69,10 @@ public final class Interruption implements AutoCloseable {
         }
     }
 
-    /** What ends a wait that cannot look at {@link #isRequested}; at once, if Ctrl-C was pressed before. */
+    /**
+     * Registers an action that ends a wait that cannot poll {@link #isRequested}. It runs at once if Ctrl-C was pressed
+     * before.
+     */
     public void onRequest(Runnable action) {
         atRequest.set(action);
         if (requested) {
@@ -76,7 +80,7 @@ public final class Interruption implements AutoCloseable {
         }
     }
 
-    /** As Ctrl-C does. */
+    /** Requests an interruption, as Ctrl-C does. */
     void request() {
         requested = true;
         asked.countDown();
@@ -87,7 +91,8 @@ public final class Interruption implements AutoCloseable {
         request();
         try {
             if (closed.await(CLOSING_SECONDS, TimeUnit.SECONDS)) {
-                owner.join(LAST_WORDS_MILLIS); // it may have to print what went wrong; its exit waits for this thread
+                // the owner may still print an error; its call of exit blocks until this hook ends
+                owner.join(LAST_OUTPUT_MILLIS);
             }
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
@@ -100,7 +105,7 @@ public final class Interruption implements AutoCloseable {
         try {
             Runtime.getRuntime().removeShutdownHook(hook);
         } catch (IllegalStateException shuttingDown) {
-            // it runs already, and that is what it is for
+            // the hook is already running
         }
     }
 }

@@ -7,14 +7,14 @@ import java.nio.file.Path;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
-/** The directory that {@code --out} names. */
+/** Creates the directory of the option {@code --out}. */
 public final class OutputDirectory {
     private OutputDirectory() {}
 
     /**
-     * Makes it, and what it is in, unless it is there.
+     * Creates the directory and its parents if they are missing.
      *
-     * @throws ParameterException if it cannot be made
+     * @throws ParameterException if it cannot be created
      */
     public static void make(CommandSpec spec, Path directory) {
         try {
@@ -25,7 +25,8 @@ public final class OutputDirectory {
                     "--out is " + directory + ", but " + file.getFile() + " is a file, expected a directory");
         } catch (IOException e) {
             throw new ParameterException(
-                    spec.commandLine(), "--out " + directory + " cannot be made a directory: " + FileProblems.words(e));
+                    spec.commandLine(),
+                    "--out " + directory + " cannot be made a directory: " + FileProblems.message(e));
         }
     }
 }

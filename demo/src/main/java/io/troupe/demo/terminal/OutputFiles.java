@@ -5,16 +5,16 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 
-/** Writes results whose errors name the file: that of a full disk does not by itself. */
+/** Writes result files. Every error names the file, which the system's message for a full disk does not. */
 public final class OutputFiles {
     private OutputFiles() {}
 
-    /** A whole text; if it cannot be written to its end, nothing of it stays. */
+    /** Writes a text. After an error no partial file remains. */
     public static void write(Path file, CharSequence text) throws IOException {
         write(file, text.toString().getBytes(StandardCharsets.UTF_8));
     }
 
-    /** Whole contents; if they cannot be written to their end, nothing of them stays. */
+    /** Writes bytes. After an error no partial file remains. */
     public static void write(Path file, byte[] content) throws IOException {
         boolean opened = false;
         try (var stream = Files.newOutputStream(file)) {
@@ -24,7 +24,7 @@ public final class OutputFiles {
             if (opened && Files.isRegularFile(file)) {
                 Files.deleteIfExists(file);
             }
-            throw new IOException(FileProblems.words(file, e), e);
+            throw new IOException(FileProblems.message(file, e), e);
         }
     }
 }

@@ -1,4 +1,4 @@
-/** What a person sees on a terminal while a command works. */
+/** Terminal output, output files and interruption: what the commands share. */
 @NullMarked
 package io.troupe.demo.terminal;
 

@@ -1,21 +1,28 @@
 package io.troupe.demo.verify;
 
+import io.troupe.petri.Marking;
+import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.ReachabilityGraph.Edge;
 import io.troupe.petri.ReachabilityGraph.State;
 import io.troupe.petri.Transition;
 import io.troupe.petri.Verdict;
 import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.SiphonAnalysis;
+import java.util.ArrayDeque;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.OptionalInt;
 
-/** What the paper says about the net whose components stop together. */
+/** The paper's statements about the corrected net, whose components stop together. */
 final class CorrectedStatements {
     private final NetStudy study;
-    private final StopWays ways;
+    private final StopPaths paths;
 
     CorrectedStatements(NetStudy study) {
         this.study = study;
-        ways = new StopWays(study.graph(), study.net().transition("Tstop"));
+        paths = new StopPaths(study.graph(), study.net().transition("Tstop"));
     }
 
     List<Statement> all() {
@@ -24,10 +31,10 @@ final class CorrectedStatements {
 
     private Statement inevitableStop() {
         var wantsToStop = study.net().marking("R10");
-        OptionalInt firings = ways.longest(wantsToStop);
+        OptionalInt firings = paths.longest(wantsToStop);
         List<State> before = study.graph().states().stream()
                 .filter(state -> state.successors().stream()
-                        .anyMatch(edge -> edge.transition().equals(ways.stop())))
+                        .anyMatch(edge -> edge.transition().equals(paths.stop())))
                 .toList();
         return new Statement(
                 "5.5.4",
@@ -50,7 +57,7 @@ final class CorrectedStatements {
 
     private Statement once() {
         var gives = List.of(study.net().transition("Trp2''"), study.net().transition("Tms2''"));
-        List<Transition> repeated = gives.stream().filter(ways::canRepeat).toList();
+        List<Transition> repeated = gives.stream().filter(paths::canRepeat).toList();
         boolean fire = study.graph().neverFired().stream().noneMatch(gives::contains);
         return new Statement(
                 "5.5.4",
@@ -115,5 +122,76 @@ final class CorrectedStatements {
                                         : proved ? "proved by its siphons too" : "its siphons alone do not prove it"),
                 study.deadlockFree() && proved,
                 List.of());
+    }
+
+    /** Analyses the paths through a graph up to the firing of {@code stop}. */
+    private record StopPaths(ReachabilityGraph graph, Transition stop) {
+        /**
+         * The largest number of other firings before {@code stop} fires, from any marking with {@code wanting} marked.
+         * Empty if there is no such marking, or if some path avoids {@code stop}: by a cycle, a dead marking, or
+         * another transition that takes the tokens.
+         */
+        OptionalInt longest(Marking wanting) {
+            var known = new HashMap<State, OptionalInt>();
+            return graph.states().stream()
+                    .filter(state -> state.marking().covers(wanting))
+                    .map(state -> longest(state, wanting, known))
+                    .reduce(StopPaths::longer)
+                    .orElse(OptionalInt.empty());
+        }
+
+        /** Recursive; the graph has some hundred markings, so the recursion is not deep. */
+        private OptionalInt longest(State from, Marking wanting, Map<State, OptionalInt> known) {
+            var before = known.get(from);
+            if (before != null) {
+                return before;
+            }
+            known.put(from, OptionalInt.empty()); // marks the state as in progress: reaching it again is a cycle
+            var longest = from.successors().stream()
+                    .map(edge -> rest(edge, wanting, known))
+                    .reduce(StopPaths::longer)
+                    .orElse(OptionalInt.empty());
+            known.put(from, longest);
+            return longest;
+        }
+
+        private OptionalInt rest(Edge edge, Marking wanting, Map<State, OptionalInt> known) {
+            if (edge.transition().equals(stop)) {
+                return OptionalInt.of(0);
+            }
+            if (!edge.target().marking().covers(wanting)) {
+                return OptionalInt.empty();
+            }
+            var rest = longest(edge.target(), wanting, known);
+            return rest.isPresent() ? OptionalInt.of(rest.getAsInt() + 1) : rest;
+        }
+
+        private static OptionalInt longer(OptionalInt one, OptionalInt other) {
+            return one.isEmpty() || other.isEmpty()
+                    ? OptionalInt.empty()
+                    : OptionalInt.of(Math.max(one.getAsInt(), other.getAsInt()));
+        }
+
+        /** Whether {@code transition} can fire twice without {@code stop} in between. */
+        boolean canRepeat(Transition transition) {
+            List<State> after = graph.states().stream()
+                    .flatMap(state -> state.successors().stream())
+                    .filter(edge -> edge.transition().equals(transition))
+                    .map(Edge::target)
+                    .toList();
+            var seen = new HashSet<>(after);
+            var ahead = new ArrayDeque<>(seen);
+            while (!ahead.isEmpty()) {
+                for (var edge : ahead.remove().successors()) {
+                    if (edge.transition().equals(transition)) {
+                        return true;
+                    }
+                    if (!edge.transition().equals(stop) && seen.add(edge.target())) {
+                        ahead.add(edge.target());
+                    }
+                }
+            }
+            return false;
+        }
     }
 }

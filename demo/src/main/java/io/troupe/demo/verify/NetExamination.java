@@ -18,20 +18,20 @@ import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
-/*
- * A net of the user's, examined within limits of time and memory. The verdict comes first: by stubborn sets in half of
- * the time, and, if they do not get through, by siphons. Then what else is known, and the pictures last. Each part is
- * reported as soon as it is known, and none that fails takes back what was reported before.
+/**
+ * Examines a net from a file, within limits of time and memory. The deadlock verdict comes first: by stubborn sets in
+ * half of the time, and by siphons if that search is incomplete. Then the other results, and the pictures last. Each
+ * result is reported as soon as it is known; a later failure does not invalidate it.
  */
 final class NetExamination {
-    /** The exit status for each verdict. */
+    /** Exit statuses by verdict. */
     static final int PROVED = 0;
 
     static final int CAN_DEADLOCK = 1;
     static final int UNKNOWN = 3;
 
     private static final int MARKINGS_PER_REPORT = 10_000;
-    private static final int MOST_FIRINGS_TOLD = 200;
+    private static final int MAX_FIRINGS_PRINTED = 200;
 
     private final PetriNet net;
     private final Limits limits;
@@ -42,14 +42,14 @@ final class NetExamination {
     private @Nullable SiphonAnalysis siphons;
 
     /**
-     * How far the searches may go.
+     * Limits of the searches.
      *
-     * @param time all together
-     * @param left what is left of it
-     * @param memoryBytes what the largest search may take
+     * @param time total time
+     * @param left supplies the remaining time
+     * @param memoryBytes memory limit of the largest search
      */
     record Limits(Duration time, Supplier<Duration> left, long memoryBytes) {
-        /** The same, as if the time were shorter by this. */
+        /** The same limits with less time. */
         private Limits sparing(Duration spared) {
             return new Limits(time, () -> left.get().minus(spared), memoryBytes);
         }
@@ -66,10 +66,10 @@ final class NetExamination {
     }
 
     /**
-     * Results are whole lines.
+     * Creates an examination; results are whole lines.
      *
-     * @param progress called with what is being done
-     * @param results called with each part as soon as it is known
+     * @param progress called with the current activity
+     * @param results called with each result as soon as it is known
      */
     NetExamination(PetriNet net, Limits limits, Consumer<String> progress, Consumer<String> results) {
         this.net = net;
@@ -79,7 +79,7 @@ final class NetExamination {
     }
 
     /**
-     * Finds out whether the net can deadlock, and reports it.
+     * Decides whether the net can deadlock, and reports the verdict.
      *
      * @return the exit status
      * @throws ArithmeticException if a place can hold more tokens than an int
@@ -138,15 +138,17 @@ final class NetExamination {
 
     private static String firings(DeadlockSearch.Deadlock deadlock) {
         var trace = deadlock.trace();
-        var told =
-                trace.stream().limit(MOST_FIRINGS_TOLD).map(String::valueOf).collect(Collectors.joining(", ", "[", ""));
-        return told
-                + (trace.size() > MOST_FIRINGS_TOLD
-                        ? ", .. and " + (trace.size() - MOST_FIRINGS_TOLD) + " more]"
+        var printed = trace.stream()
+                .limit(MAX_FIRINGS_PRINTED)
+                .map(String::valueOf)
+                .collect(Collectors.joining(", ", "[", ""));
+        return printed
+                + (trace.size() > MAX_FIRINGS_PRINTED
+                        ? ", .. and " + (trace.size() - MAX_FIRINGS_PRINTED) + " more]"
                         : "]");
     }
 
-    /** Reports what is known beside the verdict: of the full graph, and of siphons. */
+    /** Reports further results: of the full graph, and of the siphons. */
     void explain() {
         try {
             graph = ReachabilityGraph.explore(
@@ -174,7 +176,7 @@ final class NetExamination {
         }
     }
 
-    /** Nothing if they cannot be had, which is reported. */
+    /** The siphons; null if they cannot be computed, which is reported. */
     private @Nullable SiphonAnalysis siphons() {
         if (siphons == null) {
             progress.accept("net " + net.name() + ": siphons");

@@ -12,7 +12,7 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 
-/** Writes nets and graphs into a directory: PNML, DOT and SVG. */
+/** Writes nets and graphs to a directory as PNML, DOT and SVG. */
 final class NetFiles {
     private final Path directory;
 
@@ -20,7 +20,10 @@ final class NetFiles {
         this.directory = directory;
     }
 
-    /** All of one reading: both nets, the shortest way to a deadlock, the low priorities, and the graphs. */
+    /**
+     * Writes all files of one reading: both nets, the shortest trace to a deadlock, the net with low priorities, and
+     * the graphs.
+     */
     void write(ReadingStudy study) throws IOException {
         var reading = study.reading();
         writeWhole("uncorrected-" + reading, study.uncorrected().net());
@@ -35,7 +38,7 @@ final class NetFiles {
         write("graph-corrected-" + reading, study.corrected().graph());
     }
 
-    /** All four components of the paper's net, each in its tint. */
+    /** Writes the net of all four components, each in a different tint. */
     private void writeWhole(String name, PetriNet net) throws IOException {
         OutputFiles.write(directory.resolve(name + ".pnml"), Pnml.toText(net));
         draw(name, net, NetDrawing.of(net).tinting(PaperNets.components(net)));
@@ -50,7 +53,7 @@ final class NetFiles {
         draw(name, net, NetDrawing.of(net));
     }
 
-    /** The net in its nearest dead marking, with the firings that led to it; nothing if there is none. */
+    /** Draws the net in its nearest dead marking, with the trace to it. Writes nothing if there is none. */
     void writeDeadlock(String name, ReachabilityGraph graph) throws IOException {
         List<ReachabilityGraph.State> dead = graph.dead();
         if (!dead.isEmpty()) {
@@ -62,7 +65,7 @@ final class NetFiles {
         }
     }
 
-    /** The graph, with the way to the nearest dead marking if there is one. */
+    /** Draws the graph, with the trace to the nearest dead marking if there is one. */
     void write(String name, ReachabilityGraph graph) throws IOException {
         var drawing = GraphDrawing.of(graph);
         List<ReachabilityGraph.State> dead = graph.dead();
@@ -75,25 +78,25 @@ final class NetFiles {
         }
     }
 
-    /** Whether a graph is small enough for an SVG file. */
+    /** Whether a graph is small enough for SVG. */
     static boolean canDraw(ReachabilityGraph graph) {
         return graph.size() <= GraphDrawing.MOST_SVG_MARKINGS && graph.edgeCount() <= GraphDrawing.MOST_SVG_EDGES;
     }
 
-    /** Whether a net is small enough for an SVG file. */
+    /** Whether a net is small enough for SVG. */
     static boolean canDraw(PetriNet net) {
         return net.places().size() + net.transitions().size() <= NetDrawing.MOST_SVG_NODES
                 && net.arcCount() <= NetDrawing.MOST_SVG_ARCS;
     }
 
-    /** What a net has, and what it may have to be drawn. */
+    /** The size of a net, and the largest size that is drawn. */
     static String size(PetriNet net) {
         return net.places().size() + net.transitions().size() + " places and transitions (drawn up to "
                 + NetDrawing.MOST_SVG_NODES + ") and " + net.arcCount() + " arcs (up to " + NetDrawing.MOST_SVG_ARCS
                 + ")";
     }
 
-    /** The file of this name, without its suffix. */
+    /** Path of a file without its extension. */
     String path(String name) {
         return directory.resolve(name).toString();
     }

@@ -14,7 +14,7 @@ import io.troupe.petri.structure.StateEquation;
 import java.util.List;
 
 /**
- * All we compute of one net: its graph, and its siphons judged in three independent ways.
+ * Analysis results of one net: its reachability graph, and its siphons checked in three independent ways.
  *
  * @param emptied minimal siphons that are empty in some reachable marking
  * @param leastTokens for each minimal siphon the fewest tokens in it by the state equation (linear program)
@@ -29,7 +29,7 @@ record NetStudy(
         List<PlaceSet> emptied,
         List<Double> leastTokens,
         List<PlaceSet> withoutMarkedTrap) {
-    /** A solution of a linear program is rounded by about this much. */
+    /** Tolerance for rounding errors of a linear program. */
     private static final double ROUNDING = 1e-6;
 
     static NetStudy of(PetriNet net) {
@@ -71,7 +71,7 @@ record NetStudy(
         return graph.deadlockFree() == Verdict.YES;
     }
 
-    /** How many reachable markings have all these places marked. */
+    /** Number of reachable markings in which all these places are marked. */
     int markingsWith(Marking places) {
         return (int) graph.states().stream()
                 .filter(state -> state.marking().covers(places))

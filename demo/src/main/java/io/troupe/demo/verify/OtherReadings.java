@@ -8,10 +8,10 @@ import io.troupe.petri.structure.Siphons;
 import java.util.List;
 
 /**
- * Other nets that fit much of the paper's text, to show what its number of siphons tells: it excludes some, and leaves
- * several.
+ * Other nets that fit much of the paper's text. Their numbers of siphons show how many readings the paper's number
+ * excludes.
  *
- * @param minimalSiphons how many the net has
+ * @param minimalSiphons number of minimal siphons of the net
  */
 record OtherReadings(String description, int minimalSiphons) {
     static List<OtherReadings> all() {
@@ -52,7 +52,7 @@ record OtherReadings(String description, int minimalSiphons) {
                 .build();
     }
 
-    /** The place stays as an isolated one, which is in no minimal siphon but its own: so the net is made anew. */
+    /** Removes S3 by rebuilding the net: as an isolated place it would add a minimal siphon. */
     private static PetriNet withoutS3() {
         var net = uncorrected();
         var copy = PetriNet.builder("without S3''");

@@ -12,9 +12,9 @@ import java.util.function.Consumer;
 import java.util.stream.Stream;
 
 /**
- * The paper's nets in one reading, and its statements about them.
+ * The paper's nets in one reading, and the paper's statements about them.
  *
- * @param programs what one mixed-integer program over all siphons says of the uncorrected and of the corrected net
+ * @param programs results of one mixed-integer program over all siphons, for the uncorrected and the corrected net
  */
 record ReadingStudy(
         Reading reading,

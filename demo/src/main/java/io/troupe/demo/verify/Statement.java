@@ -3,13 +3,13 @@ package io.troupe.demo.verify;
 import java.util.List;
 
 /**
- * A statement of the paper, and what we find.
+ * A statement of the paper and our result.
  *
- * @param section where the paper says it
- * @param claim what it says, in short
+ * @param section section of the paper
+ * @param claim the paper's statement, abridged
  * @param ours our result
- * @param holds whether it is the same
- * @param details lines that show it, for example a trace in words
+ * @param holds whether our result confirms the statement
+ * @param details supporting lines, for example a trace in words
  */
 record Statement(String section, String claim, String ours, boolean holds, List<String> details) {
     Statement {

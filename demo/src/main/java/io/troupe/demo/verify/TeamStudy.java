@@ -9,7 +9,7 @@ import java.util.Locale;
 import java.util.function.Consumer;
 
 /**
- * The paper's nets (reading A) for several robots, each with a player of its own: their dead markings by stubborn sets.
+ * The paper's nets (reading A) for several robots, with one player per robot, and their dead markings by stubborn sets.
  */
 record TeamStudy(
         int robots, DeadlockSearch uncorrected, DeadlockSearch stoppingTogether, DeadlockSearch stoppingOneByOne) {
@@ -38,7 +38,7 @@ record TeamStudy(
                                         at.dead()))));
     }
 
-    /** How many dead markings, and how many had to be visited to know it. */
+    /** Number of dead markings and of visited markings, as a table cell. */
     static String cell(DeadlockSearch search) {
         return String.format(
                 Locale.ROOT,

@@ -10,21 +10,20 @@ import io.troupe.petri.wiring.Wiring;
 import java.util.function.IntFunction;
 
 /**
- * What {@code troupe run} is made of, as declarations: the world in lock step, the service in charge of each robot, the
- * promise of its colour, and the arbitrator.
+ * The components of {@code troupe run} as declarations: the world in lock step, the service in charge of each robot,
+ * the promise of its colour, and the arbitrator.
  *
- * <p>Whether a service follows a wall or wanders is left open: each may see a colour after any reading, or none. A
- * service that has ended itself looks to others like one that waits for readings: telling it to stop is answered at
- * once. A colour always leads to another state, as in the paper's table. Closing a world or an actor space is no call,
- * and so not part of this.
+ * <p>The model does not distinguish services: each may see a colour after any reading, or none. A service that has
+ * ended looks like one that waits for readings: a request to stop it is answered at once. A colour always leads to
+ * another state, as in the paper's table. Closing a world or an actor space is no call and not part of the model.
  *
- * <p><b>Source.</b> The classes {@code Simulation}, {@code ServiceLoop}, {@code RobotServices} and {@code Arbitrator};
- * ADR 0003 says when an actor space has answered a reading.
+ * <p><b>Source.</b> The classes {@code Simulation}, {@code ServiceLoop}, {@code RobotServices} and {@code Arbitrator}.
+ * ADR 0003 defines when an actor space has answered a reading.
  */
 final class TroupeWiring {
     private TroupeWiring() {}
 
-    /** As it is: a service fulfils a promise, and does not wait until the arbitrator has time for it. */
+    /** The implemented wiring: a service fulfils a promise and does not wait for the arbitrator. */
     static Wiring withPromises(int robots) {
         var wiring = Wiring.of(robots + " robots, colours by promise")
                 .component(world(robots, true))
@@ -37,7 +36,7 @@ final class TroupeWiring {
         return wiring.build();
     }
 
-    /** As it must not be: a service calls the arbitrator and waits until it has taken the colour. */
+    /** A wiring to avoid: a service calls the arbitrator and waits until it accepts the colour. */
     static Wiring withDirectCalls(int robots) {
         return Wiring.of(robots + " robots, colours by a call that is waited for")
                 .component(world(robots, false))
@@ -46,7 +45,10 @@ final class TroupeWiring {
                 .build();
     }
 
-    /** Gives each service its reading, then waits until the actor space is idle: until no colour is on its way. */
+    /**
+     * The world's protocol: gives each service its reading, then waits until the actor space is idle and no colour is
+     * in transit.
+     */
     private static Protocol world(int robots, boolean promises) {
         var world = Protocol.of("world").in("new", requests("arbitrator.idle").then("reading 1"));
         chain(world, "reading ", robots, i -> "service" + i + ".data", "waiting 1");
@@ -100,7 +102,7 @@ final class TroupeWiring {
         return arbitrator.build();
     }
 
-    /** One request after the other, to each of the robots' components. */
+    /** One request after the other, to the component of each robot. */
     private static void chain(
             ProtocolBuilder protocol, String state, int robots, IntFunction<String> request, String last) {
         for (int i = 1; i <= robots; i++) {

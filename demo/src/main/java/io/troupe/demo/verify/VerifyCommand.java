@@ -5,7 +5,7 @@ import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.Pnml;
 import java.io.IOException;
@@ -24,7 +24,7 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe verify}: every statement of the paper's fifth section, with our result beside it. */
+/** {@code troupe verify}: checks every statement of section 5 of the paper, or examines a net from a file. */
 @Command(
         name = "verify",
         description =
@@ -90,7 +90,7 @@ public final class VerifyCommand implements Callable<Integer> {
         OutputDirectory.make(spec, out);
         PrintWriter terminal = spec.commandLine().getOut();
         try (var interruption = Interruption.open();
-                var line = TerminalLine.open()) {
+                var line = ProgressLine.open()) {
             Consumer<String> progress = doing -> {
                 interruption.check();
                 line.show(doing);
@@ -135,7 +135,7 @@ public final class VerifyCommand implements Callable<Integer> {
         results.accept("wrote " + out.resolve("verify.md") + ", and the nets beside it as .pnml, .dot and .svg\n");
     }
 
-    /** Whatever goes wrong after the verdict does not change the status: a script relies on it. */
+    /** Errors after the verdict do not change the exit status, since scripts rely on it. */
     private int examine(Path file, Interruption interruption, Consumer<String> progress, Consumer<String> results) {
         FileProblems.checkInput(spec, file, "a net in PNML");
         PrintWriter err = spec.commandLine().getErr();
@@ -153,7 +153,7 @@ public final class VerifyCommand implements Callable<Integer> {
             } catch (InterruptedCommand interrupted) {
                 throw interrupted;
             } catch (IOException e) {
-                err.println("troupe: the pictures cannot be written: " + FileProblems.words(e));
+                err.println("troupe: the pictures cannot be written: " + FileProblems.message(e));
             } catch (RuntimeException | OutOfMemoryError | StackOverflowError e) {
                 err.println("troupe: after the verdict: " + e);
             }
@@ -164,7 +164,7 @@ public final class VerifyCommand implements Callable<Integer> {
         } catch (OutOfMemoryError e) {
             results.accept(file + ": not known: the virtual machine has too little memory for this net\n");
             return NetExamination.UNKNOWN;
-        } catch (Error e) { // it would end the program with 1, which is a verdict
+        } catch (Error e) { // uncaught it would end the program with status 1, which is a verdict
             throw new IllegalStateException("an error in this program: " + e, e);
         }
     }
@@ -174,7 +174,7 @@ public final class VerifyCommand implements Callable<Integer> {
         long start = System.nanoTime();
         long bytes = memoryMib == null ? Runtime.getRuntime().maxMemory() / 5 * 3 : (long) memoryMib << 20;
         Supplier<Duration> left = () -> {
-            interruption.check(); // asked often, so that Ctrl-C need not wait for the limit
+            interruption.check(); // polled frequently, so that Ctrl-C does not wait for the time limit
             return time.minusNanos(System.nanoTime() - start);
         };
         return new NetExamination.Limits(time, left, bytes);

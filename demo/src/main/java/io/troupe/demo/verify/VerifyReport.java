@@ -8,7 +8,7 @@ import java.util.StringJoiner;
 import java.util.function.Function;
 import java.util.stream.Stream;
 
-/** The results as Markdown, and in short for the terminal. */
+/** Formats the results as Markdown, and as a summary for the terminal. */
 final class VerifyReport {
     private final List<ReadingStudy> readings;
     private final List<TeamStudy> teams;
@@ -24,7 +24,7 @@ final class VerifyReport {
             "More robots, each with a player of its own: without correction, stopping together, stopping one by one\n";
     static final String WIRINGS_TITLE = "\nWirings declared component by component\n";
 
-    /** A line for each statement and its result; the traces are in the Markdown. */
+    /** One line per statement with its result; traces are only in the Markdown. */
     static String summary(ReadingStudy study) {
         var text = new StringBuilder("Reading ")
                 .append(study.reading())

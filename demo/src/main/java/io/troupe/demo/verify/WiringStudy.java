@@ -11,15 +11,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.function.Consumer;
 
-/** A wiring declared component by component, and whether it can deadlock. */
+/** A wiring declared component by component, and the result of its deadlock check. */
 record WiringStudy(String name, Wiring wiring, WiringResult result) {
     private static final int MARKINGS_PER_REPORT = 10_000;
 
     /**
-     * The paper's wiring for one robot and for several, with the repair that is proposed, and our own, with promises
+     * Checks the paper's wiring for one robot and for several, with the proposed repair, and our wiring with promises
      * and with direct calls.
      *
-     * @param done is given each as soon as it is known
+     * @param done called with each study as soon as it is known
      */
     static List<WiringStudy> all(int robots, Consumer<String> progress, Consumer<WiringStudy> done) {
         String team = Plural.of(robots, "robot");
@@ -48,7 +48,7 @@ record WiringStudy(String name, Wiring wiring, WiringResult result) {
         return new WiringStudy(name, wiring, WiringCheck.check(wiring, limits));
     }
 
-    /** In one or two lines. */
+    /** The result in one or two lines. */
     String verdict() {
         return switch (result) {
             case WiringResult.Deadlock deadlock ->

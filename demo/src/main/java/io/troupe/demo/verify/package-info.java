@@ -1,4 +1,4 @@
-/** {@code troupe verify}: what the paper says about its Petri nets, beside what we find. */
+/** {@code troupe verify}: the paper's statements about its Petri nets, compared with our results. */
 @NullMarked
 package io.troupe.demo.verify;
 

@@ -36,7 +36,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * A component in another language: a process that joins over TCP by the Player protocol, and that the broker starts.
+ * A component in another language: an external process, started by the broker, that connects over TCP by the Player
+ * protocol.
  */
 @Timeout(120)
 class PythonComponentTest {
@@ -90,8 +91,8 @@ class PythonComponentTest {
     }
 
     private Application start(ActorSpace space, int tcpPort, BrokerSettings brokerSettings) throws Exception {
-        // with a second connection to the script's robot, so that the server does not stop it when the script's own
-        // goes
+        // with a second connection to the script's robot, so that the server does not stop the robot when the script's
+        // connection closes
         String text = ApplicationReader.text(FILE).replace("robots=1\n", "robots=1,2\n");
         var plan = ApplicationReader.parse(
                 text, FILE, ComponentKinds.standard(), Map.of("port", "6665", "tcp", String.valueOf(tcpPort)));
@@ -128,7 +129,7 @@ class PythonComponentTest {
             }
             kill();
             while (events.stream().noneMatch(event -> event.startsWith("problem: snake has failed"))) {
-                Thread.onSpinWait(); // simulated time passes faster than the machine notices the end of a process
+                Thread.onSpinWait(); // simulated time passes faster than the machine reports the exit of a process
             }
             for (int tick = 0; tick < 6; tick++) {
                 simulation.tick();

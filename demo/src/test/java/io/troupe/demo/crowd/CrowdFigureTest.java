@@ -22,14 +22,17 @@ class CrowdFigureTest {
     private static final List<Row> MEDIANS =
             List.of(row(1, 90, 31, 52), row(10, 40, 12, 25), row(100, 30, 10, 15), row(1000, 20, 7, 11));
     private static final Path DOCUMENTED = Path.of("..", "docs", "figures", "crowd.svg");
-    /** Robots, speed with its extremes, speed on the wall, microseconds: all, world, services. */
+    /**
+     * Columns: robots, speed with its extremes, speed by the wall clock, microseconds in total, of the world and of the
+     * services.
+     */
     private static final Pattern ROW = Pattern.compile(" +([\\d,]+) +([\\d,.]+) +\\(([\\d,.]+) \\.\\. ([\\d,.]+)\\)"
             + " +[\\d,.]+ +([\\d,.]+) +([\\d,.]+) +([\\d,.]+) +[\\d,.]+ +\\d+");
 
     @TempDir
     private Path out;
 
-    /** With other numbers wherever the figure must not look. */
+    /** A row with arbitrary values in all columns that the figure does not use. */
     private static Row row(int robots, double micros, double worldMicros, double servicesMicros) {
         return new Row(
                 robots, 5.25, 502, 503, 504, micros, micros / 2, micros * 2, worldMicros, servicesMicros, 505, 506);
@@ -85,7 +88,7 @@ class CrowdFigureTest {
         assertThat(number(dashed.getFirst(), "y2")).isCloseTo(yOf(svg, 100), within(0.2));
     }
 
-    /** Of a decade, from its label, which lies 4 px below its line. */
+    /** The y coordinate of a decade, from its label, which is 4 px below its line. */
     private static double yOf(Element svg, int micros) {
         return elements(svg, "text").stream()
                 .filter(text -> text.getAttribute("text-anchor").equals("end"))
@@ -127,12 +130,13 @@ class CrowdFigureTest {
         Element svg = parsed(Files.readString(out.resolve("crowd.svg")));
         var picture = ImageIO.read(out.resolve("crowd.png").toFile());
         assertThat(picture.getWidth()).isEqualTo(2 * (int) number(svg, "width"));
-        Element dot = elements(svg, "circle").get(6); // of the world line at 100 robots, where no quartiles lie on it
+        Element dot =
+                elements(svg, "circle").get(6); // a dot of the world line at 100 robots, where no quartiles are drawn
         int pixel = picture.getRGB((int) (2 * number(dot, "cx")), (int) (2 * number(dot, "cy")));
         assertThat(String.format("#%06x", pixel & 0xffffff)).isEqualTo(dot.getAttribute("fill"));
     }
 
-    /** {@code -Dfigures=write} writes it anew. */
+    /** {@code -Dfigures=write} writes the documented figure. */
     @Test
     void pictureInTheDocumentation_isThatOfTheTableThere() throws IOException {
         List<Row> rows = Files.readAllLines(Path.of("..", "docs", "benchmarks.md")).stream()
@@ -150,8 +154,8 @@ class CrowdFigureTest {
     }
 
     /**
-     * Of three rounds the quartiles lie in the middle between the median and the extremes; the table has those of the
-     * speed.
+     * A row of the documented table. Of three rounds, the quartiles are halfway between the median and the extremes;
+     * the table has the extremes of the speed.
      */
     private static Row documented(java.util.regex.Matcher row) {
         double[] numbers = new double[8];

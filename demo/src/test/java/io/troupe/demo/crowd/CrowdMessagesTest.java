@@ -18,7 +18,7 @@ import org.junit.jupiter.api.Timeout;
 class CrowdMessagesTest {
     private static final int TICKS = 10;
 
-    /** What the space has served for each robot and tick. */
+    /** Messages served by the actor space per robot and tick. */
     private static double servedPerRobot(int robots) throws InterruptedException {
         var table = CrowdTable.of(robots, CrowdWorld.colours(8), 3, CrowdTable.HOLD_SECONDS, CornerStyle.FORWARD);
         try (var simulation = Simulation.open(CrowdWorld.scenario(robots, 8), WorldSettings.DEFAULT);
@@ -31,7 +31,7 @@ class CrowdMessagesTest {
             var begun = new java.util.concurrent.CountDownLatch(1);
             space.onIdle(begun::countDown);
             begun.await();
-            simulation.tick(); // to begin with, and to have an idle space
+            simulation.tick(); // reaches the initial state and an idle space
             long before = space.metrics().served();
             for (int tick = 0; tick < TICKS; tick++) {
                 simulation.tick();

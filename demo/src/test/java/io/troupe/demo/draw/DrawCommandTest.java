@@ -19,7 +19,9 @@ class DrawCommandTest {
     @TempDir
     private Path directory;
 
-    /** Areas and titles: one for each thing and robot; rays: 16 sonars a robot, 181 more of the laser. */
+    /**
+     * Expected areas and titles: one per obstacle and robot. Expected rays: 16 sonars per robot, and 181 of the laser.
+     */
     @ParameterizedTest
     @CsvSource({"paper-arena, 2, 32, 12.4", "office, 2, 213, 16.4", "track, 1, 16, 20.4"})
     void world_isDrawnWithAllThatIsInIt(String name, int robots, int rays, double widthM) throws Exception {

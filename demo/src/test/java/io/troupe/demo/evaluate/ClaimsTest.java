@@ -1,17 +1,17 @@
 package io.troupe.demo.evaluate;
 
-import static io.troupe.demo.evaluate.Verdict.CANNOT_BE_TOLD;
-import static io.troupe.demo.evaluate.Verdict.DOES_NOT_HOLD;
-import static io.troupe.demo.evaluate.Verdict.HOLDS;
+import static io.troupe.demo.evaluate.ClaimVerdict.CANNOT_BE_TOLD;
+import static io.troupe.demo.evaluate.ClaimVerdict.DOES_NOT_HOLD;
+import static io.troupe.demo.evaluate.ClaimVerdict.HOLDS;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.services.subsumption.Mode;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Verdicts come from the numbers: each is had both ways. */
+/** Each verdict is tested in both directions. */
 class ClaimsTest {
-    private static Verdict verdict(MadeUp made, String words, String measure) {
+    private static ClaimVerdict verdict(SyntheticMeasurements made, String words, String measure) {
         return made.claims().stream()
                 .filter(claim ->
                         claim.words().contains(words) && claim.measure().equals(measure))
@@ -20,13 +20,13 @@ class ClaimsTest {
                 .verdict();
     }
 
-    private static Verdict inTime(MadeUp made, String words) {
+    private static ClaimVerdict inTime(SyntheticMeasurements made, String words) {
         return verdict(made, words, "simulated time");
     }
 
     @Test
     void everythingAsThePaperSays_holds() {
-        assertThat(MadeUp.asThePaperSays().claims())
+        assertThat(SyntheticMeasurements.confirmingThePaper().claims())
                 .hasSize(17)
                 .allSatisfy(
                         claim -> assertThat(claim.verdict()).as(claim.words()).isEqualTo(HOLDS));
@@ -34,7 +34,7 @@ class ClaimsTest {
 
     @Test
     void synchronousThatTakesNoLongerThanTheOthers_contradictsThreeClaims() {
-        var made = MadeUp.asThePaperSays().loops(Mode.SYNC, Measurement.BOTH, Quantity.TIME, 4_000);
+        var made = SyntheticMeasurements.confirmingThePaper().loops(Mode.SYNC, Measurement.BOTH, Quantity.TIME, 4_000);
         assertThat(inTime(made, "equal to a sum")).isEqualTo(DOES_NOT_HOLD);
         assertThat(inTime(made, "It [callback] is faster")).isEqualTo(DOES_NOT_HOLD);
         assertThat(inTime(made, "takes much time than the other because")).isEqualTo(DOES_NOT_HOLD);
@@ -42,7 +42,8 @@ class ClaimsTest {
 
     @Test
     void asynchronousThatTakesTheSum_isNotAsLongAsTheLonger() {
-        var made = MadeUp.asThePaperSays().loops(Mode.PROMISE, Measurement.BOTH, Quantity.TIME, 8_000);
+        var made =
+                SyntheticMeasurements.confirmingThePaper().loops(Mode.PROMISE, Measurement.BOTH, Quantity.TIME, 8_000);
         assertThat(inTime(made, "so that promise takes as long")).isEqualTo(DOES_NOT_HOLD);
         assertThat(inTime(made, "so that callback takes as long")).isEqualTo(HOLDS);
         assertThat(inTime(made, "It [promise] is faster than synchronous")).isEqualTo(DOES_NOT_HOLD);
@@ -53,32 +54,36 @@ class ClaimsTest {
 
     @Test
     void aCycleMoreOrLess_isTheSame() {
-        var made = MadeUp.asThePaperSays().loops(Mode.SYNC, Measurement.BOTH, Quantity.TIME, 8_090);
+        var made = SyntheticMeasurements.confirmingThePaper().loops(Mode.SYNC, Measurement.BOTH, Quantity.TIME, 8_090);
         assertThat(inTime(made, "equal to a sum")).isEqualTo(HOLDS);
     }
 
     @Test
     void onTheWall_aDifferenceOfLessThanACycle_isNone() {
-        var claims = Claims.of(MadeUp.asThePaperSays().measurements(), MadeUp.MODES, MadeUp.CORES, true);
+        var claims = Claims.of(
+                SyntheticMeasurements.confirmingThePaper().measurements(),
+                SyntheticMeasurements.MODES,
+                SyntheticMeasurements.CORES,
+                true);
         assertThat(claims)
                 .filteredOn(claim -> claim.measure().equals("time on the wall")
                         && claim.words().contains("It [promise] is faster than [..] actor with callback"))
                 .singleElement()
-                .extracting(Claim::verdict)
+                .extracting(PaperClaim::verdict)
                 .isEqualTo(CANNOT_BE_TOLD);
         assertThat(claims)
                 .filteredOn(claim -> claim.words().contains("It [callback] is faster"))
                 .singleElement()
-                .extracting(Claim::verdict)
+                .extracting(PaperClaim::verdict)
                 .isEqualTo(HOLDS);
     }
 
     @Test
     void computing_isJudgedByItself() {
-        var made = MadeUp.asThePaperSays()
+        var made = SyntheticMeasurements.confirmingThePaper()
                 .loops(Mode.CALLBACK, Measurement.BOTH, Quantity.TURN, 2_000)
                 .loops(Mode.SYNC, Measurement.BOTH, Quantity.TURN, 5_000)
-                .loops(Mode.PROMISE, Findings.WANDERER, Quantity.CYCLE, 9_000);
+                .loops(Mode.PROMISE, CoreMeasurements.WANDERER, Quantity.CYCLE, 9_000);
         String turn = "computing time with messages";
         assertThat(verdict(made, "promise takes less time than callback", turn)).isEqualTo(DOES_NOT_HOLD);
         assertThat(verdict(made, "not much time difference", turn)).isEqualTo(DOES_NOT_HOLD);
@@ -89,7 +94,7 @@ class ClaimsTest {
 
     @Test
     void wakingUp_decidesNothing() {
-        var made = MadeUp.asThePaperSays();
+        var made = SyntheticMeasurements.confirmingThePaper();
         var before = made.claims();
         made.loops(Mode.SYNC, Measurement.BOTH, Quantity.PROCESSOR, 1);
         assertThat(made.claims()).isEqualTo(before);
@@ -97,7 +102,8 @@ class ClaimsTest {
 
     @Test
     void promise_isComparedWithEachOfTheOthers() {
-        var made = MadeUp.asThePaperSays().loops(Mode.CALLBACK, Measurement.BOTH, Quantity.TIME, 4_000);
+        var made =
+                SyntheticMeasurements.confirmingThePaper().loops(Mode.CALLBACK, Measurement.BOTH, Quantity.TIME, 4_000);
         assertThat(inTime(made, "It [promise] is faster than synchronous")).isEqualTo(HOLDS);
         assertThat(inTime(made, "It [promise] is faster than [..] actor with callback"))
                 .isEqualTo(DOES_NOT_HOLD);
@@ -105,22 +111,24 @@ class ClaimsTest {
 
     @Test
     void wandererThatTakesAsLong_doesNotTakeLess() {
-        var made = MadeUp.asThePaperSays().loops(Mode.PROMISE, Findings.WANDERER, Quantity.TIME, 4_000);
+        var made = SyntheticMeasurements.confirmingThePaper()
+                .loops(Mode.PROMISE, CoreMeasurements.WANDERER, Quantity.TIME, 4_000);
         assertThat(inTime(made, "very less time")).isEqualTo(DOES_NOT_HOLD);
     }
 
     @Test
     void cyclesFurtherApart_areNotFast() {
-        var made = MadeUp.asThePaperSays().loops(Mode.SYNC, Findings.WANDERER, Quantity.INTERVAL, 400);
+        var made = SyntheticMeasurements.confirmingThePaper()
+                .loops(Mode.SYNC, CoreMeasurements.WANDERER, Quantity.INTERVAL, 400);
         assertThat(inTime(made, "200-300")).isEqualTo(DOES_NOT_HOLD);
     }
 
     @Test
     void messages_areCountedAndTimed() {
-        var made = MadeUp.asThePaperSays()
-                .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1)
-                .add(Part.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.SENT, 30)
-                .add(Part.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 10);
+        var made = SyntheticMeasurements.confirmingThePaper()
+                .add(MeasurementKind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1)
+                .add(MeasurementKind.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.SENT, 30)
+                .add(MeasurementKind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 10);
         assertThat(verdict(made, "1-2 milliseconds", "delay of a message")).isEqualTo(DOES_NOT_HOLD);
         assertThat(verdict(made, "only single time", "messages")).isEqualTo(DOES_NOT_HOLD);
         assertThat(verdict(made, "repeatedly", "messages")).isEqualTo(DOES_NOT_HOLD);
@@ -128,28 +136,30 @@ class ClaimsTest {
 
     @Test
     void noChangeOfState_tellsNothingOfMessages() {
-        var made =
-                MadeUp.asThePaperSays().add(Part.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.STATE_CHANGES, 0);
+        var made = SyntheticMeasurements.confirmingThePaper()
+                .add(MeasurementKind.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.STATE_CHANGES, 0);
         assertThat(verdict(made, "only single time", "messages")).isEqualTo(CANNOT_BE_TOLD);
     }
 
     @Test
     void modeThatWasNotMeasured_hasNoClaim() {
-        var made = MadeUp.asThePaperSays().forget(Part.LOOPS, Mode.SYNC).forget(Part.LOOPS, Mode.CALLBACK);
+        var made = SyntheticMeasurements.confirmingThePaper()
+                .forget(MeasurementKind.LOOPS, Mode.SYNC)
+                .forget(MeasurementKind.LOOPS, Mode.CALLBACK);
         assertThat(made.claims())
-                .extracting(Claim::words)
+                .extracting(PaperClaim::words)
                 .hasSize(4)
                 .noneMatch(words -> words.contains("[callback]") || words.contains("sum"));
     }
 
     @Test
     void differentFindingsForDifferentCores_cannotBeTold_andAreNamed() {
-        var claim = new Claim(
+        var claim = new PaperClaim(
                 "4",
                 "words",
                 "time",
                 "criterion",
-                List.of(new Claim.Finding(1, "1 s", HOLDS), new Claim.Finding(3, "2 s", DOES_NOT_HOLD)));
+                List.of(new PaperClaim.Finding(1, "1 s", HOLDS), new PaperClaim.Finding(3, "2 s", DOES_NOT_HOLD)));
         assertThat(claim.verdict()).isEqualTo(CANNOT_BE_TOLD);
         assertThat(claim.ours()).isEqualTo("1 core: 1 s; 3 cores: 2 s");
     }

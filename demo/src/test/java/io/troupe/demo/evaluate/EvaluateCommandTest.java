@@ -16,15 +16,15 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import picocli.CommandLine;
 
-/** The whole command, small: with JVMs of its own. */
+/** The whole command with small parameters, including its child JVMs. */
 @Timeout(300)
 class EvaluateCommandTest {
     private static final String WORLD = Path.of("worlds", "paper-arena.cfg").toString();
-    /** What the machine decides; all else is decided by the seed. */
+    /** Quantities that depend on the machine; all others depend only on the seed. */
     private static final Set<String> COMPUTED =
             Set.of("cycle", "cycle_p99", "turn", "processor", "delay", "delay_p99", "switch");
 
-    /** A world that is late catches up with so much, so that its last readings may come sooner after its first. */
+    /** A late world catches up by at most this much, so the last readings may arrive early relative to the first. */
     private static final double CATCH_UP_MS = 250;
 
     @TempDir
@@ -141,7 +141,7 @@ class EvaluateCommandTest {
 
     @Test
     void runWithoutAChangeOfState_saysSo_andWhatCannotBeWrittenCostsNoResult() throws IOException {
-        Files.createDirectories(directory.resolve("evaluation.csv")); // a directory where the file should be
+        Files.createDirectories(directory.resolve("evaluation.csv")); // a directory in place of the file
         assertThat(evaluate(
                         "--loops",
                         "4",

@@ -3,7 +3,7 @@ package io.troupe.demo.evaluate;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.time.ManualClock;
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.services.subsumption.Mode;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -12,14 +12,14 @@ import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
 class EvaluationProgressTest {
-    private static final Job JOB = new Job(Part.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 0);
+    private static final Job JOB = new Job(MeasurementKind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 0);
 
     private final ByteArrayOutputStream terminal = new ByteArrayOutputStream();
     private final ManualClock clock = new ManualClock();
     private final EvaluationProgress progress = new EvaluationProgress(
-            TerminalLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock), clock);
+            ProgressLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock), clock);
 
-    /** What has been written since it was asked for last. */
+    /** The output since the previous call. */
     private String shown() {
         String text = terminal.toString(StandardCharsets.UTF_8);
         terminal.reset();
@@ -34,17 +34,17 @@ class EvaluationProgressTest {
     void progress_isTheShareOfWhatIsExpected_andTheTimeLeftFollowsFromIt() {
         progress.expect(200);
         progress.warmsUp(2);
-        assertThat(shown()).isEqualTo(bar(0) + "   0 %  warming up, told 2 cores"); // too early to say how long
+        assertThat(shown()).isEqualTo(bar(0) + "   0 %  warming up, told 2 cores"); // too early for an estimate
         clock.advance(Duration.ofSeconds(10));
         progress.ended(50);
         progress.begins(JOB, 1);
-        String doing = JOB.title() + ", told " + Findings.cores(1);
+        String doing = JOB.title() + ", told " + CoreMeasurements.cores(1);
         assertThat(shown()).isEqualTo(bar(7) + "  25 %, 30 s left  " + doing);
         clock.advance(Duration.ofSeconds(10));
         progress.within(50);
         assertThat(shown()).isEqualTo(bar(15) + "  50 %, 20 s left  " + doing);
-        progress.ended(100); // what was told meanwhile is part of it
-        clock.advance(Duration.ofSeconds(1)); // a terminal is not written to more often than a few times a second
+        progress.ended(100); // includes the progress reported during the job
+        clock.advance(Duration.ofSeconds(1)); // a terminal is updated only a few times a second
         progress.begins(JOB, 1);
         assertThat(shown()).isEqualTo(bar(22) + "  75 %, 7 s left  " + doing);
     }

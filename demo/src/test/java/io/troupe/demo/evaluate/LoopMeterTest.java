@@ -7,15 +7,15 @@ import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
 import org.junit.jupiter.api.Test;
 
-/** With a robots' clock that is moved by hand: a cycle takes no time, and its command works for 100 ms. */
+/** With a manual robots' clock: computing takes no time, and each command takes effect for 100 ms. */
 class LoopMeterTest {
     private static final int FOLLOWER = 0;
     private static final int WANDERER = 1;
-    private static final State STATE = Tables.oneState().first();
+    private static final State STATE = JobRunner.oneState().first();
 
     private long millis;
 
-    private final RobotTime time = new RobotTime() {
+    private final RobotClock time = new RobotClock() {
         @Override
         public long nanos() {
             return millis * 1_000_000;
@@ -27,7 +27,7 @@ class LoopMeterTest {
         }
     };
 
-    /** The meter is made at 0; the first robot is connected after 5 s, the second after 7 s. */
+    /** Creates the meter at 0 s; the first robot connects after 5 s, the second after 7 s. */
     private LoopMeter connected(Mode mode, int loops) {
         var meter = new LoopMeter(mode, STATE, loops, time);
         millis = 5000;
@@ -77,7 +77,7 @@ class LoopMeterTest {
         }
         assertThat(timeMs(meter, FOLLOWER)).isEqualTo(330);
         assertThat(timeMs(meter, WANDERER)).isEqualTo(300);
-        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(630); // the sum, as the paper has it
+        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(630); // the sum, as in the paper
         assertThat(value(meter, "wallFollower", Quantity.INTERVAL)).isEqualTo(200);
         assertThat(value(meter, "spaceWanderer", Quantity.INTERVAL)).isEqualTo(200);
     }
@@ -88,7 +88,7 @@ class LoopMeterTest {
         cycles(meter, FOLLOWER, 7000, 7100, 7200, 7500);
         cycles(meter, WANDERER, 7500, 7550, 7600, 7650);
         assertThat(value(meter, "wallFollower", Quantity.INTERVAL)).isEqualTo(100);
-        // of 100, 100 and 300 ms, on the straight line between the two longest
+        // of 100, 100 and 300 ms, interpolated between the two longest
         assertThat(value(meter, "wallFollower", Quantity.INTERVAL_P99)).isCloseTo(296, within(1e-9));
         assertThat(value(meter, "spaceWanderer", Quantity.INTERVAL)).isEqualTo(50);
     }

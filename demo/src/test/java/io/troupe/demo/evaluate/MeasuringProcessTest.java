@@ -21,7 +21,7 @@ class MeasuringProcessTest {
 
     @Test
     void jobAndValue_areReadAsTheyAreWritten() {
-        var job = new Job(Part.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 6665);
+        var job = new Job(MeasurementKind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 6665);
         assertThat(Job.parse(job.line())).isEqualTo(job);
         var value = new Result.Value("both", Quantity.DELAY_P99, 0.1);
         assertThat(Result.Value.parse(value.line())).isEqualTo(value);
@@ -31,29 +31,29 @@ class MeasuringProcessTest {
     @Test
     void jobThatFails_isToldWithItsReason_andTheNextOneIsDone() throws IOException {
         try (var process = MeasuringProcess.start(2, WORLD, directory.resolve("log"))) {
-            var nobodyThere = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 1);
+            var nobodyThere = new Job(MeasurementKind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 1);
             assertThatThrownBy(() -> process.measure(nobodyThere))
                     .isInstanceOf(IOException.class)
                     .hasMessageContainingAll("promise mode, loops: ", "127.0.0.1:1 cannot be reached");
-            var fine = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+            var fine = new Job(MeasurementKind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
             assertThat(process.measure(fine).values()).contains(new Result.Value("both", Quantity.TIME, 200));
         }
     }
 
-    /** Two numbers, of which the machine that tests has at most one. */
+    /** Two values, of which at most one is the number of processors of this machine. */
     @ParameterizedTest
     @ValueSource(ints = {1, 5})
     void jvmThatMeasures_hasAsManyProcessorsAsItIsTold(int cores) throws IOException {
         try (var process = MeasuringProcess.start(cores, WORLD, directory.resolve("log"))) {
-            var job = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
-            assertThat(process.measure(job).values()).isNotEmpty(); // refused if it says that it has others
+            var job = new Job(MeasurementKind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+            assertThat(process.measure(job).values()).isNotEmpty(); // rejected if the JVM reports another number
         }
     }
 
     @Test
     void jvmThatEnds_isToldWithItsStatus() throws IOException {
         try (var process = MeasuringProcess.start(2, directory.resolve("no.world"), directory.resolve("log"))) {
-            var job = new Job(Part.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+            var job = new Job(MeasurementKind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
             assertThatThrownBy(() -> process.measure(job))
                     .isInstanceOf(IOException.class)
                     .hasMessageContaining("the JVM that measures (told 2 cores) has ended: exit status 1, see "

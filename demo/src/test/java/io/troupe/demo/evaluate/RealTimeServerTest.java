@@ -13,7 +13,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** By a client that is nothing but a socket. */
+/** With a client that uses a plain socket. */
 @Timeout(60)
 class RealTimeServerTest {
     private static final double WORLD_SECONDS = 0.5;
@@ -26,7 +26,7 @@ class RealTimeServerTest {
     private static final int DATA_MODE = 5;
     private static final int PULL = 2;
 
-    /** A request to the Player device itself, as Player's own clients write it. */
+    /** A request to the Player device, encoded as in Player's clients. */
     private static byte[] request(int subtype, int... payload) {
         var bytes = ByteBuffer.allocate(HEADER_BYTES + Integer.BYTES * payload.length)
                 .putInt(0) // host
@@ -57,9 +57,9 @@ class RealTimeServerTest {
             assertThat(banner(client)).startsWith("Player v.").endsWith("\0");
             long beganNanos = System.nanoTime();
             var out = client.getOutputStream();
-            out.write(request(DATA_MODE, PULL)); // in lock step such a client would be waited for
+            out.write(request(DATA_MODE, PULL)); // in lock step the world would wait for such a client
             out.write(request(ACCESS, 0, 0, 4, 0, 1, 0, 0)); // opens position2d:0
-            out.write(request(NEXT_DATA)); // once, and never again
+            out.write(request(NEXT_DATA)); // only once
             assertThat(passed.await(40, TimeUnit.SECONDS))
                     .as("the world has gone on to %s s without an answer", WORLD_SECONDS)
                     .isTrue();

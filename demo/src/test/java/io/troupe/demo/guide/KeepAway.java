@@ -5,7 +5,7 @@ import io.troupe.player.Position2DInterface;
 import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 
-/** A program as students write them: it knows of nothing but its Player client. */
+/** A typical student program, which uses only the Player client. */
 final class KeepAway {
     private KeepAway() {}
 

@@ -24,13 +24,13 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** The behaviours of the guide that use the camera, and one with laser and stall, in worlds with a known outcome. */
+/** The guide's behaviours that use the camera, and one with laser and stall, in worlds with a known outcome. */
 @Timeout(120)
 class SeekingTest {
     private static final double NEAR_M = 0.6;
     private static final double GAP_M = 0.8;
     private static final double LEADER_MPS = 0.2;
-    /** Of the robots' cameras: 60 degrees in 80 columns. */
+    /** The robots' cameras have 60 degrees in 80 columns. */
     private static final double COLUMN_RAD = Math.toRadians(60) / 80;
 
     private static final String ROBOTS = """
@@ -105,7 +105,7 @@ class SeekingTest {
         Pose ahead = end.robots().get(0).pose();
         Pose behind = end.robots().get(1).pose();
         assertThat(ahead.x()).isCloseTo(1.3 + 40 * LEADER_MPS, within(0.1));
-        // it drives as fast as its leader when 0.5 / s times what is above the gap is the leader's speed
+        // speed equal to its leader's: 0.5 / s times the distance above the gap
         double steadyM = GAP_M + LEADER_MPS / 0.5;
         assertThat(seen(end, 1, NamedColours.ORANGE).rangeM()).isCloseTo(steadyM, within(0.005));
         assertThat(ahead.x() - behind.x()).as("between the centres").isBetween(steadyM, steadyM + 0.35);
@@ -115,7 +115,7 @@ class SeekingTest {
     @ParameterizedTest
     @EnumSource
     void laserAndStall_areThoseOfTheWorld(Mode mode) throws Exception {
-        // the face of the wall is 4 m before the laser, which is 0.1 m before the robot
+        // the wall is 4 m in front of the laser, which is 0.1 m in front of the robot's centre
         String world = """
                 model ( color "black" size [ 0.2 4 0.5 ] pose [ 4.2 0 0 0 ] )
                 pioneer2dx ( name "robot1" color "orange" pose [ 0 0 0 0 ] scanner ( pose [ 0.1 0 0 0 ] ) )

@@ -31,7 +31,7 @@ import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** The samples of the guide to subsumption, run. */
+/** Runs the samples of the guide to subsumption. */
 class SubsumptionGuideTest {
     private static final String FIFTY = """
             robots 50
@@ -77,7 +77,7 @@ class SubsumptionGuideTest {
         return SubsumptionTableReader.read(file, catalogue);
     }
 
-    /** Moves a world so many ticks, with the robots of a table in it. */
+    /** Advances a world with the robots of a table by the given number of ticks. */
     private static void drive(
             Simulation simulation,
             SubsumptionTable table,

@@ -62,7 +62,7 @@ class WiringGuideTest {
         return store;
     }
 
-    /** Half of the five lines of the guide; the other half is that it passes there. */
+    /** The wiring of the guide deadlocks; the guide shows the repaired one too. */
     @Test
     void cameraAndStore_deadlockInACircle() {
         var wiring =

@@ -107,8 +107,8 @@ public class Demo2 extends Actor {
     }
 
     /**
-     * [4] A failure is not for ignoring; and what arrives after the colour that ended the state must not call live()
-     * again.
+     * [4] Failures must be handled; and a message that arrives after the colour that ended the state must not call
+     * live() again.
      */
     private static boolean failed(Throwable err) {
         if (err != null) {
@@ -118,8 +118,8 @@ public class Demo2 extends Actor {
     }
 
     /**
-     * [3] Fulfilled when every reference is at 2. A busy loop would hold the one thread on which the services are to
-     * set it.
+     * [3] Fulfilled when every reference is 2. A busy loop would block the only thread, on which the services set the
+     * references.
      */
     private Promise<?> stopAll() {
         return Promise.all(List.of(

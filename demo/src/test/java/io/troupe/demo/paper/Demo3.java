@@ -39,7 +39,7 @@ public class Demo3 extends Actor {
                 color2 = result;
                 printed.add("color" + color2);
 
-                atomicRefWF1.set(0); // [3] the paper's text says so, its figure does not
+                atomicRefWF1.set(0); // [3] stated in the paper's text, missing in its figure
                 atomicRefSW2.set(0);
                 atomicRefBF2.set(0);
                 ((Demo3) self()).live();
@@ -84,8 +84,8 @@ public class Demo3 extends Actor {
         atomicRefBF1.set(0);
         atomicRefSW2.set(0);
         atomicRefBF2.set(0);
-        atomicRefSW1 = new AtomicReference<>(
-                0); // [5] one of them may still be on its way from 0 to 2: do not set it to 1 again
+        atomicRefSW1 =
+                new AtomicReference<>(0); // [5] one of them may still change from 0 to 2: do not set it to 1 again
         atomicRefBF1 = new AtomicReference<>(0);
         atomicRefSW2 = new AtomicReference<>(0);
         atomicRefBF2 = new AtomicReference<>(0);

@@ -15,11 +15,11 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The paper's main code in synchronous mode drives the robots, and comes to the same as our own loop. */
+/** The paper's main code in synchronous mode drives the robots with the same result as our loop. */
 @Timeout(120)
 class Figure14Test {
     private static Simulation open() {
-        return Simulation.open(ScenarioReader.read(Drives.WORLD), WorldSettings.DEFAULT);
+        return Simulation.open(ScenarioReader.read(ArenaRun.WORLD), WorldSettings.DEFAULT);
     }
 
     @Test
@@ -28,7 +28,7 @@ class Figure14Test {
         var end = new AtomicReference<Throwable>();
         Thread main;
         try (var simulation = open()) {
-            var demo = new Demo1(Drives.stamped(simulation.clock(), ofThePaper));
+            var demo = new Demo1(ArenaRun.stamped(simulation.clock(), ofThePaper));
             demo.connect();
             main = new Thread(demo, "Demo1");
             main.setUncaughtExceptionHandler((thread, error) -> end.set(error));
@@ -47,16 +47,16 @@ class Figure14Test {
                         simulation.clock(),
                         ServiceObserver.NONE,
                         (state, seenBy) ->
-                                Drives.stamped(simulation.clock(), ours).add("State " + state.number())))) {
+                                ArenaRun.stamped(simulation.clock(), ours).add("State " + state.number())))) {
             tick(simulation);
             run.check();
         }
-        Drives.assertAllThreeStates(ofThePaper);
+        ArenaRun.assertAllThreeStates(ofThePaper);
         assertThat(ofThePaper).isEqualTo(ours);
     }
 
     private static void tick(Simulation simulation) {
-        for (int tick = 0; tick < 2 * Drives.TICKS; tick++) {
+        for (int tick = 0; tick < 2 * ArenaRun.TICKS; tick++) {
             simulation.tick();
         }
     }

@@ -1,8 +1,8 @@
 package io.troupe.demo.paper;
 
-import static io.troupe.demo.paper.Drives.drive;
-import static io.troupe.demo.paper.Drives.services;
-import static io.troupe.demo.paper.Drives.stamped;
+import static io.troupe.demo.paper.ArenaRun.drive;
+import static io.troupe.demo.paper.ArenaRun.services;
+import static io.troupe.demo.paper.ArenaRun.stamped;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.services.subsumption.Arbitrator;
@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The paper's main code in promise mode drives the robots, and comes to the same as our own arbitrator. */
+/** The paper's main code in promise mode drives the robots with the same result as our arbitrator. */
 @Timeout(120)
 class Figure20Test {
     @Test
@@ -27,12 +27,12 @@ class Figure20Test {
         var ours = new ArrayList<String>();
         drive(space -> {
             RobotServices services = services(space);
-            var printer = Drives.printer("color", stamped(space.clock(), ours));
+            var printer = ArenaRun.printer("color", stamped(space.clock(), ours));
             Arbitrator arbitrator = space.spawn(
                     Arbitrator.class, () -> new Arbitrator(services, SubsumptionTable.ofThePaper(), printer));
             arbitrator.live();
         });
-        Drives.assertAllThreeStates(ofThePaper);
+        ArenaRun.assertAllThreeStates(ofThePaper);
         assertThat(ofThePaper).isEqualTo(ours);
     }
 }

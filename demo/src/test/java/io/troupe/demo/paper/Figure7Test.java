@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Timeout;
 
 /**
  * The paper's connection with robot 1, and the check that solves its first challenge: data are ready before a service
- * begins.
+ * starts.
  */
 @Timeout(60)
 class Figure7Test {
@@ -54,7 +54,7 @@ class Figure7Test {
             assertThat(rngi1.getData().getRanges()).hasSize(16);
             assertThat(posi1.getX()).isZero();
             assertThat(blfi1.getData().getBlobs_count()).isZero(); // nothing within its 2 m
-            assertThat(rngi1.isDataReady()).isFalse(); // nothing newer: that is the answer to the tick
+            assertThat(rngi1.isDataReady()).isFalse(); // no newer data: this call answers the tick
             world.join();
             robot.close();
         }

@@ -8,7 +8,7 @@ import java.nio.file.Path;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
-/** Whatever fails when a recording is written, the message names its file. */
+/** Every write error of a recording names its file. */
 class NamedWriterTest {
     private static final class FullDisk extends Writer {
         @Override

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
-import io.troupe.demo.terminal.TerminalLine;
+import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
 import io.troupe.player.structures.PlayerConstants;
@@ -56,7 +56,7 @@ class ServeCommandTest {
                 .execute(arguments);
     }
 
-    /** A client of {@code localhost} would find the world without a socket; one of {@code 127.0.0.2} must use it. */
+    /** A client on TCP: for {@code localhost} it would find the world in the same process, without a socket. */
     private static PlayerClient client(Serving serving) {
         return new PlayerClient("127.0.0.2", serving.ports().getFirst());
     }
@@ -78,7 +78,7 @@ class ServeCommandTest {
                     serving.stop();
                 }
             });
-            serving.run(new Pace.RealTime(50), 1, Long.MAX_VALUE, TerminalLine.hidden());
+            serving.run(new Pace.RealTime(50), 1, Long.MAX_VALUE, ProgressLine.hidden());
             driver.join();
         }
         assertThat(failure.get()).isNull();
@@ -152,10 +152,10 @@ class ServeCommandTest {
                 robot.close();
                 serving.stop();
             });
-            serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, TerminalLine.hidden());
+            serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, ProgressLine.hidden());
             driver.join();
         }
-        assertThat(seen.get()).isEqualTo(9.9); // one frame for each readAll, the first at time 0
+        assertThat(seen.get()).isEqualTo(9.9); // one frame per readAll, the first at time 0
     }
 
     @Test
@@ -176,7 +176,7 @@ class ServeCommandTest {
                     }
                 });
             }
-            serving.run(new Pace.OfAnswers(), 2, Long.MAX_VALUE, TerminalLine.hidden());
+            serving.run(new Pace.OfAnswers(), 2, Long.MAX_VALUE, ProgressLine.hidden());
         }
         assertThat(seen).containsExactly(0.0, 0.0);
     }
@@ -207,11 +207,11 @@ class ServeCommandTest {
                     wheels.setSpeed(0.01 * (cycle % 7), 0);
                 }
             } catch (PlayerException serverHasGone) {
-                // as it must be
+                // expected
             }
         });
         try (serving) {
-            assertThatThrownBy(() -> serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, TerminalLine.hidden()))
+            assertThatThrownBy(() -> serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, ProgressLine.hidden()))
                     .isInstanceOf(UncheckedIOException.class)
                     .hasMessageContaining("/dev/full: ");
         }

@@ -2,7 +2,7 @@ package io.troupe.demo.svg;
 
 import org.w3c.dom.Element;
 
-/** The scale of a map, as a reader takes it from the picture: the length of the bar over the number beside it. */
+/** The scale of a map as read from the picture: length of the bar and the number beside it. */
 public record ScaleBar(double lengthPx, double metres) {
     public ScaleBar(Element svg) {
         this(length(svg), Double.parseDouble(label(svg).replace(" m", "")));

@@ -28,15 +28,15 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The tables in {@code demo/tables} are what they say, and drive the robots of the paper's arena. */
+/** The tables in {@code demo/tables} match their description and drive the robots of the paper's arena. */
 @Timeout(300)
 class ShippedTablesTest {
     private static final Path TABLES = Path.of("tables");
     private static final Path WORLD = Path.of("worlds", "paper-arena.world");
     private static final int PORT = 6665;
 
-    /** What happened in a run; the robots' thread writes it while the world waits for them. */
-    private static final class Diary implements ServiceObserver, Arbitrator.StateListener {
+    /** Records a run. The services' thread writes it while the world waits for them. */
+    private static final class Recorder implements ServiceObserver, Arbitrator.StateListener {
         final Map<String, Integer> cycles = new TreeMap<>();
         final List<Integer> states = new ArrayList<>();
         final int[] inCharge = new int[2];
@@ -68,36 +68,36 @@ class ShippedTablesTest {
         }
     }
 
-    private static Diary run(SubsumptionTable table, int seconds) throws Exception {
-        var diary = new Diary();
+    private static Recorder run(SubsumptionTable table, int seconds) throws Exception {
+        var recorder = new Recorder();
         var settings = WorldSettings.DEFAULT.withSeed(1);
         try (var simulation = Simulation.open(ScenarioReader.read(WORLD), settings);
                 var run = SubsumptionRun.start(new SubsumptionRun.Settings(
-                        Mode.PROMISE, "localhost", PORT, table, simulation.clock(), diary, diary))) {
+                        Mode.PROMISE, "localhost", PORT, table, simulation.clock(), recorder, recorder))) {
             while (simulation.timeMicros() < seconds * 1_000_000L) {
                 simulation.tick();
                 run.check();
             }
-            diary.end = simulation.latest();
+            recorder.end = simulation.latest();
         }
-        return diary;
+        return recorder;
     }
 
     @Test
     void paperTable_isTheTableOfThePaper_andRuns() throws Exception {
         SubsumptionTable table = SubsumptionTableReader.read(TABLES.resolve("paper.table"));
         assertThat(table).isEqualTo(SubsumptionTable.ofThePaper());
-        Diary diary = run(table, 120);
-        assertThat(diary.states).contains(1, 2, 3);
-        assertThat(diary.cycles).containsOnlyKeys("wallFollower", "spaceWanderer");
+        Recorder recorder = run(table, 120);
+        assertThat(recorder.states).contains(1, 2, 3);
+        assertThat(recorder.cycles).containsOnlyKeys("wallFollower", "spaceWanderer");
     }
 
     @Test
     void fourServices_allDrive_andEveryStateIsVisited() throws Exception {
-        Diary diary = run(SubsumptionTableReader.read(TABLES.resolve("four-services.table")), 300);
-        assertThat(diary.states).contains(1, 2, 3);
-        assertThat(diary.cycles).containsOnlyKeys("wallFollower", "spaceWanderer", "dodge > west", "dodge > east");
-        assertThat(diary.cycles.values()).allMatch(count -> count > 20);
+        Recorder recorder = run(SubsumptionTableReader.read(TABLES.resolve("four-services.table")), 300);
+        assertThat(recorder.states).contains(1, 2, 3);
+        assertThat(recorder.cycles).containsOnlyKeys("wallFollower", "spaceWanderer", "dodge > west", "dodge > east");
+        assertThat(recorder.cycles.values()).allMatch(count -> count > 20);
     }
 
     @Test
@@ -109,11 +109,11 @@ class ShippedTablesTest {
                 service round = goToGoal(3.3, -1; -0.2, -4; within 0.1)
                 state blue : avoid > round, avoid > there
                 """, "goals", ServiceCatalogue.standard());
-        Diary diary = run(table, 90);
-        var poses = diary.end().robots();
+        Recorder recorder = run(table, 90);
+        var poses = recorder.end().robots();
         assertThat(distance(poses.get(0).pose(), 0.0, -3.0)).isLessThan(0.2);
         assertThat(distance(poses.get(1).pose(), 4.4, -2.6)).isLessThan(0.2);
-        assertThat(diary.states).containsExactly(1);
+        assertThat(recorder.states).containsExactly(1);
     }
 
     private static double distance(Pose pose, double x, double y) {

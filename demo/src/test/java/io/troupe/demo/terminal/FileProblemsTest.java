@@ -19,11 +19,11 @@ class FileProblemsTest {
 
     @Test
     void words_haveNoNamesOfClasses() {
-        assertThat(FileProblems.words(new NoSuchFileException("a/b"))).isEqualTo("a/b: no such file");
-        assertThat(FileProblems.words(new AccessDeniedException("a/b"))).isEqualTo("a/b: permission denied");
-        assertThat(FileProblems.words(new FileSystemException("a/b", null, "Is a directory")))
+        assertThat(FileProblems.message(new NoSuchFileException("a/b"))).isEqualTo("a/b: no such file");
+        assertThat(FileProblems.message(new AccessDeniedException("a/b"))).isEqualTo("a/b: permission denied");
+        assertThat(FileProblems.message(new FileSystemException("a/b", null, "Is a directory")))
                 .isEqualTo("a/b: is a directory");
-        assertThat(FileProblems.words(new IOException())).isEqualTo("cannot be read or written");
+        assertThat(FileProblems.message(new IOException())).isEqualTo("cannot be read or written");
     }
 
     @Test

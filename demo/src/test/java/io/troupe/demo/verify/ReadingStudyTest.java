@@ -6,7 +6,7 @@ import io.troupe.petri.PaperNets.Reading;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** Every statement of section 5, with the numbers we stand for. */
+/** Every statement of section 5, with our numbers. */
 class ReadingStudyTest {
     private static final ReadingStudy A = ReadingStudy.of(Reading.A, progress -> {});
     private static final ReadingStudy B = ReadingStudy.of(Reading.B, progress -> {});
@@ -102,7 +102,7 @@ class ReadingStudyTest {
 
     @Test
     void inevitability_ofANetInWhichRobotNeedNotStop_doesNotHold() {
-        // Tstop is the only way on from R10; with a circle beside it nothing forces it
+        // Tstop is the only way on from R10; with a cycle beside it, it need never fire
         var net = A.corrected().net().toBuilder()
                 .transition("idle", List.of("R10", "M4"), List.of("R10", "M4"))
                 .build();
@@ -115,7 +115,7 @@ class ReadingStudyTest {
 
     @Test
     void inevitability_ofANetInWhichRobotChangesItsMind_doesNotHold() {
-        // no circle avoids Tstop while R10 is marked, but another transition takes its token
+        // no cycle avoids Tstop while R10 is marked, but another transition takes its token
         var net = A.corrected().net().toBuilder()
                 .transition("back", List.of("R10"), List.of("R5"))
                 .build();
@@ -153,7 +153,7 @@ class ReadingStudyTest {
         assertThat(statements.get(1).ours()).endsWith("without Tstop between: [Trp2'']");
     }
 
-    /** The statement is about the net that was given, not about the paper's. */
+    /** The statement is about the given net, not about the paper's. */
     @Test
     void deadlockFreedom_ofANetWithoutIt_isNotSaidToBeProved() {
         var net = A.corrected().net().toBuilder()

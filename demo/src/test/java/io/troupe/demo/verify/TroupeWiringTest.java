@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Our own components cannot come to wait for each other for ever. */
+/** Our components cannot deadlock. */
 class TroupeWiringTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 3})
@@ -34,7 +34,7 @@ class TroupeWiringTest {
                                 + " answers");
     }
 
-    /** One service alone never sees a colour while the arbitrator changes the state for another. */
+    /** With a single service no colour is seen while the arbitrator changes the state for another one. */
     @Test
     void withDirectCalls_ofOneRobot_isProved() {
         assertThat(WiringCheck.check(TroupeWiring.withDirectCalls(1))).isInstanceOf(WiringResult.Proved.class);

@@ -123,7 +123,7 @@ class VerifyCommandTest {
                         "3 with --net: not known");
     }
 
-    /** A weight of 2, so that siphons decide nothing. */
+    /** The net has a weight of 2, so that siphons decide nothing. */
     @Test
     void netWithoutBounds_isNotKnownOnceTheMemoryIsUsedUp() {
         var net = PetriNet.builder("growing").place("a", 2).place("many").transition("t");
@@ -146,7 +146,7 @@ class VerifyCommandTest {
         assertThat(out.toString()).startsWith("growing: proved: no reachable marking is dead (by its siphons; ");
     }
 
-    /** Thousands of dead markings, each a terminal component. */
+    /** The net has thousands of dead markings, each a terminal component. */
     @Test
     void netWithoutBounds_isToldInFewLines() {
         var net = PetriNet.builder("ends").place("on", 1).place("off").place("many");
@@ -158,7 +158,7 @@ class VerifyCommandTest {
         assertThat(out.toString().lines()).hasSizeLessThan(50);
     }
 
-    /** The layout of a larger one takes minutes, or overflows the stack, with the verdict still to be printed. */
+    /** The layout of a larger net takes minutes or overflows the stack; the verdict must be printed anyway. */
     @Test
     void largeNet_isDecidedAndNotDrawn() {
         var net = PetriNet.builder("ring").place("p0", 1);

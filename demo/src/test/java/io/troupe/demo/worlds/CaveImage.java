@@ -8,8 +8,8 @@ import java.util.Random;
 import javax.imageio.ImageIO;
 
 /**
- * Draws {@code cave.png}: random rock, rounded by letting each pixel join the majority around it, without closed
- * pockets.
+ * Draws {@code cave.png}: random rock, smoothed by giving each pixel the majority value of its neighbours, without
+ * closed cavities.
  */
 final class CaveImage {
     private static final int SIDE = 400;
@@ -84,7 +84,7 @@ final class CaveImage {
         return image;
     }
 
-    /** Writes the file anew, from the repository's root. */
+    /** Writes the file; run from the root of the repository. */
     public static void main(String[] arguments) throws IOException {
         if (!ImageIO.write(draw(), "png", Path.of("demo", "worlds", "cave.png").toFile())) {
             throw new IOException("no writer for PNG");

@@ -24,10 +24,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
-/**
- * The worlds in {@code demo/worlds}: they can be read, offer what their configuration says, and robots can move in
- * them.
- */
+/** The worlds in {@code demo/worlds}: they are readable, offer the configured devices, and robots can move in them. */
 class ShippedWorldsTest {
     private static final int TICKS_OF_10_SECONDS = 100;
 
@@ -84,7 +81,7 @@ class ShippedWorldsTest {
     void cave_hasFewPiecesAndExactOutlines() {
         ObstacleSpec cave = read("cave.world").world().obstacles().getFirst();
 
-        // the rectangles cover the dark pixels, the lines run around them; the boundary is four pieces more
+        // the rectangles cover the dark pixels, the lines surround them; the boundary adds four pieces
         assertThat(cave.shape().polygons()).hasSizeBetween(100, 1200);
         assertThat(cave.shape().outlines()).hasSizeBetween(5, 40);
     }
@@ -130,7 +127,7 @@ class ShippedWorldsTest {
         }
     }
 
-    /** Stage 4 ends at a type or an interface that it does not have. */
+    /** Stage 4 rejects a world with an unknown type or interface. */
     @ParameterizedTest
     @CsvSource({
         "paper-arena.world",

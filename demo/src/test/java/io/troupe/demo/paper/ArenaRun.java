@@ -15,18 +15,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** The paper's arena, for main code that is to be compared with other main code. */
-final class Drives {
+/** Runs main code in the paper's arena, for comparison with other main code. */
+final class ArenaRun {
     static final Path WORLD = Path.of("worlds", "paper-arena.world");
     static final int TICKS = 1_500;
 
-    private Drives() {}
+    private ArenaRun() {}
 
     static RobotServices services(ActorSpace space) {
         return space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
     }
 
-    /** Writes states, and colours before them, as the paper's code prints them. */
+    /** Writes states, and the colours before them, in the format of the paper's code. */
     static Arbitrator.StateListener printer(String colourPrefix, List<String> lines) {
         return (state, seenBy) -> {
             if (seenBy != null) {
@@ -36,7 +36,7 @@ final class Drives {
         };
     }
 
-    /** What is added gets the simulated time in front. */
+    /** A list that prefixes added lines with the simulated time. */
     static List<String> stamped(Clock clock, List<String> lines) {
         return new java.util.AbstractList<>() {
             @Override

@@ -20,15 +20,16 @@ import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes down what happens in a run.
+ * Records a run: writes {@code run.jsonl} and collects the {@link RunResult}.
  *
- * <p><b>Threads.</b> The services tell it on the actor space's thread, the world on its own; in lock step they never do
- * so at the same time, and each tick makes visible to one what the other wrote.
+ * <p><b>Threads.</b> The services call it on the actor space's thread, the run loop on the thread that advances the
+ * world. In lock step the two never call at the same time, and each tick publishes the writes of one thread to the
+ * other.
  */
-final class Ledger implements ServiceObserver, Arbitrator.StateListener {
+final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
     /**
-     * So many robots are a crowd: they are told of in sums and extremes, and the log has their poses once a second
-     * instead of at every tick.
+     * From this number of robots on, a run is reported as a crowd: the summary has sums and extremes, and the log has
+     * poses once a second instead of at every tick.
      */
     static final int MANY_ROBOTS = 11;
 
@@ -44,7 +45,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
     private int statesLogged;
     private Snapshot last;
 
-    Ledger(WorldSpec world, SubsumptionTable table, RunLog log, Consumer<String> changes) {
+    RunRecorder(WorldSpec world, SubsumptionTable table, RunLog log, Consumer<String> changes) {
         this.table = table;
         this.log = log;
         this.changes = changes;
@@ -53,7 +54,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
                 .toList();
     }
 
-    // ---- from the services
+    // ---- called by the services
 
     @Override
     public void serviceStarted(int robot, Service service) {
@@ -90,16 +91,19 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         states.add(new StateChange(last == null ? 0 : last.timeMicros(), state, seenBy));
     }
 
-    // ---- from the world
+    // ---- called by the run loop
 
-    /** The world before the first tick. */
+    /** Records the world before the first tick. */
     void start(Snapshot snapshot) {
         last = snapshot;
         logStates();
         logPoses(snapshot);
     }
 
-    /** The world after a tick; what the services did at the tick comes before what it led to. */
+    /**
+     * Records the world after a tick. Events of the services during the tick are written before the contacts and poses
+     * that follow from them.
+     */
     void record(Snapshot snapshot) {
         logStates();
         logCharge();
@@ -111,7 +115,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         logPoses(snapshot);
     }
 
-    /** @param cutShort whether the run ends before it was meant to */
+    /** @param cutShort whether the run was interrupted before its end time */
     RunResult finish(boolean cutShort) {
         var result = new RunResult(last.timeMicros(), table, List.copyOf(states), robots, messages);
         Json summary = result.toJson();
@@ -119,7 +123,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         return result;
     }
 
-    /** Says in the log that the run has ended by an error. */
+    /** Writes to the log that the run ended with an error. */
     void fail() {
         log.write(Json.line(last == null ? 0 : last.timeMicros(), "cutShort").put("cutShort", "failed"));
     }
@@ -138,7 +142,10 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         }
     }
 
-    /** The handshake's promise: between two readings every robot has exactly one service. */
+    /**
+     * Logs a robot without exactly one service. The arbitrator's handshake guarantees one for every robot between two
+     * readings.
+     */
     private void logCharge() {
         for (RobotRecord robot : robots) {
             if (robot.servicesInCharge().size() != 1) {
@@ -183,34 +190,34 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
         }
     }
 
-    /** How many messages carried a colour. */
+    /** Counts messages that carry a colour. */
     static final class Messages {
         private long sent;
         private long received;
         private long tooLate;
 
-        /** By colour finders. */
+        /** Sent by colour finders. */
         long sent() {
             return sent;
         }
 
-        /** By the arbitrator. */
+        /** Received by the arbitrator. */
         long received() {
             return received;
         }
 
-        /** Those of the received ones whose state had ended. */
+        /** Received after the state of their sender had ended. */
         long tooLate() {
             return tooLate;
         }
     }
 
-    /** A state that began. */
+    /** The start of a state. */
     record StateChange(
             long timeMicros, State state, @Nullable Integer seenBy) {
         private static final int LEAST_CAUSE_WIDTH = 18;
 
-        /** For people, by the table's names of colours. */
+        /** A line for the terminal, with the table's colour names. */
         String describe(SubsumptionTable table) {
             return String.format(
                     Locale.ROOT,
@@ -221,7 +228,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
                     state.services().size() < MANY_ROBOTS ? assignment() : headcount());
         }
 
-        /** So that what follows stands in one column, whatever the colours are called. */
+        /** The width of the column for the cause, so that the text after it is aligned. */
         private static int causeWidth(SubsumptionTable table) {
             int longest = table.states().stream()
                     .mapToInt(each -> table.colourName(each.colour()).length())
@@ -230,7 +237,7 @@ final class Ledger implements ServiceObserver, Arbitrator.StateListener {
             return Math.max(LEAST_CAUSE_WIDTH, "robot  sees ".length() + ("" + table.robots()).length() + longest);
         }
 
-        /** Why it began. */
+        /** What started the state. */
         String cause(SubsumptionTable table) {
             return seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + table.colourName(state.colour());
         }

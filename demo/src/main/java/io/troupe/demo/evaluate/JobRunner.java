@@ -1,6 +1,7 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.time.Clock;
+import io.troupe.services.subsumption.Colours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -9,20 +10,21 @@ import io.troupe.sim.scenario.Scenario;
 import java.util.List;
 
 /**
- * Does a job.
+ * Executes one job.
  *
- * <p><b>Threads.</b> The calling one moves the world, if the job has one of its own; the services have theirs.
+ * <p><b>Threads.</b> The calling thread advances the world if the job has a separate one. The services run on a
+ * separate thread.
  */
-final class MeasuredRun {
+final class JobRunner {
     private static final long POLL_MILLIS = 20;
-    /** Longer than any mode takes for a loop of both services; a run that needs more does not get on. */
+    /** More than any mode needs for a loop of both services; a run that exceeds it makes no progress. */
     private static final int MOST_TICKS_PER_LOOP = 4;
 
     private final Scenario scenario;
     private final int port;
 
-    /** @param port where the scenario offers its robots */
-    MeasuredRun(Scenario scenario, int port) {
+    /** @param port that offers the robots of the scenario */
+    JobRunner(Scenario scenario, int port) {
         this.scenario = scenario;
         this.port = port;
     }
@@ -34,7 +36,7 @@ final class MeasuredRun {
     private Result inLockStep(Job job) throws InterruptedException {
         try (var simulation = Simulation.open(scenario, PaperWorld.settings(job.seed()))) {
             long intervalNanos = scenario.world().intervalMillis() * 1_000_000L;
-            var time = new RobotTime() {
+            var time = new RobotClock() {
                 @Override
                 public long nanos() {
                     return simulation.clock().nanos();
@@ -63,7 +65,7 @@ final class MeasuredRun {
 
     private static Result inRealTime(Job job) throws InterruptedException {
         var clock = Clock.system();
-        var time = new RobotTime() {
+        var time = new RobotClock() {
             @Override
             public long nanos() {
                 return clock.nanos();
@@ -86,19 +88,19 @@ final class MeasuredRun {
 
     private static SubsumptionRun.Settings settings(Job job, String host, int port, Clock clock, Meter meter) {
         return new SubsumptionRun.Settings(job.mode(), host, port, table(job), clock, meter, meter)
-                .withReconnection(job.part() == Part.RECONNECTS);
+                .withReconnection(job.kind() == MeasurementKind.RECONNECTS);
     }
 
-    private static Meter meter(Job job, RobotTime time) {
+    private static Meter meter(Job job, RobotClock time) {
         return job.countsLoops()
                 ? new LoopMeter(job.mode(), table(job).first(), job.loops(), time)
                 : new SwitchMeter(job.seconds(), time);
     }
 
     private static SubsumptionTable table(Job job) {
-        return switch (job.part()) {
-            case LOOPS -> Tables.oneState();
-            case ALONE -> Tables.alone(service(job.subject()));
+        return switch (job.kind()) {
+            case LOOPS -> oneState();
+            case ALONE -> alone(service(job.subject()));
             case SWITCHES, RECONNECTS -> SubsumptionTable.ofThePaper();
         };
     }
@@ -108,5 +110,23 @@ final class MeasuredRun {
                 .filter(each -> each.name().equals(name))
                 .findFirst()
                 .orElseThrow(() -> new IllegalArgumentException("there is no service " + name));
+    }
+
+    /**
+     * One state that never ends: robot 1 follows walls, robot 2 wanders. Blue is the only colour with a state, and
+     * leads to this one.
+     */
+    static SubsumptionTable oneState() {
+        return SubsumptionTable.forRobots(2)
+                .when(Colours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)
+                .build();
+    }
+
+    /** Robot 1 alone, in one state that never ends. */
+    private static SubsumptionTable alone(Service service) {
+        return SubsumptionTable.forRobots(1)
+                .when(Colours.BLUE, service)
+                .allowFinal()
+                .build();
     }
 }

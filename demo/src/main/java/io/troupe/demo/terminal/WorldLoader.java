@@ -11,10 +11,10 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * How every command reads a world: warnings with their places go to the error stream; unknown names are warnings only
- * with {@code --lenient}.
+ * Reads worlds the same way in all commands. Warnings with their position go to standard error. Unknown names are
+ * warnings only with {@code --lenient}.
  */
-public final class WorldReading {
+public final class WorldLoader {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
 
@@ -24,7 +24,7 @@ public final class WorldReading {
     /**
      * Reads a world or configuration file.
      *
-     * @throws picocli.CommandLine.ParameterException if there is no such file, or it may not be read
+     * @throws picocli.CommandLine.ParameterException if the file does not exist or is not readable
      */
     public Scenario read(Path file) {
         FileProblems.checkInput(spec, file, "a world file");

@@ -4,18 +4,18 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 
-/** Elements of SVG that several pictures share; coordinates are pixels. */
-public final class Svg {
-    /** A line of 1, 2 or 5 times a power of ten metres is at least so long. */
+/** SVG elements that several pictures share; coordinates are pixels. */
+public final class SvgElements {
+    /** Minimum length of the scale bar, which shows 1, 2 or 5 times a power of ten metres. */
     private static final double LEAST_BAR_PX = 48;
-    /** Width of a letter of a sans-serif font over the font's size; generous, because fonts differ. */
+    /** Letter width of a sans-serif font, relative to the font size. Generous, since fonts differ. */
     private static final double LETTER = 0.58;
 
     private static final int CALM_GREEN = 0x2E9F45;
 
-    private Svg() {}
+    private SvgElements() {}
 
-    /** The root element with its title, which is also what a screen reader says, on white. */
+    /** The root element on a white background. The title is also read by screen readers. */
     public static String begin(double width, double height, double fontPx, String title) {
         String size = number(width) + " " + number(height);
         return "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"" + number(width) + "\" height=\"" + number(height)
@@ -29,13 +29,13 @@ public final class Svg {
         return "<text x=\"" + number(x) + "\" y=\"" + number(y) + "\" " + style + ">" + escape(words) + "</text>\n";
     }
 
-    /** The same with a white rim, so that it can be read on lines. */
+    /** Text with a white outline, so that it is readable on lines. */
     public static String textOnLines(double x, double y, String style, String words) {
         return text(x, y, style + " stroke=\"white\" stroke-width=\"3\" stroke-linejoin=\"round\"", words)
                 + text(x, y, style, words);
     }
 
-    /** A bar of a round number of metres, its left end at {@code x}, with the number beside it. */
+    /** A scale bar with its left end at {@code x}, and its length in metres as label. */
     public static String scaleBar(double x, double y, double pixelsPerMetre) {
         double metres = roundStep(LEAST_BAR_PX / pixelsPerMetre);
         double end = x + metres * pixelsPerMetre;
@@ -45,7 +45,7 @@ public final class Svg {
                 + text(end + 8, y + 5, "class=\"scale\" fill=\"#222222\"", label);
     }
 
-    /** How wide {@link #scaleBar} is with its number. */
+    /** Width of {@link #scaleBar} including its label. */
     public static double scaleBarWidth(double pixelsPerMetre, double fontPx) {
         double metres = roundStep(LEAST_BAR_PX / pixelsPerMetre);
         return metres * pixelsPerMetre + 8 + width(number(metres) + " m", fontPx);
@@ -56,7 +56,7 @@ public final class Svg {
                 + "\"/>";
     }
 
-    /** A triangle that points along a direction, for arrows; SVG's markers are not drawn by all viewers. */
+    /** A triangle as arrow head. SVG markers are not supported by all viewers. */
     public static String head(double tipX, double tipY, double directionRad, double lengthPx, String colour) {
         double x = StrictMath.cos(directionRad);
         double y = StrictMath.sin(directionRad);
@@ -75,31 +75,31 @@ public final class Svg {
                 colour);
     }
 
-    /** The least of 1, 2 and 5 times a power of ten that is not below {@code least}. */
+    /** The smallest of 1, 2 and 5 times a power of ten that is not below {@code least}. */
     public static double roundStep(double least) {
         double power = StrictMath.pow(10, StrictMath.floor(StrictMath.log10(least)));
         double rest = least / power * (1 - 1e-12);
         return power * (rest <= 1 ? 1 : rest <= 2 ? 2 : rest <= 5 ? 5 : 10);
     }
 
-    /** {@code #rrggbb} of {@code 0x00RRGGBB}; pure green is darkened, since it glares on white. */
+    /** {@code #rrggbb} of {@code 0x00RRGGBB}. Pure green is darkened, since it is too bright on white. */
     public static String colour(int rgb) {
         return String.format(Locale.ROOT, "#%06x", rgb == 0x00FF00 ? CALM_GREEN : rgb);
     }
 
-    /** What can be read on a fill of this colour: black or white. */
+    /** A readable text colour on a fill of this colour: black or white. */
     public static String inkOn(int rgb) {
         int shown = rgb == 0x00FF00 ? CALM_GREEN : rgb;
         double light = 0.3 * (shown >> 16 & 0xff) + 0.59 * (shown >> 8 & 0xff) + 0.11 * (shown & 0xff);
         return light > 140 ? "black" : "white";
     }
 
-    /** How wide a line of text may become. */
+    /** Upper estimate of the width of a text. */
     public static double width(String words, double fontPx) {
         return words.length() * LETTER * fontPx;
     }
 
-    /** Words on as few lines as they fit; a longer word gets a line for itself. */
+    /** Breaks a text into lines of at most this width. A longer word gets a separate line. */
     public static List<String> wrap(String words, double widthPx, double fontPx) {
         List<String> lines = new ArrayList<>();
         for (String word : words.split(" ")) {

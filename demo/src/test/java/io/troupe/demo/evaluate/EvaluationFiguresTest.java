@@ -15,7 +15,7 @@ import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-class FiguresTest {
+class EvaluationFiguresTest {
     private static final int BLUE = 0x4477AA;
     private static final int YELLOW = 0xDDAA33;
     private static final int GREEN = 0x228833;
@@ -25,8 +25,8 @@ class FiguresTest {
     @TempDir
     private Path out;
 
-    private Figures figures(MadeUp made) {
-        return new Figures(MadeUp.settings(out), made.measurements());
+    private EvaluationFigures figures(SyntheticMeasurements made) {
+        return new EvaluationFigures(SyntheticMeasurements.settings(out), made.measurements());
     }
 
     private static List<String> texts(Chart chart) {
@@ -39,7 +39,7 @@ class FiguresTest {
 
     @Test
     void everyFigureOfThePaper_saysWhatItFound_inSeconds() throws Exception {
-        var charts = figures(MadeUp.asThePaperSays()).charts();
+        var charts = figures(SyntheticMeasurements.confirmingThePaper()).charts();
 
         assertThat(charts.keySet())
                 .containsExactly("evaluation-15", "evaluation-18", "evaluation-21", "evaluation-22", "evaluation-23");
@@ -56,7 +56,7 @@ class FiguresTest {
 
     @Test
     void files_arePicturesWithBarsAsHighAsTheNumbers() throws Exception {
-        var names = figures(MadeUp.asThePaperSays()).write(out);
+        var names = figures(SyntheticMeasurements.confirmingThePaper()).write(out);
         assertThat(names).hasSize(5);
         for (String name : names) {
             var svg = Files.readString(out.resolve(name + ".svg"));
@@ -70,7 +70,7 @@ class FiguresTest {
         }
         BufferedImage all = ImageIO.read(out.resolve("evaluation-23.png").toFile());
         int left = all.getWidth() / 2;
-        // the longest column of a colour on the left is the bar of both services: 8, 4.01 and 4 s
+        // the tallest column of a colour on the left is the bar of both services: 8, 4.01 and 4 s
         int sync = tallest(all, left, BLUE);
         assertThat(sync).isGreaterThan(100);
         assertThat(tallest(all, left, YELLOW) / (double) sync).isBetween(0.47, 0.53);
@@ -96,9 +96,10 @@ class FiguresTest {
         var measured = new Measurements();
         var often = new Measurements();
         for (int repetition = 1; repetition <= 5; repetition++) {
-            for (var each : MadeUp.asThePaperSays().measurements().all()) {
+            for (var each :
+                    SyntheticMeasurements.confirmingThePaper().measurements().all()) {
                 var varied = new Measurement(
-                        each.part(),
+                        each.kind(),
                         each.mode(),
                         each.cores(),
                         repetition,
@@ -111,19 +112,21 @@ class FiguresTest {
                 }
             }
         }
-        var single = new Figures(once, measured).charts().get("evaluation-21");
-        var repeated = new Figures(MadeUp.settings(out), often).charts().get("evaluation-21");
+        var single = new EvaluationFigures(once, measured).charts().get("evaluation-21");
+        var repeated = new EvaluationFigures(SyntheticMeasurements.settings(out), often)
+                .charts()
+                .get("evaluation-21");
 
         assertThat(texts(single)).contains("Computing time, µs for a loop, measured once");
         assertThat(single.svg()).doesNotContain(THIN_LINE);
         assertThat(repeated.svg()).contains(THIN_LINE);
     }
 
-    /** {@code -Dfigures=write} writes them anew. */
+    /** {@code -Dfigures=write} writes the documented figures. */
     @Test
     void picturesInTheDocumentation_areThoseOfTheTableThere() throws Exception {
         String guide = Files.readString(Path.of("..", "docs", "guide", "09-measurements.md"));
-        var charts = new Figures(MadeUp.settings(out), documented(guide)).charts();
+        var charts = new EvaluationFigures(SyntheticMeasurements.settings(out), documented(guide)).charts();
 
         for (int figure : new int[] {15, 22, 23}) {
             String name = "evaluation-" + figure;
@@ -136,7 +139,7 @@ class FiguresTest {
         }
     }
 
-    /** Five repetitions that have the documented medians and quartiles. */
+    /** Five repetitions with the documented medians and quartiles. */
     private static Measurements documented(String guide) {
         var measurements = new Measurements();
         String spread = " +([\\d.]+) \\(([\\d.]+?)\\.\\.([\\d.]+)\\) +\\|";
@@ -149,14 +152,14 @@ class FiguresTest {
             int cores = Integer.parseInt(row.group(2));
             for (int repetition = 1; repetition <= 5; repetition++) {
                 for (int column = 0; column < 3; column++) {
-                    String subject = List.of(Findings.FOLLOWER, Findings.WANDERER, Measurement.BOTH)
+                    String subject = List.of(CoreMeasurements.FOLLOWER, CoreMeasurements.WANDERER, Measurement.BOTH)
                             .get(column);
                     int group = 4 + 3 * column + (repetition < 3 ? 1 : repetition == 3 ? 0 : 2);
                     double seconds = Double.parseDouble(column == 2 ? row.group(3) : alone.group(column + 1));
                     measurements.add(new Measurement(
-                            Part.LOOPS, mode, cores, repetition, subject, Quantity.TIME, 1000 * seconds));
+                            MeasurementKind.LOOPS, mode, cores, repetition, subject, Quantity.TIME, 1000 * seconds));
                     measurements.add(new Measurement(
-                            Part.LOOPS,
+                            MeasurementKind.LOOPS,
                             mode,
                             cores,
                             repetition,
@@ -174,7 +177,9 @@ class FiguresTest {
     void modesThatWereNotMeasured_haveNoFigure() {
         var settings = new EvaluationSettings(
                 out, 10, List.of(2), List.of(Mode.PROMISE), 1, 0, 10, false, false, out.resolve("log"));
-        var charts = new Figures(settings, MadeUp.asThePaperSays().measurements()).charts();
+        var charts = new EvaluationFigures(
+                        settings, SyntheticMeasurements.confirmingThePaper().measurements())
+                .charts();
         assertThat(charts.keySet()).containsExactly("evaluation-21");
     }
 }

@@ -5,35 +5,35 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import org.junit.jupiter.api.Test;
 
-/** The statistics, against numbers worked out by hand. */
-class SpreadTest {
+/** The statistics, compared with values calculated by hand. */
+class SampleStatisticsTest {
     @Test
     void oneToFive_hasItsQuartilesAtTwoAndFour() {
-        var spread = Spread.of(5, 1, 4, 2, 3);
-        assertThat(spread).isEqualTo(new Spread(3, 2, 4, 1, 5, 5));
+        var spread = SampleStatistics.of(5, 1, 4, 2, 3);
+        assertThat(spread).isEqualTo(new SampleStatistics(3, 2, 4, 1, 5, 5));
         assertThat(spread.halfWidth()).isEqualTo(1);
     }
 
     @Test
     void anEvenNumber_isHalvedBetweenTwo() {
-        assertThat(Spread.of(1, 2, 3, 10)).isEqualTo(new Spread(2.5, 1.75, 4.75, 1, 10, 4));
+        assertThat(SampleStatistics.of(1, 2, 3, 10)).isEqualTo(new SampleStatistics(2.5, 1.75, 4.75, 1, 10, 4));
     }
 
     @Test
     void oneValue_isAllThereIs() {
-        assertThat(Spread.of(7)).isEqualTo(new Spread(7, 7, 7, 7, 7, 1));
+        assertThat(SampleStatistics.of(7)).isEqualTo(new SampleStatistics(7, 7, 7, 7, 7, 1));
     }
 
     @Test
     void text_leavesQuartilesOutThatNobodySees() {
-        assertThat(Spread.of(1, 2, 3).text(1)).isEqualTo("2.0 (1.5..2.5)");
-        assertThat(Spread.of(2.001, 2.002, 2.003).text(1)).isEqualTo("2.0");
+        assertThat(SampleStatistics.of(1, 2, 3).text(1)).isEqualTo("2.0 (1.5..2.5)");
+        assertThat(SampleStatistics.of(2.001, 2.002, 2.003).text(1)).isEqualTo("2.0");
     }
 
     @Test
     void nothing_andWhatIsNoNumber_areRefused() {
-        assertThatThrownBy(Spread::of).hasMessage("0 values, expected at least one");
-        assertThatThrownBy(() -> Spread.of(1, Double.NaN)).hasMessageContaining("a value is NaN");
+        assertThatThrownBy(SampleStatistics::of).hasMessage("0 values, expected at least one");
+        assertThatThrownBy(() -> SampleStatistics.of(1, Double.NaN)).hasMessageContaining("a value is NaN");
     }
 
     @Test

@@ -4,18 +4,19 @@ import java.util.Arrays;
 import java.util.Locale;
 
 /**
- * Where repeated measurements lie.
+ * Median, quartiles and extremes of repeated measurements.
  *
- * <p><b>Units and shapes.</b> Those of the values. Quartiles lie on the straight line between neighbours in the order
- * of size.
+ * <p><b>Units and shapes.</b> Values keep their unit. Quantiles are interpolated linearly between neighbouring sorted
+ * values.
  */
-record Spread(double median, double lowerQuartile, double upperQuartile, double least, double most, int count) {
+record SampleStatistics(
+        double median, double lowerQuartile, double upperQuartile, double least, double most, int count) {
     /**
-     * Of some values.
+     * Computes the statistics of the values.
      *
-     * @throws IllegalArgumentException if there is none, or one is no finite number
+     * @throws IllegalArgumentException if there are none, or one is not finite
      */
-    static Spread of(double... values) {
+    static SampleStatistics of(double... values) {
         if (values.length == 0) {
             throw new IllegalArgumentException("0 values, expected at least one");
         }
@@ -26,7 +27,7 @@ record Spread(double median, double lowerQuartile, double upperQuartile, double 
                 throw new IllegalArgumentException("a value is " + value + ", expected a finite number");
             }
         }
-        return new Spread(
+        return new SampleStatistics(
                 quantile(sorted, 0.5),
                 quantile(sorted, 0.25),
                 quantile(sorted, 0.75),
@@ -36,9 +37,9 @@ record Spread(double median, double lowerQuartile, double upperQuartile, double 
     }
 
     /**
-     * The value below which a share of the others lies.
+     * The value below which the given share of the values lies.
      *
-     * @param sorted upwards, at least one
+     * @param sorted in ascending order, at least one
      */
     static double quantile(double[] sorted, double share) {
         double at = share * (sorted.length - 1);
@@ -52,7 +53,7 @@ record Spread(double median, double lowerQuartile, double upperQuartile, double 
         return (upperQuartile - lowerQuartile) / 2;
     }
 
-    /** The median, and in brackets the quartiles where they differ from it in the digits that are shown. */
+    /** The median, followed by the quartiles in brackets if they differ from it in the printed digits. */
     String text(int decimals) {
         String format = "%." + decimals + "f";
         String middle = String.format(Locale.ROOT, format, median);

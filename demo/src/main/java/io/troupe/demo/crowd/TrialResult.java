@@ -1,16 +1,16 @@
 package io.troupe.demo.crowd;
 
 /**
- * What one run of a crowd cost.
+ * The measured cost of one crowd run.
  *
  * @param wallNanos from the first measured tick to the last
- * @param processorNanos of all threads, the compiler's and the collector's included
- * @param worldNanos processor time of the thread that moves the world
+ * @param processorNanos of all threads, including compiler and garbage collector
+ * @param worldNanos processor time of the thread that advances the world
  * @param servicesNanos processor time of the actor space's thread: frames, Player clients, services, arbitrator
- * @param retainedBytes of the heap, by the whole crowd: world, connections, actors
- * @param states that began in the measured ticks
+ * @param retainedBytes heap retained by the whole crowd: world, connections, actors
+ * @param states number of states that started in the measured ticks
  */
-record Trial(
+record TrialResult(
         int robots,
         long ticks,
         long intervalMicros,
@@ -20,12 +20,12 @@ record Trial(
         long servicesNanos,
         long retainedBytes,
         int states) {
-    /** By the clock on the wall. */
+    /** By the wall clock. */
     double timesRealTime() {
         return ticks * intervalMicros * 1000.0 / wallNanos;
     }
 
-    /** By the processor time of all threads: what one core does that nobody else uses. */
+    /** By the processor time of all threads: the speed on one core without other programs. */
     double timesRealTimeOfOneCore() {
         return ticks * intervalMicros * 1000.0 / processorNanos;
     }

@@ -7,8 +7,8 @@ import java.util.List;
 import java.util.Locale;
 import java.util.stream.IntStream;
 
-/** The numbers of one number of cores, as claims need them. */
-final class Findings {
+/** The measurements for one number of cores, in the form that claims need. */
+final class CoreMeasurements {
     static final String FOLLOWER = Service.WALL_FOLLOWER.name();
     static final String WANDERER = Service.SPACE_WANDERER.name();
 
@@ -16,7 +16,7 @@ final class Findings {
     private final Mode alone;
     private final int cores;
 
-    Findings(Measurements measurements, Mode alone, int cores) {
+    CoreMeasurements(Measurements measurements, Mode alone, int cores) {
         this.measurements = measurements;
         this.alone = alone;
         this.cores = cores;
@@ -28,39 +28,42 @@ final class Findings {
 
     boolean has(Mode... modes) {
         return Arrays.stream(modes)
-                .allMatch(mode -> measurements.has(Part.LOOPS, mode, cores, Measurement.BOTH, Quantity.TIME));
+                .allMatch(
+                        mode -> measurements.has(MeasurementKind.LOOPS, mode, cores, Measurement.BOTH, Quantity.TIME));
     }
 
-    /** Of both services together, or of the run. */
-    double[] both(Part part, Mode mode, Quantity quantity) {
-        return measurements.values(part, mode, cores, Measurement.BOTH, quantity);
+    /** The values of both services together, or of the whole run. */
+    double[] both(MeasurementKind kind, Mode mode, Quantity quantity) {
+        return measurements.values(kind, mode, cores, Measurement.BOTH, quantity);
     }
 
     double[] service(Mode mode, String service, Quantity quantity) {
-        return measurements.values(Part.LOOPS, mode, cores, service, quantity);
+        return measurements.values(MeasurementKind.LOOPS, mode, cores, service, quantity);
     }
 
-    /** Milliseconds of a service by itself. */
+    /** Milliseconds of a service that runs alone. */
     double[] aloneMs(String service) {
-        return measurements.values(Part.ALONE, alone, cores, service, Quantity.TIME);
+        return measurements.values(MeasurementKind.ALONE, alone, cores, service, Quantity.TIME);
     }
 
     double[] ratio(Mode numerator, Mode denominator, Quantity quantity) {
-        return Measurements.ratios(both(Part.LOOPS, numerator, quantity), both(Part.LOOPS, denominator, quantity));
+        return Measurements.ratios(
+                both(MeasurementKind.LOOPS, numerator, quantity), both(MeasurementKind.LOOPS, denominator, quantity));
     }
 
-    /** As text, in seconds. */
+    /** Formats milliseconds as seconds. */
     static String seconds(double[] millis) {
-        return Spread.of(Arrays.stream(millis).map(each -> each / 1000).toArray())
+        return SampleStatistics.of(
+                                Arrays.stream(millis).map(each -> each / 1000).toArray())
                         .text(1) + " s";
     }
 
     static String micros(double[] micros) {
-        return Spread.of(micros).text(2) + " us";
+        return SampleStatistics.of(micros).text(2) + " us";
     }
 
     static String times(double[] ratios) {
-        return Spread.of(ratios).text(2) + " times";
+        return SampleStatistics.of(ratios).text(2) + " times";
     }
 
     static double[] sum(double[] one, double[] other) {
@@ -75,11 +78,11 @@ final class Findings {
         return longer;
     }
 
-    /** The numbers of all services that a mode's main code gets for one change of state. */
+    /** Messages of all services to the main code, per state change. */
     double[] messagesPerChange(Mode mode) {
-        double[] changes = both(Part.SWITCHES, mode, Quantity.STATE_CHANGES);
-        double[] sent = both(Part.SWITCHES, mode, Quantity.SENT);
-        // a run without a change says nothing of how many messages one takes
+        double[] changes = both(MeasurementKind.SWITCHES, mode, Quantity.STATE_CHANGES);
+        double[] sent = both(MeasurementKind.SWITCHES, mode, Quantity.SENT);
+        // runs without a state change are left out: their ratio is undefined
         var withChanges = IntStream.range(0, changes.length)
                 .filter(index -> changes[index] > 0)
                 .toArray();

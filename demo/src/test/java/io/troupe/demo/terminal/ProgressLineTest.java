@@ -9,7 +9,7 @@ import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
-class TerminalLineTest {
+class ProgressLineTest {
     private static final int COLUMNS = 20;
 
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
@@ -24,7 +24,7 @@ class TerminalLineTest {
 
     @Test
     void line_isWrittenAFewTimesASecond_howeverOftenItIsShown() {
-        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
         for (int tick = 0; tick < 1000; tick++) { // ten seconds
             line.show("run", "tick " + tick);
             clock.advance(Duration.ofMillis(10));
@@ -34,7 +34,7 @@ class TerminalLineTest {
 
     @Test
     void nextStage_isShownAtOnce() {
-        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
         line.show("one", "one 1");
         line.show("one", "one 2");
         line.show("two", "two 1");
@@ -43,7 +43,7 @@ class TerminalLineTest {
 
     @Test
     void textThatDiffersInItsNumbersOnly_isNoNextStage() {
-        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
         line.show("net: 10,000 markings");
         line.show("net: 20,000 markings");
         assertThat(written()).doesNotContain("20,000");
@@ -51,14 +51,14 @@ class TerminalLineTest {
 
     @Test
     void line_isNoWiderThanTheTerminal() {
-        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
         line.show("x".repeat(3 * COLUMNS));
         assertThat(written()).isEqualTo("\r" + "x".repeat(COLUMNS - 1) + "\033[K");
     }
 
     @Test
     void close_wipesWhatWasShown_andWhatComesNextIsShownAtOnce() {
-        var line = TerminalLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
         line.show("run", "1");
         line.interrupt(() -> stream.print("change\n"));
         line.show("run", "2");
@@ -67,7 +67,7 @@ class TerminalLineTest {
 
     @Test
     void offATerminal_aPlainLineIsPrintedNowAndThen_withoutEscapes() {
-        var line = TerminalLine.plain(stream, clock, Duration.ofSeconds(10));
+        var line = ProgressLine.plain(stream, clock, Duration.ofSeconds(10));
         for (int second = 0; second < 25; second++) {
             line.show("run", second + " s");
             clock.advance(Duration.ofSeconds(1));
@@ -78,8 +78,8 @@ class TerminalLineTest {
 
     @Test
     void terminalThatIsDumb_getsNoEscapes() {
-        assertThat(TerminalLine.knowsEscapes("dumb")).isFalse();
-        assertThat(TerminalLine.knowsEscapes("xterm-256color")).isTrue();
-        assertThat(TerminalLine.knowsEscapes(null)).isTrue(); // as on Windows
+        assertThat(ProgressLine.knowsEscapes("dumb")).isFalse();
+        assertThat(ProgressLine.knowsEscapes("xterm-256color")).isTrue();
+        assertThat(ProgressLine.knowsEscapes(null)).isTrue(); // as on Windows
     }
 }

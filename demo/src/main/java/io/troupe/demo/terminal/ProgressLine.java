@@ -11,21 +11,21 @@ import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Says on standard error how far a command is.
+ * The progress line of a command, on standard error.
  *
- * <p>On a terminal that is one line, written again a few times a second at most and no wider than the terminal.
- * Elsewhere, and on a terminal that knows no escapes ({@code TERM=dumb}), it is a plain line now and then, so that a
- * log file shows progress too.
+ * <p>On a terminal it is one line, rewritten at most a few times a second and never wider than the terminal. Elsewhere,
+ * and on a terminal without escape sequences ({@code TERM=dumb}), it is an occasional plain line, so that a log file
+ * shows the progress too.
  *
- * <p><b>Threads.</b> Any, one at a time.
+ * <p><b>Threads.</b> Any thread, one at a time.
  */
-public final class TerminalLine implements AutoCloseable {
+public final class ProgressLine implements AutoCloseable {
     static final Duration REDRAW = Duration.ofMillis(250);
-    /** Between two plain lines, unless the system property {@value #SECONDS_PROPERTY} says otherwise. */
+    /** Interval of plain lines, unless the system property {@value #SECONDS_PROPERTY} is set. */
     static final Duration PLAIN = Duration.ofSeconds(10);
 
     private static final String SECONDS_PROPERTY = "troupe.progress.seconds";
-    /** Of the terminal; the start script sets it. */
+    /** Width of the terminal; set by the start script. */
     private static final String COLUMNS_PROPERTY = "troupe.columns";
 
     private static final Pattern NUMBERS = Pattern.compile("[0-9.,]+");
@@ -47,7 +47,7 @@ public final class TerminalLine implements AutoCloseable {
     private String stage = "";
     private long nextNanos;
 
-    private TerminalLine(Kind kind, @Nullable PrintStream to, Clock clock, Duration interval, int columns) {
+    private ProgressLine(Kind kind, @Nullable PrintStream to, Clock clock, Duration interval, int columns) {
         this.kind = kind;
         this.to = to;
         this.clock = clock;
@@ -56,47 +56,50 @@ public final class TerminalLine implements AutoCloseable {
         this.nextNanos = clock.nanos() + (kind == Kind.PLAIN ? interval.toNanos() : 0);
     }
 
-    /** On standard error. */
-    public static TerminalLine open() {
+    /** Opens the line on standard error. */
+    public static ProgressLine open() {
         Clock clock = Clock.system();
         return isTerminal() && knowsEscapes(System.getenv("TERM"))
                 ? onTerminal(System.err, clock, columns())
                 : plain(System.err, clock, plainInterval());
     }
 
-    /** On a terminal of so many columns. */
-    static TerminalLine onTerminal(PrintStream terminal, Clock clock, int columns) {
-        return new TerminalLine(Kind.TERMINAL, terminal, clock, REDRAW, columns);
+    /** Creates a line on a terminal of the given width. */
+    static ProgressLine onTerminal(PrintStream terminal, Clock clock, int columns) {
+        return new ProgressLine(Kind.TERMINAL, terminal, clock, REDRAW, columns);
     }
 
-    /** In plain lines, one an interval. */
-    static TerminalLine plain(PrintStream to, Clock clock, Duration interval) {
-        return new TerminalLine(Kind.PLAIN, to, clock, interval, Integer.MAX_VALUE);
+    /** Creates a line that prints plain text once per interval. */
+    static ProgressLine plain(PrintStream to, Clock clock, Duration interval) {
+        return new ProgressLine(Kind.PLAIN, to, clock, interval, Integer.MAX_VALUE);
     }
 
-    /** On a terminal that is known to be one, without a limit on its width. */
-    public static TerminalLine on(PrintStream terminal, Clock clock) {
+    /** Creates a line on a stream that is known to be a terminal, without a limit on its width. */
+    public static ProgressLine on(PrintStream terminal, Clock clock) {
         return onTerminal(terminal, clock, Integer.MAX_VALUE);
     }
 
-    /** One that is never seen. */
-    public static TerminalLine hidden() {
-        return new TerminalLine(Kind.HIDDEN, null, Clock.system(), REDRAW, COLUMNS);
+    /** Creates a line that prints nothing. */
+    public static ProgressLine hidden() {
+        return new ProgressLine(Kind.HIDDEN, null, Clock.system(), REDRAW, COLUMNS);
     }
 
     public boolean isVisible() {
         return kind != Kind.HIDDEN;
     }
 
-    /** Shows what is going on now; a text that differs from the last one in its numbers only may wait on a terminal. */
+    /**
+     * Shows the current activity. On a terminal, a text that differs from the previous one only in its numbers may be
+     * delayed.
+     */
     public void show(String text) {
         show(NUMBERS.matcher(text).replaceAll(""), text);
     }
 
     /**
-     * Shows how far a stage is.
+     * Shows the progress of a stage.
      *
-     * @param now what is going on; when it changes, a terminal shows it at once
+     * @param now the current activity; a terminal shows a change of it at once
      */
     public void show(String now, String text) {
         if (to == null) {
@@ -110,7 +113,7 @@ public final class TerminalLine implements AutoCloseable {
             }
             return;
         }
-        String line = text.length() < columns ? text : text.substring(0, columns - 1); // the last column may wrap
+        String line = text.length() < columns ? text : text.substring(0, columns - 1); // a full last column may wrap
         if (line.equals(shown) || !due && now.equals(stage)) {
             return;
         }
@@ -121,13 +124,13 @@ public final class TerminalLine implements AutoCloseable {
         nextNanos = clock.nanos() + interval.toNanos();
     }
 
-    /** Lets something else be printed where the line is. */
+    /** Prints other output in place of the line. */
     public void interrupt(Runnable print) {
         close();
         print.run();
     }
 
-    /** Wipes the line; it may be shown again. */
+    /** Erases the line; it may be shown again. */
     @Override
     public void close() {
         if (to != null && !shown.isEmpty()) {
@@ -148,15 +151,15 @@ public final class TerminalLine implements AutoCloseable {
     }
 
     private static int columns() {
-        String told = System.getProperty(COLUMNS_PROPERTY, System.getenv("COLUMNS"));
-        return told != null && told.matches("[1-9]\\d{0,3}") // 0 where a terminal does not know
-                ? Math.max(LEAST_COLUMNS, Integer.parseInt(told))
+        String width = System.getProperty(COLUMNS_PROPERTY, System.getenv("COLUMNS"));
+        return width != null && width.matches("[1-9]\\d{0,3}") // 0 if the terminal does not know its width
+                ? Math.max(LEAST_COLUMNS, Integer.parseInt(width))
                 : COLUMNS;
     }
 
     /**
-     * Whether standard error is a terminal. Where the system shows what a process has open, that decides; elsewhere a
-     * console does, which since Java 22 may be there without a terminal.
+     * Whether standard error is a terminal. This is decided by the list of open files of the process, where the system
+     * provides it. Otherwise by the presence of a console, which since Java 22 may exist without a terminal.
      */
     private static boolean isTerminal() {
         try {
