@@ -15,10 +15,10 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The end of a space: asked for by {@link #begin}, carried out by {@link #shut}, waited for with {@link #await}; after
- * that, whoever still queues something turns it away himself.
+ * The shutdown of a space: requested by {@link #begin}, carried out by {@link #shut}, awaited with {@link #await}.
+ * Afterwards, a thread that queues an entry must reject it itself.
  *
- * <p><b>Threads.</b> {@link #shut} on the space's thread, the rest on any.
+ * <p><b>Threads.</b> {@link #shut} on the space's thread, the rest on any thread.
  */
 final class Closing {
     private static final int FRAMES_FOR_REFUSING = 128;
@@ -37,20 +37,20 @@ final class Closing {
     private final Lifeline lifeline;
     private final Rejections rejections;
     private final AtomicBoolean begun = new AtomicBoolean();
-    private volatile boolean refusing; // whether a thread turns leftovers away
+    private volatile boolean refusing; // true while a thread rejects leftovers
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
     private final Refusal last;
-    private final List<Runnable> steps; // all made before, so that the end needs little memory
+    private final List<Runnable> steps; // created in advance, so that closing needs little memory
     private int bodies;
     private volatile @Nullable Leftovers leftovers;
     private int openRequests;
     private final List<String> openExamples = new ArrayList<>();
 
     /**
-     * The end of a space that lives.
+     * Creates the shutdown of a running space.
      *
-     * @param clockRegistration runs when the clock need not wake the space any more
+     * @param clockRegistration removes the space's registration with its clock
      */
     Closing(
             SpaceHome space,
@@ -71,13 +71,13 @@ final class Closing {
                 this::dropWhatWaits,
                 last::refuseAll,
                 this::resolveClosed,
-                last::refuseAll, // what those who watched have queued
+                last::refuseAll, // what the watchers have queued
                 this::reportRejections,
-                last::refuseAll, // what the error handler has asked of actors
+                last::refuseAll, // what the error handler has sent to actors
                 this::countLeftovers);
     }
 
-    /** Stops the space behind what is queued now; only the first call does. */
+    /** Queues the shutdown of the space behind everything queued now; only the first call has an effect. */
     void begin(Runnable stop) {
         if (begun.compareAndSet(false, true)) {
             space.enqueueMail(new Entry(stop, stop));
@@ -92,12 +92,12 @@ final class Closing {
         return ended.getCount() == 0;
     }
 
-    /** Fulfilled, on the space's thread, after its actors have stopped. */
+    /** Fulfilled on the space's thread after its actors have stopped. */
     Promise<@Nullable Void> closed() {
         return closed;
     }
 
-    /** A request had begun and was rejected when its actor was stopped; on the space's thread. */
+    /** Counts a request that had begun and was rejected because its actor was stopped; on the space's thread. */
     void noteOpenRequest(Request<?> request) {
         if (openRequests++ < Leftovers.EXAMPLES) {
             openExamples.add(request.toString());
@@ -112,17 +112,17 @@ final class Closing {
         return openExamples;
     }
 
-    /** What was not done; when it is over. */
+    /** What was not done; available after the end. */
     Leftovers leftovers() {
         return Objects.requireNonNull(leftovers);
     }
 
-    /** Whatever one step throws, the others are done, and the space is closed after. */
+    /** Carries out the shutdown. If one step throws, the others are still done, and the space is closed afterwards. */
     void shut() {
-        refusing = true; // nobody else turns leftovers away before this thread has
+        refusing = true; // no other thread rejects leftovers before this one has
         bodies = space.sequences().count();
         try {
-            for (int step = 0; step < steps.size(); step++) { // an iterator might find no memory
+            for (int step = 0; step < steps.size(); step++) { // no iterator: it would allocate
                 try {
                     steps.get(step).run();
                 } catch (Throwable broken) {
@@ -173,13 +173,15 @@ final class Closing {
         if (frames > 0) {
             descend(frames - 1, current);
         } else {
-            SpaceHome.leave(current); // changes nothing: what has to succeed at the end succeeds here, further down
+            SpaceHome.leave(
+                    current); // no effect: verifies that the call that must succeed at the end has room on the stack
         }
     }
 
     /**
-     * After the end: a caller that finds entries in the queues turns them away; one at a time, and meanwhile it acts
-     * for the space. One whose stack is too short throws before it begins, and leaves them to the next.
+     * After the end: a caller that finds entries in the queues rejects them. One thread does so at a time, and acts for
+     * the space meanwhile. A caller whose stack is too short throws before it begins, and leaves the entries to the
+     * next caller.
      */
     void refuseLeftovers() {
         Home before = Home.current();
@@ -197,7 +199,9 @@ final class Closing {
                     space.giveUpThread();
                     SpaceHome.leave(before);
                 } finally {
-                    refusing = false; // by no call: whatever was thrown, the next caller can go on
+                    refusing =
+                            false; // a plain store, not a call: it succeeds whatever was thrown, so the next caller can
+                                   // go on
                 }
             }
         }

@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
-/** The figures of one space. */
+/** The metrics of one space, measured by a probe in its message queue. */
 final class Probing implements SpaceMetrics {
     private record Probe(long sentNanos, long servedBefore) {}
 
@@ -49,7 +49,7 @@ final class Probing implements SpaceMetrics {
         if (space.isCrankedByHand()) {
             return dispatcher.waiting();
         }
-        Finding last = found; // before the next probe can arrive
+        Finding last = found; // read before the next probe can arrive
         send();
         return last.waiting;
     }
@@ -59,7 +59,7 @@ final class Probing implements SpaceMetrics {
         if (space.isCrankedByHand()) {
             return Duration.ZERO;
         }
-        Duration last = found.latency; // before the next probe can arrive
+        Duration last = found.latency; // read before the next probe can arrive
         send();
         Probe probe = underWay.get();
         if (probe == null) {
@@ -69,7 +69,7 @@ final class Probing implements SpaceMetrics {
         return sofar.compareTo(last) > 0 ? sofar : last;
     }
 
-    /** The fence: a caller that looks again and again must not be shown what it has seen before. */
+    /** The fence makes repeated calls see new values. */
     @Override
     public int actors() {
         VarHandle.acquireFence();
@@ -92,7 +92,7 @@ final class Probing implements SpaceMetrics {
         return reports.deadLetters();
     }
 
-    /** A look like any other. */
+    /** Calls the other methods, and so sends a probe. */
     @Override
     public String toString() {
         return "served %d, waiting %d, latency %s, actors %d, timers %d, errors %d, dead letters %d"

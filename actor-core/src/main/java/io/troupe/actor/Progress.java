@@ -3,20 +3,20 @@ package io.troupe.actor;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 
-/** Keeps what comes behind it off the cache lines of what comes before. */
+/** Padding that keeps the following field off the cache lines of the fields before it. */
 @SuppressWarnings("unused")
 abstract class ProgressPadding {
     private long p00, p01, p02, p03, p04, p05, p06, p07, p08, p09, p10, p11, p12, p13, p14, p15;
 }
 
-/** The count itself. */
+/** The counter. */
 abstract class ProgressCount extends ProgressPadding {
     long served;
 }
 
 /**
- * How many entries a space has served: written by its thread at every one, read by others now and then, on a cache line
- * that nobody else needs.
+ * The number of entries that a space has processed. Its thread writes it for every entry, other threads read it
+ * occasionally; it occupies separate cache lines.
  */
 @SuppressWarnings("unused")
 final class Progress extends ProgressCount {
@@ -32,12 +32,12 @@ final class Progress extends ProgressCount {
         }
     }
 
-    /** One more; on the space's thread. */
+    /** Adds one; on the space's thread. */
     void step() {
         SERVED.setOpaque(this, served + 1);
     }
 
-    /** From any thread, a little behind. */
+    /** The count; from any thread, slightly delayed. */
     long served() {
         return (long) SERVED.getOpaque(this);
     }

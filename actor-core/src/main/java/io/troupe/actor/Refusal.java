@@ -5,9 +5,7 @@ import io.troupe.actor.time.TimerWheel;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Turns away what waits in the queues of a space that is closed, and counts it. On the thread that acts for the space.
- */
+/** Rejects and counts what is left in the queues of a closed space. On the thread that acts for the space. */
 final class Refusal {
     private final SpaceHome space;
     private final Dispatcher dispatcher;
@@ -43,12 +41,12 @@ final class Refusal {
         space.reports().deadLetter(new DeadLetter(space.toString(), "a task", "space " + space + " is closed"));
     }
 
-    /** Until nothing waits any more; what is refused may lead to more. */
+    /** Rejects entries until the queues are empty; rejecting one may queue others. */
     void refuseAll() {
         for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
             try {
                 refuse(node);
-            } catch (Throwable broken) { // no memory, say: those that come after are turned away all the same
+            } catch (Throwable broken) { // for example no memory: the entries behind it are still rejected
                 space.reports().error("turning away what waited in space", space, broken, null);
             }
         }
@@ -64,7 +62,7 @@ final class Refusal {
             }
             default -> {}
         }
-        dispatcher.serve(node); // its actor has stopped: it turns the call away
+        dispatcher.serve(node); // its actor has stopped and rejects the call
     }
 
     private void count(Node call) {

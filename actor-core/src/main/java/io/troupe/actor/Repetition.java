@@ -8,7 +8,7 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** A loop that shares the thread: each round is a turn of the space. */
+/** A loop that shares the thread: each round is one turn of the space. */
 final class Repetition {
     private final ActorSpace space;
     private final BooleanSupplier condition;
@@ -49,7 +49,7 @@ final class Repetition {
         }
     }
 
-    /** The next round, in a turn of its own, on behalf of the actor that is running now. */
+    /** Queues the next round as a separate turn, on behalf of the current actor. */
     private void nextTurn(Runnable ifStopped) {
         Life life = space.currentOwner() instanceof Life mine ? mine : null;
         space.enqueueMail(new Entry(

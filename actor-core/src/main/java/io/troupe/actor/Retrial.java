@@ -8,7 +8,7 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** Tries again and again. A loop, so that it keeps nothing of the tries that have failed. */
+/** Repeats an attempt until it succeeds. A loop, so that it retains nothing of failed attempts. */
 final class Retrial<T extends @Nullable Object> {
     private final ActorSpace space;
     private final Duration pause;
@@ -54,7 +54,7 @@ final class Retrial<T extends @Nullable Object> {
             pausing = delay;
             next(space, delay, this::paused, end);
             if (end.isDone()) {
-                delay.cancel(); // it was cancelled while the pause began
+                delay.cancel(); // cancelled while the pause began
             }
         }
         return null;
@@ -70,8 +70,8 @@ final class Retrial<T extends @Nullable Object> {
     }
 
     /**
-     * The next step of a loop. The listener is not called if the actor on whose behalf it is registered stops
-     * meanwhile; then the loop's promise is rejected.
+     * Registers the next step of a loop. If the actor on whose behalf it is registered stops first, the listener is not
+     * called, and the loop's promise is rejected.
      */
     static void next(
             ActorSpace space,

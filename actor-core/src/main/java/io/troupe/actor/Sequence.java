@@ -8,18 +8,18 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One body that may wait, and its thread; see {@link Sequences}. The baton is one volatile flag, which passes on all
- * that was written before.
+ * One sequential body and its thread; see {@link Sequences}. Control passes between the space's thread and the body's
+ * thread by one volatile flag, which also publishes all earlier writes.
  *
- * <p>{@link #go} and {@link #live} are called near the beginning of a stack, but {@link #giveBack} anywhere in a body,
- * also where the stack ends.
+ * <p>{@link #go} and {@link #live} are called near the bottom of a stack, but {@link #giveBack} anywhere in a body,
+ * even where its stack is nearly exhausted.
  */
 final class Sequence<T extends @Nullable Object> {
     private final SpaceHome space;
     private final Owner owner;
     private final Callable<? extends T> body;
     private final Deferred<T> end;
-    private volatile boolean given; // whether the body has the baton
+    private volatile boolean given; // true while the body has control
     private @Nullable Thread giver;
     private @Nullable Thread thread;
     private boolean begun;
@@ -37,7 +37,7 @@ final class Sequence<T extends @Nullable Object> {
         return owner;
     }
 
-    /** Whether the body has returned or thrown; any thread. */
+    /** True if the body has returned or thrown; any thread. */
     boolean hasEnded() {
         return over;
     }
@@ -56,7 +56,8 @@ final class Sequence<T extends @Nullable Object> {
         }
         boolean interrupted = false;
         while (given) {
-            LockSupport.parkNanos(this, Lifeline.LONGEST_SLEEP_NANOS); // the body may be unable to wake it
+            LockSupport.parkNanos(
+                    this, Lifeline.LONGEST_SLEEP_NANOS); // limited, because the body may be unable to wake it
             interrupted |= Thread.interrupted();
         }
         if (interrupted) {
@@ -64,7 +65,7 @@ final class Sequence<T extends @Nullable Object> {
         }
     }
 
-    /** False if there is no thread for it, which is the body's error. */
+    /** Starts the body; false if there is no thread for it, which rejects the body's promise. */
     private boolean begin() {
         begun = true;
         try {
@@ -77,18 +78,17 @@ final class Sequence<T extends @Nullable Object> {
         }
     }
 
-    /** Lets the space's thread run until it lets the body go on; on the body's thread. */
+    /** Passes control to the space's thread until it lets the body continue; on the body's thread. */
     void giveBack() {
         Thread mine = Thread.currentThread();
-        LockSupport.unpark(
-                mine); // if the stack is too short for waiting, that shows here, while the body still has the baton
+        LockSupport.unpark(mine); // if the stack is too short for waiting, this throws while the body still has control
         LockSupport.park(this);
         space.handThreadTo(giver);
         given = false;
         try {
             LockSupport.unpark(giver);
         } catch (StackOverflowError endOfTheBodysStack) {
-            // the giver looks by itself, and the body has to wait all the same
+            // the other thread checks the flag by itself, and the body must wait in any case
         }
         boolean interrupted = false;
         while (!given) {
@@ -101,7 +101,7 @@ final class Sequence<T extends @Nullable Object> {
         }
     }
 
-    /** The next wait, or the one that it is in, ends with this exception. */
+    /** Makes the current or the next wait end with this exception. */
     void cancel(RuntimeException reason) {
         cancelled = reason;
     }
@@ -124,7 +124,7 @@ final class Sequence<T extends @Nullable Object> {
             space.reports().error("a sequential body", space, broken, null);
         } finally {
             over = true;
-            space.handThreadTo(giver); // this thread may run a body of another space before the giver wakes
+            space.handThreadTo(giver); // this thread may run a body of another space before the other thread wakes up
             given = false;
             LockSupport.unpark(giver);
         }

@@ -1,6 +1,6 @@
 package io.troupe.actor.promise;
 
-/** The answer that is no list of listeners: somebody else has settled the promise before. */
+/** Sentinel: the promise was already settled. */
 final class Claim extends Node {
     static final Node REFUSED = new Claim();
 

@@ -1,6 +1,6 @@
 package io.troupe.actor.promise;
 
-/** Something that another thread wants done to a promise on the thread of its home. */
+/** An operation on a local promise, posted by another thread to the promise's home. */
 final class Errand extends Node {
     private final Home home;
     private final Runnable action;

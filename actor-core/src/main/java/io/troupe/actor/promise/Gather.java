@@ -8,7 +8,10 @@ import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
-/** Promises about several promises. They belong to the calling space, else to the first one that a part belongs to. */
+/**
+ * Combinators over several promises. The result belongs to the calling space, else to the home of the first part that
+ * has one.
+ */
 final class Gather {
     private Gather() {}
 
@@ -114,7 +117,7 @@ final class Gather {
         return first;
     }
 
-    @SuppressWarnings("unchecked") // an outcome is read only
+    @SuppressWarnings("unchecked") // an outcome is read-only
     private static <T extends @Nullable Object> Outcome<T> widen(Outcome<? extends T> outcome) {
         return (Outcome<T>) outcome;
     }

@@ -6,7 +6,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 
-/** Follows a promise until a time is over. */
+/** A promise with a time limit: follows another promise, or is rejected when the limit is over first. */
 final class Limited<T extends @Nullable Object> extends Promise<T> {
     private static final Runnable NOTHING = () -> {};
 
@@ -50,7 +50,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
     private void expire() {
         var error = new TimeoutException(
                 "no answer to " + asker + " within " + timeout + " from " + source + PromiseText.progress(source));
-        expired = true; // before, so that a failure of the source is reported from the moment this is settled
+        expired = true; // set before settling: a failure of the source must be reported from the moment this is settled
         if (settleError(error)) {
             source.timedOut();
         } else {
@@ -101,7 +101,7 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
         return PromiseText.describe(this);
     }
 
-    /** Takes the time-out back, and passes the outcome on. */
+    /** Cancels the timer and passes the outcome on. */
     private static final class Ending extends Follower {
         private final Limited<?> limited;
 

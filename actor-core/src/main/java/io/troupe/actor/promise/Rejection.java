@@ -1,6 +1,6 @@
 package io.troupe.actor.promise;
 
-/** The error of a rejected promise, and whether anybody was told of it. */
+/** The error of a rejected promise, and whether a listener received it. */
 final class Rejection extends Special {
     private final Throwable error;
     private volatile boolean heard;

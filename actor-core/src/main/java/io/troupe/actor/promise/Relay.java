@@ -2,24 +2,24 @@ package io.troupe.actor.promise;
 
 import java.util.function.BooleanSupplier;
 
-/** A listener of our own that only passes an outcome on, so that it may run on whichever thread settles the promise. */
+/** An internal listener that only passes an outcome on, so it may run on any thread that settles the promise. */
 final class Relay extends Node {
     private final Runnable action;
     private final BooleanSupplier isOver;
 
     /**
-     * A relay.
+     * Creates a relay for another promise.
      *
-     * @param reader the promise for whose sake it listens: settled, it needs nothing any more
+     * @param reader the promise that needs the outcome; once it is settled, this relay is no longer needed
      */
     Relay(Runnable action, Promise<?> reader) {
         this(action, reader::isDone);
     }
 
     /**
-     * A relay.
+     * Creates a relay.
      *
-     * @param isOver whether it needs nothing any more; asked by any thread
+     * @param isOver true once this relay is no longer needed; called by any thread
      */
     Relay(Runnable action, BooleanSupplier isOver) {
         this.action = action;

@@ -9,9 +9,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * The state of a promise: pending with its listeners, or settled.
  *
- * <p><b>Threads.</b> A <i>local</i> promise was made on its home's thread and changes only there, by plain stores; what
- * other threads want of it is posted to its home. A <i>shared</i> one changes on any thread, by compare-and-set. Both
- * may be read anywhere.
+ * <p><b>Threads.</b> A <i>local</i> promise was made on its home's thread and changes only there, by plain stores;
+ * operations of other threads are posted to its home. A <i>shared</i> promise changes on any thread, by
+ * compare-and-set. Both may be read on any thread.
  */
 abstract class Settleable<T extends @Nullable Object> extends Node {
     /*
@@ -19,7 +19,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      *   null           pending, without listeners
      *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones, or Listeners if
      *                  there are more than a few
-     *   a Settling     settled by another thread than some listener's, which may still have to be notified
+     *   a Settling     settled by another thread than that of some listener, which may not have run yet
      *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be mistaken for
      *                  one of the above)
      */
@@ -38,28 +38,29 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     Settleable() {}
 
-    /** One that is settled already; the fence makes it so for whoever gets hold of it. */
+    /** Creates a settled promise; the fence publishes it safely. */
     Settleable(Object outcome) {
         state = outcome;
         VarHandle.storeStoreFence();
     }
 
     /**
-     * Where listeners from outside every space run, and where a lost rejection is reported; null if nowhere.
+     * The home where listeners from outside every space run, and where an unhandled rejection is reported; null if
+     * there is none.
      *
      * @hidden
      */
     protected abstract @Nullable Home home();
 
     /**
-     * Whether it changes on its home's thread only.
+     * True if it changes on its home's thread only.
      *
      * @hidden
      */
     protected abstract boolean isLocal();
 
     /**
-     * Whether it was made by a thread outside its home, which may need a moment to register a listener.
+     * True if it was made by a thread outside its home, which may need a moment to register a listener.
      *
      * @hidden
      */
@@ -67,7 +68,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return false;
     }
 
-    // ---- looking at it
+    // ---- reading
 
     public final boolean isDone() {
         return isSettled(STATE.getAcquire(this));
@@ -77,13 +78,13 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return state != null && !(state instanceof Node);
     }
 
-    /** How it ended, or null if it has not. */
+    /** The outcome, or null while pending. */
     final @Nullable Object outcomeNow() {
         Object now = STATE.getAcquire(this);
         return now instanceof Settling settling ? settling.outcome() : isSettled(now) ? now : null;
     }
 
-    /** How it ended, for a listener that is about to run. */
+    /** The outcome, for a listener that is about to run. */
     final Object outcomeForListener() {
         Object now = STATE.getAcquire(this);
         if (now instanceof Settling settling) {
@@ -100,7 +101,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return value instanceof Node || value instanceof Special ? new Special.Boxed(value) : value;
     }
 
-    @SuppressWarnings("unchecked") // only asOutcome puts values in
+    @SuppressWarnings("unchecked") // only asOutcome stores values
     final T valueOf(Object outcome) {
         return (T) Stage.present(plainValue(outcome));
     }
@@ -112,7 +113,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return outcome instanceof Special.Boxed boxed ? boxed.value() : outcome;
     }
 
-    /** Whether anybody was or will be told how it ends. */
+    /** True if a listener has received, or will receive, the outcome. */
     final boolean isHeard() {
         Object now = STATE.getAcquire(this);
         Object outcome = now instanceof Settling settling ? settling.outcome() : now;
@@ -120,8 +121,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Whether it is settled, or all who have listened so far need its outcome no more; a thread whose wait is over may
-     * wait again. For promises that are not local.
+     * True if it is settled, or if no listener registered so far still needs the outcome; a thread whose wait timed out
+     * counts as a listener, because it may wait again. For promises that are not local.
      *
      * @hidden
      */
@@ -139,7 +140,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    /** Somebody has seen how it ended. */
+    /** Marks a rejection as received. */
     final void hear() {
         if (outcomeNow() instanceof Rejection rejection) {
             rejection.hear();
@@ -148,20 +149,20 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     // ---- settling
 
-    /** Fulfils this promise, as {@link #settleValue}, on its home's thread or if it has no home. */
+    /** Fulfils this promise, like {@link #settleValue}; on its home's thread, or if it has no home. */
     final boolean settleValueAtHome(T value) {
         return settleAtHome(asOutcome(value));
     }
 
-    /** Rejects this promise, as {@link #settleError}, on its home's thread or if it has no home. */
+    /** Rejects this promise, like {@link #settleError}; on its home's thread, or if it has no home. */
     final boolean settleErrorAtHome(Throwable error) {
         return settleAtHome(new Rejection(Objects.requireNonNull(error, "error")));
     }
 
     /**
-     * Settles this promise as the other is, as {@link #follow}, on its home's thread.
+     * Settles this promise with the outcome of the other one, like {@link #follow}; on its home's thread.
      *
-     * @return the listener that must be served next and is in no queue, or null
+     * @return the listener that must be run next and is in no queue, or null
      * @hidden
      */
     protected final @Nullable Node followAtHome(Promise<? extends T> other) {
@@ -174,14 +175,14 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         Node listeners = claimHere(mine);
         Home here = home();
         if (here != null && listeners instanceof Stage<?, ?> only && only.next == null) {
-            return only.handOn(here); // what nearly always happens, by the shortest way
+            return only.handOn(here); // the usual case, by the shortest path
         }
         finish(listeners, mine);
         return null;
     }
 
     /**
-     * The rest of {@link #followAtHome} if the other one is not settled yet.
+     * The rest of {@link #followAtHome} if the other promise is still pending.
      *
      * @hidden
      */
@@ -190,8 +191,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * As {@link #follow}; meanwhile this promise is among those that the owner {@linkplain Owner#takeOpenRequests has
-     * not settled}.
+     * Like {@link #follow}; until it is settled, this promise is one of the owner's {@linkplain Owner#takeOpenRequests
+     * open requests}.
      *
      * @hidden
      */
@@ -212,7 +213,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Fulfils this promise; false if it was settled before.
+     * Fulfils this promise; false if it was already settled.
      *
      * @hidden
      */
@@ -221,7 +222,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Rejects this promise; false if it was settled before.
+     * Rejects this promise; false if it was already settled.
      *
      * @hidden
      */
@@ -230,7 +231,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Settles this promise as the other is, as soon as it is.
+     * Settles this promise with the outcome of the other one, as soon as that is settled.
      *
      * @hidden
      */
@@ -247,7 +248,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    /** Each promise has a rejection of its own, since each has its own listeners. */
+    /**
+     * The outcome to settle a following promise with. Each promise has a separate rejection, since each has its own
+     * listeners.
+     */
     private static Object handedOn(Object outcome) {
         if (outcome instanceof Rejection rejection) {
             rejection.hear();
@@ -257,8 +261,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * False if it was settled before; a local promise away from home answers whether it was pending, and is settled a
-     * moment later.
+     * Settles this promise; false if it was already settled. For a local promise and a caller on another thread, the
+     * result tells whether it was pending, and it is settled a moment later.
      */
     private boolean settle(Object outcome) {
         return finish(claim(outcome), outcome);
@@ -274,7 +278,9 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return true;
     }
 
-    /** Settles this promise and answers its listeners, newest first; {@link Claim#REFUSED} if it was settled before. */
+    /**
+     * Settles this promise and returns its listeners, newest first; {@link Claim#REFUSED} if it was already settled.
+     */
     private @Nullable Node claim(Object outcome) {
         if (!isLocal()) {
             return claimShared(outcome);
@@ -283,7 +289,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return home.isCurrent() ? claimAtHome(outcome) : claimFromAfar(outcome, home);
     }
 
-    /** As {@link #claim}, on the home's thread or if there is no home. */
+    /** Like {@link #claim}; on the home's thread, or if there is no home. */
     private @Nullable Node claimHere(Object outcome) {
         if (!isLocal()) {
             return claimShared(outcome);
@@ -337,7 +343,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                     many.close();
                     STATE.setVolatile(this, settling == null ? outcome : settling);
                 }
-                return claimed(outcome, listeners, settling); // without the lock: it may call users' handlers
+                return claimed(outcome, listeners, settling); // outside the lock: it may call user handlers
             }
             var listeners = (Node) now;
             Settling settling = settlingFor(outcome, listeners);
@@ -381,8 +387,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Tells listeners, oldest first. Promises that only follow are settled in this loop, not each on the stack of the
-     * one before, so that a chain of them may be of any length.
+     * Notifies listeners, oldest first. Promises that only follow are settled in this loop, not recursively, so a chain
+     * of them may have any length.
      */
     private static void tell(Node newest, Object outcome) {
         if (newest.next == null && newest instanceof Stage<?, ?> only) {
@@ -406,7 +412,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    /** Puts a list, newest first, in front of another, oldest first. */
+    /** Puts a list (newest first) in front of another list (oldest first). */
     private static @Nullable Node reverse(@Nullable Node newest, @Nullable Node rest) {
         Node oldest = rest;
         for (Node node = newest; node != null; ) {
@@ -418,10 +424,12 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return oldest;
     }
 
-    // ---- listening
+    // ---- registering listeners
 
     /**
-     * Registers a listener; {@code atHome} says whether the calling thread is known to be that of this promise's home.
+     * Registers a listener.
+     *
+     * @param atHome true if the calling thread is known to be that of this promise's home
      */
     final void register(Node listener, boolean atHome) {
         if (atHome && isLocal()) {
@@ -432,8 +440,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Tells the node when this promise is settled: at once if it is. Stages go to their home's queue, relays run where
-     * they are.
+     * Registers a node that is notified when this promise is settled, immediately if it is already settled. Stages go
+     * to their home's queue, relays run on the current thread.
      */
     final void register(Node listener) {
         if (!isLocal()) {
@@ -487,8 +495,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Listeners and one more; those at the head that have given up are left out, so that a promise that lives long
-     * collects none.
+     * Adds a listener to a list. Listeners at the head that are no longer needed are removed, so a long-lived promise
+     * does not accumulate them.
      */
     private static Node with(@Nullable Node newest, Node listener) {
         Node first = firstWithUse(newest);

@@ -1,8 +1,8 @@
 package io.troupe.actor.promise;
 
-/** What stands in a promise's state and is not the value itself. */
+/** A settled state that is not the value itself. */
 abstract class Special {
-    /** A value that would be mistaken for something else. */
+    /** Wraps a value that would be mistaken for another state. */
     static final class Boxed extends Special {
         private final Object value;
 

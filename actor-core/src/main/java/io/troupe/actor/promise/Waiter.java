@@ -5,7 +5,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/** A thread that waits for a promise from outside. */
+/** The listener of a thread outside every space that waits for a promise. */
 final class Waiter extends Node {
     private final CountDownLatch settled = new CountDownLatch(1);
     private volatile boolean gone;
