@@ -24,7 +24,12 @@ abstract class LifelinePhase extends LifelinePadding {
  */
 @SuppressWarnings("unused")
 final class Lifeline extends LifelinePhase {
-    /* No wake-up is lost: the sleeper first publishes that it sleeps and then checks its queues again; the waker first queues an entry and then checks whether the space sleeps. Both are sequentially consistent, so at least one of them sees the other. The waker resets the flag, so that one sleep costs one unpark, however many messages arrive before the thread runs. */
+    /*
+     * No wake-up is lost: the sleeper first publishes that it sleeps and then checks its queues again; the waker first
+     * queues an entry and then checks whether the space sleeps. Both are sequentially consistent, so at least one of
+     * them sees the other. The waker resets the flag, so that one sleep costs one unpark, however many messages arrive
+     * before the thread runs.
+     */
     private static final int AWAKE = 0;
     private static final int ASLEEP = 1;
     static final int CLOSED = 2;
@@ -35,7 +40,10 @@ final class Lifeline extends LifelinePhase {
     private static final int NOT_WOKEN = 3;
     /** A waker whose stack overflows within the unpark wakes no thread, so the sleeper does not rely on being woken. */
     static final long LONGEST_SLEEP_NANOS = 1_000_000_000;
-    /* Before parking, the space checks its queues a few times, with pauses. A receiver right behind its senders takes each cache line away from them, and both are slower than a receiver that lets a few messages accumulate. */
+    /*
+     * Before parking, the space checks its queues a few times, with pauses. A receiver right behind its senders takes
+     * each cache line away from them, and both are slower than a receiver that lets a few messages accumulate.
+     */
     private static final int LOOKS = 12;
     private static final int SPINS_PER_LOOK = 8;
 

@@ -231,7 +231,8 @@ class ActorTypeTest {
     void classActor_callsItselfThroughItsProxy_andItsConstructorRunsOnce() {
         Demo3 demo = test.spawn(Demo3.class, () -> new Demo3("red"));
         demo.live();
-        assertThat(test.get(demo.lives())).isEqualTo(2); // asked behind the first call, which had queued the second
+        assertThat(test.get(demo.lives()))
+                .isEqualTo(2); // this request is queued behind the first call, which has queued the second
         assertThat(test.get(demo.lives())).isEqualTo(3);
         test.space().stop(demo);
         test.crank();
@@ -288,7 +289,7 @@ class ActorTypeTest {
         public void step() {
             steps++;
             stop();
-            steps++; // the message goes on to its end
+            steps++; // the message is processed to its end
         }
 
         @Override

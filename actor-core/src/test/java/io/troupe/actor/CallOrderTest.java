@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** In which order calls and callbacks of one space are served. */
+/** The order in which calls and callbacks of one space run. */
 class CallOrderTest {
     private final TestSpace test = new TestSpace();
 

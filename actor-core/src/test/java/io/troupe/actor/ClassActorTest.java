@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Nothing but a message may run on the proxy of a class actor, whose fields are unset. */
+/** Only messages may run on the proxy of a class actor, whose fields are unset. */
 class ClassActorTest {
     interface Lamp {
         void set(boolean on);
@@ -290,7 +290,7 @@ class ClassActorTest {
         test.crank();
     }
 
-    /** Public methods of a class that is not: the compiler lets a public subclass bridge to them. */
+    /** Public methods of a class that is not public: the compiler generates bridges to them in a public subclass. */
     abstract static class Unseen extends Actor {
         private int count;
 

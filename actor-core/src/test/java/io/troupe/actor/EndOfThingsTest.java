@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What becomes of things whose actor or space ends before they do: nothing is lost, nobody waits for ever. */
+/** Promises, callbacks and calls whose actor or space ends first: none is lost, and no caller waits for ever. */
 class EndOfThingsTest {
     private final TestSpace test = new TestSpace();
     private final List<String> log = new ArrayList<>();
@@ -30,7 +30,7 @@ class EndOfThingsTest {
         test.close();
     }
 
-    /** Does a bit of everything. */
+    /** Has a method for every kind of call. */
     public static class Worker extends Actor {
         private final EndOfThingsTest outer;
 
@@ -155,7 +155,8 @@ class EndOfThingsTest {
         taken.cancel();
         test.crank();
         assertThat(log).hasSize(3);
-        assertThat(log.get(1)).contains("second: ", "MailboxFullException"); // a callback: it waits for no mail
+        assertThat(log.get(1))
+                .contains("second: ", "MailboxFullException"); // a callback: it does not wait for messages
         assertThat(log.get(2)).contains("first: ", "CancellationException", "before it began");
         assertThat(test.takeDeadLetters()).hasSize(1);
     }
@@ -187,7 +188,7 @@ class EndOfThingsTest {
         var request = new ArrayList<Promise<Integer>>();
         space.crank();
         space.execute(() -> {
-            space.close(); // the calls below come behind it
+            space.close(); // the calls below are queued behind it
             worker.end();
             request.add(worker.streamAndAnswer((result, error) -> {}));
         });
@@ -271,7 +272,7 @@ class EndOfThingsTest {
             worker.stream((result, error) -> {});
         }
         assertThat(test.takeDeadLetters()).hasSize(997);
-        assertThat(test.space().metrics().waiting() - 997).isEqualTo(3); // and 997 failed callbacks on their way back
+        assertThat(test.space().metrics().waiting() - 997).isEqualTo(3); // and 997 queued callbacks of rejected calls
         test.crank();
     }
 }

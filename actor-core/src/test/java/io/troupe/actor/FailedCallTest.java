@@ -10,7 +10,7 @@ import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What becomes of a call that fails, or that nobody handles. */
+/** Calls that fail, or that no actor handles. */
 class FailedCallTest {
     interface Counter {
         Promise<Integer> add(int amount);

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Types that come from elsewhere: other packages, other class loaders, nowhere. */
+/** Types from other packages, from other class loaders, and hidden types. */
 class ForeignTypeTest {
     @TempDir
     private Path folder;

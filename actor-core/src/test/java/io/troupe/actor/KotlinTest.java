@@ -15,9 +15,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/**
- * Kotlin's interfaces, classes and lambdas need nothing special. The Kotlin code is src/test/kotlin/greeter/Greeter.kt.
- */
+/** Kotlin's interfaces, classes and lambdas work unchanged. The Kotlin code is src/test/kotlin/greeter/Greeter.kt. */
 class KotlinTest {
     private final TestSpace test = new TestSpace();
 

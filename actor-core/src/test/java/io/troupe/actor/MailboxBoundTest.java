@@ -86,7 +86,7 @@ class MailboxBoundTest {
     void block_onAnActorSpaceOrWithoutAThread_rejectsInstead() {
         Sink sink = spawn(Overflow.BLOCK);
         test.run(() -> takeFive(sink));
-        takeFive(sink); // from outside, where waiting for the crank would be for ever
+        takeFive(sink); // from outside, where it would wait for the crank for ever
         test.crank();
         assertThat(test.get(sink.taken())).containsExactly(1, 2, 3, 1, 2, 3);
         assertThat(test.takeDeadLetters()).hasSize(4);

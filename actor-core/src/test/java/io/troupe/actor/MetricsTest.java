@@ -91,7 +91,7 @@ class MetricsTest {
             var compiled = new CountDownLatch(LOOKS_UNTIL_COMPILED);
             var gone = new CountDownLatch(1);
             Thread.ofPlatform().daemon().start(() -> {
-                while (compiled.getCount() > 0) { // each time a loop of its own, so that the compiler gets to know it
+                while (compiled.getCount() > 0) { // a new loop each time, so that the compiler optimises it
                     lookUntil(metrics, 1);
                     compiled.countDown();
                 }

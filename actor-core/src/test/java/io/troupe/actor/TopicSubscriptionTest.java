@@ -12,14 +12,14 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Who subscribes to a topic, and when it forgets them. */
+/** Subscribing to a topic, and when subscriptions are removed. */
 class TopicSubscriptionTest {
     private final TestSpace test = new TestSpace();
     private final TestSpace elsewhere = new TestSpace();
     private final Topic<Integer> topic = Topic.of(test.space(), "range");
     private final List<String> log = new ArrayList<>();
 
-    /** Hands its readers on to a topic. */
+    /** Passes its callbacks on to a topic. */
     interface Sensor {
         void readings(Callback<Integer> readings);
     }

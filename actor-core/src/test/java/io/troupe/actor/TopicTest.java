@@ -18,7 +18,7 @@ class TopicTest {
     private final Topic<Integer> latest = Topic.latest(test.space(), "last range");
     private final List<String> log = new ArrayList<>();
 
-    /** Does what the test tells it to, as an actor. */
+    /** Runs the tasks of the test as an actor. */
     public static class Robot extends Actor {
         private final @Nullable Runnable first;
 
@@ -135,8 +135,8 @@ class TopicTest {
     }
 
     /**
-     * A space serves what its own thread has queued before what others have queued a moment earlier: a topic keeps its
-     * order nevertheless.
+     * A space runs what its own thread has queued before what other threads queued a moment earlier; a topic keeps its
+     * order all the same.
      */
     @Test
     void valuesAndEnd_fromTheSubscribersOwnThread_doNotOvertakeThoseFromAnother() {

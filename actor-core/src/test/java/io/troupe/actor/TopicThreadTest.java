@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** On real threads: latches only, generous waits. */
+/** Tests on real threads: with latches only, and long time limits. */
 @Tag("threads")
 @Timeout(60)
 class TopicThreadTest {

@@ -22,7 +22,7 @@ class WhenClosedTest {
             .withOnDeadLetter(deadLetters::add)
             .withOnError((where, error) -> log.add(where + ": " + error)));
 
-    /** Says when it ends. */
+    /** Records its end. */
     public static class Resident extends Actor {
         private final List<String> log;
 
@@ -85,7 +85,7 @@ class WhenClosedTest {
         right.whenClosed().get(LONG);
     }
 
-    /** Both threads are held until both have called; each would wait for the other. */
+    /** Both threads are blocked until both have called close(); waiting would deadlock them. */
     private static void closeWhileTheOtherCloses(CyclicBarrier bothHold, ActorSpace other, Deferred<String> told) {
         try {
             bothHold.await();

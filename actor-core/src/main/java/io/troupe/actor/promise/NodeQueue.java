@@ -53,7 +53,11 @@ abstract class QueueTail extends QueueHeadPadding {
  */
 @SuppressWarnings("unused")
 public final class NodeQueue extends QueueTail {
-    /* A linked queue whose links are the nodes themselves. The node returned last stays in the queue as its stub, and must not be linked into anything else meanwhile. Its own link is cleared when the next node is taken, so that a retained node retains no other. */
+    /*
+     * A linked queue whose links are the nodes themselves. The node returned last stays in the queue as its stub, and
+     * must not be linked into anything else meanwhile. Its own link is cleared when the next node is taken, so that a
+     * retained node retains no other.
+     */
     private static final VarHandle TAIL;
     private static final VarHandle NEXT;
 

@@ -267,7 +267,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     protected void cancelled() {}
 
     /**
-     * Called on the thread of the timer when a time limit on this promise has passed; {@link #isGivenUp} tells whether
+     * Called on the thread of the timer when a time limit on this promise has passed; {@link #isGivenUp} is false if
      * other listeners remain.
      *
      * @hidden

@@ -261,8 +261,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Settles this promise; false if it was already settled. For a local promise and a caller on another thread, the
-     * result tells whether it was pending, and it is settled a moment later.
+     * Settles this promise; false if it was already settled. For a local promise and a caller on another thread, true
+     * means that it was pending, and it is settled a moment later.
      */
     private boolean settle(Object outcome) {
         return finish(claim(outcome), outcome);

@@ -154,7 +154,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return value;
     }
 
-    @SuppressWarnings("unchecked") // the source settles with values of its own type
+    @SuppressWarnings("unchecked") // the source settles with values of type S
     final S sourceValue(Object outcome) {
         return (S) plainValue(outcome);
     }

@@ -33,7 +33,10 @@ class TimerHeap {
                 || timer.deadlineNanos == other.deadlineNanos && timer.sequence < other.sequence;
     }
 
-    /* A stack overflow of the caller in here must not corrupt the heap. A call may overflow, a store cannot: between two calls the heap is complete, and at worst a timer is out of order. */
+    /*
+     * A stack overflow of the caller in here must not corrupt the heap. A call may overflow, a store cannot: between
+     * two calls the heap is complete, and at worst a timer is out of order.
+     */
 
     final void add(Timer timer) {
         if (size == timers.length) {

@@ -25,7 +25,12 @@ import org.jspecify.annotations.Nullable;
  * @hidden
  */
 public final class TimerWheel {
-    /* Time is counted in ticks of 2^20 ns. Timers that are due up to the tick "position" are near: they are in a heap, in exact order. Each other timer is on the wheel of the highest digit (of six bits) in which its tick differs from the position, in the slot of that digit. So on each wheel only slots after the position's digit are occupied, all of them are due before those of the next coarser wheel, and a bit scan finds the next one. */
+    /*
+     * Time is counted in ticks of 2^20 ns. Timers that are due up to the tick "position" are near: they are in a heap,
+     * in exact order. Each other timer is on the wheel of the highest digit (of six bits) in which its tick differs
+     * from the position, in the slot of that digit. So on each wheel only slots after the position's digit are
+     * occupied, all of them are due before those of the next coarser wheel, and a bit scan finds the next one.
+     */
     private static final int TICK_BITS = 20;
     private static final int DIGIT_BITS = 6;
     private static final int SLOTS = 1 << DIGIT_BITS;
@@ -51,7 +56,7 @@ public final class TimerWheel {
     }
 
     /**
-     * A wheel whose timers may be cancelled on its own thread only.
+     * A wheel whose timers may be cancelled only on the thread of the wheel.
      *
      * @param onThread true on the wheel's thread
      */

@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** The queues of a space, as lists, and who is served when. */
+/** The queues of a space, as lists, and the order in which they are drained. */
 final class ModelSpace {
     private static final int QUOTA = 256;
 
@@ -49,7 +49,7 @@ final class ModelSpace {
         (task.mail() ? inbox : callbackInbox).add(task);
     }
 
-    /** Behind what others have queued from outside, whoever calls. */
+    /** Queues a callback behind those of other threads, even if called inside. */
     void enqueueBehind(ModelTask task) {
         if (inside) {
             addFromOutside(task);
@@ -58,7 +58,7 @@ final class ModelSpace {
         }
     }
 
-    /** A task of the user's; nobody has thought of what becomes of it if the space is closed. */
+    /** A task of the user, without an alternative for a closed space. */
     void execute(Runnable action) {
         enqueue(ModelTask.entry(action, this::refuseTask));
     }
@@ -67,7 +67,7 @@ final class ModelSpace {
         history.add("dead letter a task to space: closed");
     }
 
-    /** When the present turn is over, before anything else. */
+    /** When the current turn is over, before anything else. */
     void afterTurn(Runnable action) {
         ends.add(action);
     }
@@ -76,7 +76,7 @@ final class ModelSpace {
         idle.add(action);
     }
 
-    /** Runs something on behalf of an instance, or of nobody. */
+    /** Runs an action on behalf of an instance, or of no actor. */
     void as(ModelActor.@Nullable Instance who, Runnable action) {
         var before = current;
         current = who;
@@ -84,7 +84,7 @@ final class ModelSpace {
         current = before;
     }
 
-    /** What a script without an actor throws. */
+    /** Runs an action that belongs to no actor; what it throws is reported. */
     void guarded(Runnable action) {
         try {
             action.run();
@@ -93,7 +93,7 @@ final class ModelSpace {
         }
     }
 
-    /** A listener that belongs to no space, told outside: one after the other, never one in another. */
+    /** Runs a listener without a space, notified outside: one after the other, never nested. */
     void runDetached(Runnable listener) {
         detached.add(listener);
         if (detached.size() == 1) {
@@ -167,7 +167,7 @@ final class ModelSpace {
         return worked;
     }
 
-    /** Callbacks from outside wait for no mail. */
+    /** Callbacks from outside do not wait for messages. */
     private boolean takeCallbacks() {
         boolean worked = !callbackInbox.isEmpty();
         callbacks.addAll(callbackInbox);
@@ -176,8 +176,8 @@ final class ModelSpace {
     }
 
     /**
-     * After a quota of callbacks one mail has its turn, unless a callback is left that came before it, and then
-     * everybody else.
+     * After the quota of callbacks one message runs, unless a callback that came before it is left. Then the other
+     * queues get their turn.
      */
     private boolean drainQueues() {
         boolean worked = false;
@@ -229,7 +229,7 @@ final class ModelSpace {
         }
     }
 
-    /** Serving ends with the turn of the entry that this queues; outside, that is waited for. */
+    /** Processing ends with the turn of the entry that this queues; a caller outside waits for it. */
     void close() {
         if (!closing) {
             closing = true;

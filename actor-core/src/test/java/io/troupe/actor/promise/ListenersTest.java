@@ -56,7 +56,7 @@ class ListenersTest {
         for (int count = 0; count < listeners; count++) {
             BooleanSupplier isOver = () -> {
                 if (asking[0]) {
-                    source.resolve(1); // in place of another thread
+                    source.resolve(1); // simulates another thread
                 }
                 return false;
             };

@@ -14,7 +14,7 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What promises keep, and for how long. */
+/** What promises retain, and for how long. */
 class PromiseMemoryTest {
     private final TestSpace test = new TestSpace();
 
@@ -27,7 +27,7 @@ class PromiseMemoryTest {
         return Reachable.from(root).stream().filter(type::isInstance).count();
     }
 
-    /** One race is always in flight, so that the newest listener never has given up when the next one comes. */
+    /** One race is always pending, so that the newest listener is always needed when the next one is registered. */
     private void overlappingRaces(Promise<Integer> longLived, int count) {
         var flying = new ArrayDeque<Deferred<Integer>>();
         for (int round = 0; round < count; round++) {
@@ -84,7 +84,7 @@ class PromiseMemoryTest {
         }
     }
 
-    /** Waits for ever in a body. */
+    /** Has a body that waits for ever. */
     public static class Patient extends Actor {
         private final Promise<Integer> source;
 

@@ -16,7 +16,7 @@ import java.util.function.Consumer;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
-/** Outside every space, where listeners run on the settling thread. */
+/** Promises outside every space, where listeners run on the settling thread. */
 class PromiseTest {
     private static final Duration AT_ONCE = Duration.ZERO;
 
@@ -213,13 +213,13 @@ class PromiseTest {
         assertThat(chain.get(AT_ONCE)).isEqualTo(100_000);
     }
 
-    /** Calls a method with nothing where something is expected. */
+    /** Calls a method with null where an argument is required. */
     private static void refuses(String parameter, ThrowingCallable call) {
         assertThatThrownBy(call).isInstanceOf(NullPointerException.class).hasMessageStartingWith(parameter);
     }
 
     @Test
-    @SuppressWarnings("NullAway") // that is the point
+    @SuppressWarnings("NullAway") // passes null on purpose
     void nullArgument_isRefusedAtRegistration_byName() {
         Promise<Integer> promise = new Deferred<>();
         refuses("listener", () -> promise.then((Consumer<Integer>) null));

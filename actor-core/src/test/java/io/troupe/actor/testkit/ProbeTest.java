@@ -41,7 +41,7 @@ class ProbeTest {
         Promise<String> enter(String name);
     }
 
-    /** The code under test: asks the greeter, and again if that fails. */
+    /** The code under test: calls the greeter, and once more if that fails. */
     static final class Porter implements Door {
         private final Greeter greeter;
 
