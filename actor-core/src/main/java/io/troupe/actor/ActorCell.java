@@ -33,10 +33,10 @@ public final class ActorCell {
     private @Nullable FailureCount failures;
     private @Nullable Throwable endedBy; // the failure that led to the end of the last instance
     private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as are writes of stopped
-    private Life life;
+    private Incarnation life;
     private @Nullable ArrayDeque<Node>
             held; // calls held back while a restart waits, until all of them have been delivered
-    private @Nullable Timer revival; // the timer of the pause before a restart
+    private @Nullable Timer restartTimer; // the timer of the pause before a restart
     private boolean releasing;
     private boolean stopHeld; // a stop is queued among the held calls
     private boolean starting;
@@ -59,7 +59,7 @@ public final class ActorCell {
     ActorCell(ActorSpace space, Class<?> type, int number, Supplier<?> factory, ActorSettings settings) {
         this.space = space;
         this.type = type;
-        this.life = new Life(this);
+        this.life = new Incarnation(this);
         this.number = number;
         this.factory = factory;
         this.settings = settings;
@@ -72,17 +72,17 @@ public final class ActorCell {
         if (mailbox != null) {
             sendBounded(message, mailbox);
         } else if (Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
-            thread.mails().add(message);
+            thread.messages().add(message);
         } else {
-            space.enqueueMail(message);
+            space.enqueueMessage(message);
         }
     }
 
     /** Puts a request into the actor's mailbox. */
     public void send(Request<?> request) {
         if (mailbox == null && Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
-            request.noteAsker(true);
-            thread.mails().add(request);
+            request.noteCaller(true);
+            thread.messages().add(request);
         } else {
             sendSlowly(request);
         }
@@ -93,19 +93,18 @@ public final class ActorCell {
      * mailboxes.
      */
     private void sendSlowly(Request<?> request) {
-        request.noteAsker(space.isCurrent());
+        request.noteCaller(space.isCurrent());
         if (mailbox != null) {
             sendBounded(request, mailbox);
         } else {
-            space.enqueueMail(request);
+            space.enqueueMessage(request);
         }
     }
 
     private void sendBounded(Node call, BoundedMailbox bounded) {
-        checkStack(
-                FRAMES_FOR_QUEUEING); // checked first, so that a stack overflow cannot lose an acquired permit. No
-                                      // switch: its table is a class, and its initialisation would fail for good in a
-                                      // caller with little stack left
+        // checked first, so that a stack overflow cannot lose an acquired permit
+        checkStack(FRAMES_FOR_QUEUEING);
+        // no switch: its table is a class, whose initialisation would fail for good in a caller with little stack left
         var admission = bounded.admit(call, this);
         if (admission == BoundedMailbox.Admission.QUEUED) {
             queue(call, bounded);
@@ -123,7 +122,7 @@ public final class ActorCell {
 
     private void queue(Node call, BoundedMailbox bounded) {
         try {
-            space.enqueueMail(call);
+            space.enqueueMessage(call);
         } catch (Throwable notQueued) { // the caller's stack overflowed: release the permit
             bounded.takeBack(call);
             throw notQueued;
@@ -153,7 +152,7 @@ public final class ActorCell {
         return proxy;
     }
 
-    Life life() {
+    Incarnation life() {
         return life;
     }
 
@@ -228,8 +227,8 @@ public final class ActorCell {
         if (stopped) {
             return;
         }
-        if (revival != null) {
-            revival.cancel();
+        if (restartTimer != null) {
+            restartTimer.cancel();
         }
         space.actors().remove(this);
         Deferred<@Nullable Void> watched;
@@ -239,7 +238,7 @@ public final class ActorCell {
         }
         endLife(whyStopped());
         if (held != null) {
-            held.forEach(space::enqueueMail); // to be rejected like all others
+            held.forEach(space::enqueueMessage); // to be rejected like all others
             held = null;
         }
         if (watched != null) {
@@ -278,7 +277,7 @@ public final class ActorCell {
         endLife("the actor " + this + " was restarted");
         endedBy = null;
         if (failedStarts < 2) {
-            revive();
+            startAgain();
             return;
         }
         if (held == null) {
@@ -290,12 +289,12 @@ public final class ActorCell {
         }
         long pauseNanos =
                 Math.min(LONGEST_PAUSE_NANOS, FIRST_PAUSE_NANOS << Math.min(failedStarts - 2, MOST_DOUBLINGS));
-        revival = space.dispatcher.timers.set(this::revive, pauseNanos, 0);
+        restartTimer = space.dispatcher.timers.set(this::startAgain, pauseNanos, 0);
     }
 
-    private void revive() {
+    private void startAgain() {
         if (!stopped && !space.isStopping()) {
-            life = new Life(this);
+            life = new Incarnation(this);
             startInstance();
         }
     }
@@ -332,7 +331,7 @@ public final class ActorCell {
 
     /** Rejects a call for which the mailbox had no room, or which was dropped for a newer one. Any thread. */
     void drop(Node call, String reason) {
-        space.reports().turnAway(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
+        space.reports().rejectCall(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
     }
 
     /**
@@ -383,7 +382,7 @@ public final class ActorCell {
         if (call instanceof Request<?> request && request.isDone()) {
             space.reports().skip(request); // cancelled while queued
         } else if (target == null) {
-            refuse(call);
+            reject(call);
         } else {
             space.beginTurnOf(life);
             try {
@@ -425,10 +424,10 @@ public final class ActorCell {
         return -1;
     }
 
-    private void refuse(Node call) {
+    private void reject(Node call) {
         String reason = whyStopped();
         var error = new ActorStoppedException(call + " was not begun: " + reason, endedBy, false);
-        space.reports().turnAway(call, this, reason, error);
+        space.reports().rejectCall(call, this, reason, error);
     }
 
     /** Runs an action on behalf of this actor; an exception is a failure of the actor. */

@@ -56,7 +56,8 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                     .forEach(found -> bridges.add(new Bridge(found.called(), chosen)));
         }
         bridges.forEach(bridge -> rules.checkBridge(bridge.from(), bridge.to()));
-        return new ActorMethods(messages, distinct(bridges), type.isInterface() ? List.of() : NonMessages.of(type));
+        return new ActorMethods(
+                messages, distinct(bridges), type.isInterface() ? List.of() : NonMessageMethods.of(type));
     }
 
     /** The public methods that could be messages, grouped by those that are one method to the compiler. */

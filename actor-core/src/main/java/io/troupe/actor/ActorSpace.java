@@ -112,7 +112,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         var cell = new ActorCell(this, type, spawned.incrementAndGet(), factory, actorSettings);
         A proxy = proxies.newProxy(cell);
         cell.bind(proxy);
-        enqueueMail(new Entry(cell::start, cell::stop));
+        enqueueMessage(new Entry(cell::start, cell::stop));
         return proxy;
     }
 
@@ -123,7 +123,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      */
     public void stop(Object proxy) {
         ActorCell cell = cellOf(proxy);
-        enqueueMail(new Entry(cell::stopBehindCalls, cell::stop));
+        enqueueMessage(new Entry(cell::stopBehindCalls, cell::stop));
     }
 
     /**
@@ -168,7 +168,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     public void execute(Runnable task) {
         Objects.requireNonNull(task, "task");
         checkOpen("execute(..)");
-        enqueueMail(new Entry(() -> runGuarded(task)));
+        enqueueMessage(new Entry(() -> runGuarded(task)));
     }
 
     /**
@@ -230,14 +230,14 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         if (tries < 1) {
             throw new IllegalArgumentException("tries is " + tries + ", expected 1 or more");
         }
-        return Retrial.start(this, tries, pause, attempt);
+        return Retry.start(this, tries, pause, attempt);
     }
 
     /** Runs an action on the space's thread as soon as it is idle: no entry in any queue, no timer due. */
     public void onIdle(Runnable action) {
         Objects.requireNonNull(action, "action");
         checkOpen("onIdle(..)");
-        enqueueMail(new Entry(() -> dispatcher.addIdleAction(action)));
+        enqueueMessage(new Entry(() -> dispatcher.addIdleAction(action)));
     }
 
     /**
@@ -247,7 +247,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      */
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Runnable body) {
         Objects.requireNonNull(body, "body");
-        return Repetition.start(this, condition, () -> {
+        return RepeatLoop.start(this, condition, () -> {
             body.run();
             return null;
         });
@@ -255,7 +255,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
 
     /** Runs the body while the condition holds; a round begins when the promise of the previous round is fulfilled. */
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Supplier<? extends Promise<?>> body) {
-        return Repetition.start(this, condition, body);
+        return RepeatLoop.start(this, condition, body);
     }
 
     /**

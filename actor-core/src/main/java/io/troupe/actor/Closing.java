@@ -21,12 +21,12 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> {@link #shut} on the space's thread, the rest on any thread.
  */
 final class Closing {
-    private static final int FRAMES_FOR_REFUSING = 128;
-    private static final VarHandle REFUSING;
+    private static final int FRAMES_FOR_REJECTING = 128;
+    private static final VarHandle REJECTING;
 
     static {
         try {
-            REFUSING = MethodHandles.lookup().findVarHandle(Closing.class, "refusing", boolean.class);
+            REJECTING = MethodHandles.lookup().findVarHandle(Closing.class, "rejecting", boolean.class);
         } catch (ReflectiveOperationException e) {
             throw new ExceptionInInitializerError(e);
         }
@@ -34,13 +34,13 @@ final class Closing {
 
     private final SpaceHome space;
     private final Dispatcher dispatcher;
-    private final Lifeline lifeline;
+    private final IdleStrategy idle;
     private final Rejections rejections;
     private final AtomicBoolean begun = new AtomicBoolean();
-    private volatile boolean refusing; // true while a thread rejects leftovers
+    private volatile boolean rejecting; // true while a thread rejects leftovers
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
-    private final Refusal last;
+    private final LeftoverDrain last;
     private final List<Runnable> steps; // created in advance, so that closing needs little memory
     private int bodies;
     private volatile @Nullable Leftovers leftovers;
@@ -55,32 +55,32 @@ final class Closing {
     Closing(
             SpaceHome space,
             Dispatcher dispatcher,
-            Lifeline lifeline,
+            IdleStrategy idle,
             Rejections rejections,
             Runnable clockRegistration) {
         this.space = space;
         this.dispatcher = dispatcher;
-        this.lifeline = lifeline;
+        this.idle = idle;
         this.rejections = rejections;
-        last = new Refusal(space, dispatcher);
+        last = new LeftoverDrain(space, dispatcher);
         steps = List.of(
                 this::stopActors,
                 this::stopBodies,
                 clockRegistration,
-                lifeline::close,
+                idle::close,
                 this::dropWhatWaits,
-                last::refuseAll,
+                last::rejectAll,
                 this::resolveClosed,
-                last::refuseAll, // what the watchers have queued
+                last::rejectAll, // what the watchers have queued
                 this::reportRejections,
-                last::refuseAll, // what the error handler has sent to actors
+                last::rejectAll, // what the error handler has sent to actors
                 this::countLeftovers);
     }
 
     /** Queues the shutdown of the space behind everything queued now; only the first call has an effect. */
     void begin(Runnable stop) {
         if (begun.compareAndSet(false, true)) {
-            space.enqueueMail(new Entry(stop, stop));
+            space.enqueueMessage(new Entry(stop, stop));
         }
     }
 
@@ -119,7 +119,7 @@ final class Closing {
 
     /** Carries out the shutdown. If one step throws, the others are still done, and the space is closed afterwards. */
     void shut() {
-        refusing = true; // no other thread rejects leftovers before this one has
+        rejecting = true; // no other thread rejects leftovers before this one has
         bodies = space.sequences().count();
         try {
             for (int step = 0; step < steps.size(); step++) { // no iterator: it would allocate
@@ -130,12 +130,12 @@ final class Closing {
                 }
             }
         } finally {
-            lifeline.close();
+            idle.close();
             space.giveUpThread();
-            refusing = false;
+            rejecting = false;
             ended.countDown();
         }
-        refuseLeftovers();
+        rejectLeftovers();
     }
 
     private void stopActors() {
@@ -164,9 +164,9 @@ final class Closing {
         leftovers = last.leftovers(bodies);
     }
 
-    /** Throws a StackOverflowError if the caller's stack is too short for {@link #refuseLeftovers}. */
+    /** Throws a StackOverflowError if the caller's stack is too short for {@link #rejectLeftovers}. */
     void checkStack() {
-        descend(FRAMES_FOR_REFUSING, Home.current());
+        descend(FRAMES_FOR_REJECTING, Home.current());
     }
 
     private static void descend(int frames, @Nullable Home current) {
@@ -183,25 +183,25 @@ final class Closing {
      * the space meanwhile. A caller whose stack is too short throws before it begins, and leaves the entries to the
      * next caller.
      */
-    void refuseLeftovers() {
+    void rejectLeftovers() {
         Home before = Home.current();
         while (dispatcher.hasArrivals()) {
             checkStack();
-            if (!REFUSING.compareAndSet(this, false, true)) {
+            if (!REJECTING.compareAndSet(this, false, true)) {
                 return;
             }
             try {
                 space.enter();
-                new Refusal(space, dispatcher).refuseAll();
+                new LeftoverDrain(space, dispatcher).rejectAll();
                 rejections.report();
             } finally {
                 try {
                     space.giveUpThread();
                     SpaceHome.leave(before);
                 } finally {
-                    refusing =
+                    rejecting =
                             false; // a plain store, not a call: it succeeds whatever was thrown, so the next caller can
-                                   // go on
+                    // go on
                 }
             }
         }

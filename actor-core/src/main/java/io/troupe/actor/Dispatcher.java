@@ -51,11 +51,11 @@ final class Dispatcher {
     private final Clock clock;
     private final Consumer<Runnable> runTask = this::runTask; // created once: a pass must not allocate
     private final NodeRing callbacks;
-    private final NodeRing mails;
+    private final NodeRing messages;
     private final Precedence precedence = new Precedence();
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
     private final List<Runnable> idleActions = new ArrayList<>();
-    private final Progress direct = new Progress(); // counts what was run without being in a ring
+    private final EntryCounter direct = new EntryCounter(); // counts what was run without being in a ring
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
@@ -69,14 +69,14 @@ final class Dispatcher {
             NodeQueue inbox,
             NodeQueue callbackInbox,
             NodeRing callbacks,
-            NodeRing mails,
+            NodeRing messages,
             TimerWheel timers,
             Clock clock) {
         this.space = space;
         this.inbox = inbox;
         this.callbackInbox = callbackInbox;
         this.callbacks = callbacks;
-        this.mails = mails;
+        this.messages = messages;
         this.timers = timers;
         this.clock = clock;
     }
@@ -121,12 +121,16 @@ final class Dispatcher {
     private void renew() {
         space.renewOwner();
         callbacks.renew();
-        mails.renew();
+        messages.renew();
     }
 
     /** True if nothing is queued and no timer is due; between two turns. */
     boolean isQuiet() {
-        return callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty() && callbackInbox.isEmpty() && !timers.isDue();
+        return callbacks.isEmpty()
+                && messages.isEmpty()
+                && inbox.isEmpty()
+                && callbackInbox.isEmpty()
+                && !timers.isDue();
     }
 
     /** True if an entry has arrived from another thread; does not read the senders' cache lines. */
@@ -159,7 +163,7 @@ final class Dispatcher {
     Node pollLeftover() {
         Node node = callbacks.poll();
         if (node == null) {
-            node = mails.poll();
+            node = messages.poll();
         }
         if (node == null) {
             node = callbackInbox.poll();
@@ -169,31 +173,31 @@ final class Dispatcher {
 
     /** The number of processed entries; from any thread, slightly delayed. */
     long served() {
-        return direct.served() + callbacks.taken() + mails.taken();
+        return direct.served() + callbacks.taken() + messages.taken();
     }
 
     /**
      * The number of queued entries; between two turns. Takes time proportional to the number of those in the inboxes.
      */
     long waiting() {
-        return (long) callbacks.size() + mails.size() + inbox.size() + callbackInbox.size();
+        return (long) callbacks.size() + messages.size() + inbox.size() + callbackInbox.size();
     }
 
     /** The number of messages ahead of this one; -1 if it is not among the first {@code limit}. */
-    int mailsBefore(Node mail, int limit) {
-        int inside = Math.min(limit, mails.size());
+    int messagesBefore(Node message, int limit) {
+        int inside = Math.min(limit, messages.size());
         for (int index = 0; index < inside; index++) {
-            if (mails.get(index) == mail) {
+            if (messages.get(index) == message) {
                 return index;
             }
         }
-        int behind = inbox.indexOf(mail, limit - inside);
+        int behind = inbox.indexOf(message, limit - inside);
         return behind < 0 ? -1 : inside + behind;
     }
 
     /** True if more than {@code limit} messages are queued. Takes time proportional to the limit. */
     boolean isLongerThan(int limit) {
-        int inside = mails.size();
+        int inside = messages.size();
         return inside > limit || inbox.isLongerThan(limit - inside);
     }
 
@@ -309,15 +313,15 @@ final class Dispatcher {
                 if (quota == 0) {
                     break; // a callback has halted this dispatcher
                 }
-                boolean behind = !callbacks.isEmpty() || !mails.isEmpty();
+                boolean behind = !callbacks.isEmpty() || !messages.isEmpty();
                 if (behind) {
-                    mails.makeRoom(); // before the message is taken: it must not be lost if memory is short
-                    precedence.note(mails.added(), callbacksBefore, mails.taken());
+                    messages.makeRoom(); // before the message is taken: it must not be lost if memory is short
+                    precedence.note(messages.added(), callbacksBefore, messages.taken());
                 }
                 last = inbox.takeAfter(last);
                 worked = true;
                 if (behind) {
-                    mails.add(last);
+                    messages.add(last);
                 } else {
                     if (callbacksFirst) {
                         callbackQuota = quota; // the message that the callbacks preceded runs now
@@ -378,9 +382,9 @@ final class Dispatcher {
                 takeCallbacks();
             }
             boolean more = !callbacks.isEmpty() && drainCallbacks();
-            Node mail = more ? mailAfterQuota() : mails.poll();
-            if (mail != null) {
-                serve(mail);
+            Node message = more ? messageAfterQuota() : messages.poll();
+            if (message != null) {
+                serve(message);
                 if (--untilLook == 0) {
                     untilLook = lookAtTimers();
                 }
@@ -399,20 +403,20 @@ final class Dispatcher {
      * Takes the message that runs although callbacks are queued; null if there is none, or if one of the callbacks came
      * before it.
      */
-    private @Nullable Node mailAfterQuota() {
+    private @Nullable Node messageAfterQuota() {
         callbackQuota = quota;
-        if (mails.isEmpty()) {
+        if (messages.isEmpty()) {
             drainInbox(false); // for a message that is still there
         }
-        if (mails.isEmpty() || quota == 0) {
+        if (messages.isEmpty() || quota == 0) {
             return null;
         }
-        long before = precedence.callbacksBefore(mails.taken()) - callbacks.taken();
+        long before = precedence.callbacksBefore(messages.taken()) - callbacks.taken();
         if (before > 0) {
             callbackQuota = (int) Math.min(quota, before);
             return null;
         }
-        return mails.poll();
+        return messages.poll();
     }
 
     /** Runs callbacks up to the quota; true if there may be more. */

@@ -7,12 +7,12 @@ import org.jspecify.annotations.Nullable;
 final class Entry extends Node {
     private final Runnable task;
     private final @Nullable Runnable ifClosed;
-    private final boolean mail;
+    private final boolean message;
 
-    private Entry(Runnable task, @Nullable Runnable ifClosed, boolean mail) {
+    private Entry(Runnable task, @Nullable Runnable ifClosed, boolean message) {
         this.task = task;
         this.ifClosed = ifClosed;
-        this.mail = mail;
+        this.message = message;
     }
 
     /** A task in message order. */
@@ -44,7 +44,7 @@ final class Entry extends Node {
     }
 
     @Override
-    protected boolean isMail() {
-        return mail;
+    protected boolean isMessage() {
+        return message;
     }
 }

@@ -57,7 +57,7 @@ public abstract class Message extends Node {
     }
 
     @Override
-    protected final boolean isMail() {
+    protected final boolean isMessage() {
         return true;
     }
 

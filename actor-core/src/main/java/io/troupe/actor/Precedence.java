@@ -9,7 +9,7 @@ import java.util.Arrays;
 final class Precedence {
     private static final int FEW = 16;
 
-    private long[] mails = new long[FEW]; // ascending, like the callbacks
+    private long[] messages = new long[FEW]; // ascending, like the callbacks
     private long[] callbacks = new long[FEW];
     private int first;
     private int end;
@@ -17,33 +17,33 @@ final class Precedence {
     private long passed;
 
     /** Records that this number of callbacks precedes the message with that number, and all later messages. */
-    void note(long mail, long callbacksBefore, long mailsTaken) {
+    void note(long message, long callbacksBefore, long messagesTaken) {
         if (callbacksBefore == newest) {
             return; // the same as for the message before
         }
-        if (end == mails.length) {
-            makeRoom(mailsTaken);
+        if (end == messages.length) {
+            makeRoom(messagesTaken);
         }
-        mails[end] = mail;
+        messages[end] = message;
         callbacks[end] = callbacksBefore;
         end++;
         newest = callbacksBefore;
     }
 
     /** The number of callbacks that precede the message with that number; to be called with ascending numbers only. */
-    long callbacksBefore(long mail) {
-        while (first < end && mails[first] <= mail) {
+    long callbacksBefore(long message) {
+        while (first < end && messages[first] <= message) {
             passed = callbacks[first++];
         }
         return passed;
     }
 
-    private void makeRoom(long mailsTaken) {
-        callbacksBefore(mailsTaken);
+    private void makeRoom(long messagesTaken) {
+        callbacksBefore(messagesTaken);
         int size = end - first;
         int length = Math.max(FEW, 2 * size);
         long[] freshCallbacks = Arrays.copyOf(Arrays.copyOfRange(callbacks, first, end), length);
-        mails = Arrays.copyOf(Arrays.copyOfRange(mails, first, end), length);
+        messages = Arrays.copyOf(Arrays.copyOfRange(messages, first, end), length);
         callbacks = freshCallbacks;
         first = 0;
         end = size;

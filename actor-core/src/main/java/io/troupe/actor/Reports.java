@@ -76,7 +76,7 @@ final class Reports {
     }
 
     /** Rejects a call that no actor will handle: notifies its sender, and the callbacks among its arguments. */
-    void turnAway(Node call, ActorCell cell, String reason, ActorException error) {
+    void rejectCall(Node call, ActorCell cell, String reason, ActorException error) {
         if (call instanceof Request<?> request) {
             try {
                 request.reject(error);

@@ -15,7 +15,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     private static final int COUNTED = 1_000; // bounds the cost of a time-out behind a long queue
 
     private final ActorCell cell;
-    private boolean askedInside;
+    private boolean calledInside;
 
     protected Request(ActorCell cell) {
         this.cell = cell;
@@ -65,7 +65,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected final boolean isMail() {
+    protected final boolean isMessage() {
         return true;
     }
 
@@ -78,18 +78,18 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return cell;
     }
 
-    final void noteAsker(boolean inside) {
-        askedInside = inside;
+    final void noteCaller(boolean inside) {
+        calledInside = inside;
     }
 
     @Override
     protected final boolean isLocal() {
-        return askedInside;
+        return calledInside;
     }
 
     @Override
     protected final boolean madeOutside() {
-        return !askedInside;
+        return !calledInside;
     }
 
     @Override
@@ -99,7 +99,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
             return "";
         }
         int inMailbox = cell.placeInMailbox(this, COUNTED);
-        int before = inMailbox >= 0 ? inMailbox : space.dispatcher.mailsBefore(this, COUNTED);
+        int before = inMailbox >= 0 ? inMailbox : space.dispatcher.messagesBefore(this, COUNTED);
         if (before >= 0) {
             return ", which has not begun it: " + before + " calls come first";
         }

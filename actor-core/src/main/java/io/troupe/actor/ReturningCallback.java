@@ -9,12 +9,12 @@ import org.jspecify.annotations.Nullable;
 final class ReturningCallback<T extends @Nullable Object> implements Callback<T> {
     private final Callback<T> reader;
     private final ActorSpace home;
-    private final @Nullable Life owner;
+    private final @Nullable Incarnation owner;
     private volatile boolean ended;
     private volatile boolean readerGone;
     private volatile @Nullable Queue<Delivery> line;
 
-    private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Life owner) {
+    private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Incarnation owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
@@ -33,7 +33,8 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         ActorSpace caller = ActorSpace.current();
         return caller == null
                 ? new ReturningCallback<>(reader, ifOutside, null)
-                : new ReturningCallback<>(reader, caller, caller.currentOwner() instanceof Life life ? life : null);
+                : new ReturningCallback<>(
+                        reader, caller, caller.currentOwner() instanceof Incarnation life ? life : null);
     }
 
     /** True if no more results can arrive. */

@@ -24,8 +24,8 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     private final NodeQueue inbox = new NodeQueue();
     private final NodeQueue callbackInbox = new NodeQueue();
     private final NodeRing callbacks = new NodeRing();
-    private final NodeRing mails = new NodeRing();
-    private final Lifeline lifeline = new Lifeline();
+    private final NodeRing messages = new NodeRing();
+    private final IdleStrategy idle = new IdleStrategy();
     private @Nullable Thread thread; // the thread that has control now; only that thread finds itself here
 
     final SpaceSettings settings;
@@ -35,25 +35,25 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     private final Reports reports;
     private final Rejections rejections;
     private final SpaceTimers timers;
-    private final Probing figures;
-    private final Sequences sequences = new Sequences(this);
+    private final ProbedMetrics figures;
+    private final SequentialBodies sequences = new SequentialBodies(this);
     private final ActorList actors = new ActorList();
 
     SpaceHome(SpaceSettings settings) {
         this.settings = settings;
         var wheel = new TimerWheel(settings.clock(), this::isCurrent);
         reports = new Reports(this, settings);
-        dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, mails, wheel, settings.clock());
+        dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, messages, wheel, settings.clock());
         timers = new SpaceTimers(this, settings.clock(), wheel);
         rejections = new Rejections(wheel, reports);
-        figures = new Probing(this, dispatcher, reports);
-        closing = new Closing(
-                this, dispatcher, lifeline, rejections, settings.clock().onMove(lifeline::wake));
-        loop = new SpaceLoop(this, settings, dispatcher, lifeline, rejections, closing);
+        figures = new ProbedMetrics(this, dispatcher, reports);
+        closing =
+                new Closing(this, dispatcher, idle, rejections, settings.clock().onMove(idle::wake));
+        loop = new SpaceLoop(this, settings, dispatcher, idle, rejections, closing);
     }
 
     final void startThread() {
-        new SpaceThread(this, callbacks, mails, loop).start();
+        new SpaceThread(this, callbacks, messages, loop).start();
     }
 
     // ---- queueing
@@ -80,7 +80,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     /** @hidden */
     @Override
-    protected final void enqueueFromAfar(Node node) {
+    protected final void enqueueAsRemote(Node node) {
         offer(node, callbackInbox);
     }
 
@@ -100,9 +100,9 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return callbacks.isEmpty() && !callbackInbox.isReady();
     }
 
-    final void enqueueMail(Node node) {
+    final void enqueueMessage(Node node) {
         if (isCurrent()) {
-            mails.add(node);
+            messages.add(node);
         } else {
             offer(node, inbox);
         }
@@ -110,13 +110,13 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     /** Queues a node of another thread; if this throws, nothing was queued. */
     private void offer(Node node, NodeQueue queue) {
-        if (lifeline.phase == Lifeline.CLOSED) {
+        if (idle.phase == IdleStrategy.CLOSED) {
             closing.checkStack(); // because this caller must reject the node itself
         }
         queue.offer(node);
         try {
-            if (!lifeline.wake()) {
-                closing.refuseLeftovers();
+            if (!idle.wake()) {
+                closing.rejectLeftovers();
             }
         } catch (StackOverflowError endOfTheCallersStack) {
             // it is queued: the space checks its queues by itself within a second; if it is closed, the next caller
@@ -135,11 +135,11 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     /** @hidden */
     @Override
     protected final void rejected(Promise<?> promise, Throwable error) {
-        if (lifeline.isClosed() && (isMadeOutside(promise) || error instanceof ActorStoppedException)) {
+        if (idle.isClosed() && (isMadeOutside(promise) || error instanceof ActorStoppedException)) {
             return; // a late caller gets the rejection, and the other requests are counted
         }
         if (!isCurrent()) {
-            enqueueMail(new Entry(() -> rejected(promise, error), () -> rejected(promise, error)));
+            enqueueMessage(new Entry(() -> rejected(promise, error), () -> rejected(promise, error)));
         } else if (isStopping() && error instanceof ActorStoppedException) {
             return; // counted among the leftovers
         } else if (isMadeOutside(promise)) {
@@ -273,7 +273,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return reports;
     }
 
-    final Sequences sequences() {
+    final SequentialBodies sequences() {
         return sequences;
     }
 
@@ -299,7 +299,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     /** True once the space is closed; callers must then reject their own entries. */
     final boolean hasEnded() {
-        return lifeline.isClosed();
+        return idle.isClosed();
     }
 
     /** True once the space processes no further entries; on its thread. */
@@ -321,7 +321,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     }
 
     static boolean goesToMailbox(Node node) {
-        return isMail(node);
+        return isMessage(node);
     }
 
     static long countedNanos(Duration duration) {
@@ -329,7 +329,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     }
 
     static boolean isListenedTo(Promise<?> promise) {
-        return isHeard(promise);
+        return isHandled(promise);
     }
 
     /** See {@link Home#whenSettled}. */

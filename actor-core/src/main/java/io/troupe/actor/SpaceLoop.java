@@ -15,7 +15,7 @@ final class SpaceLoop {
     private final SpaceHome space;
     private final SpaceSettings settings;
     private final Dispatcher dispatcher;
-    private final Lifeline lifeline;
+    private final IdleStrategy idle;
     private final Rejections rejections;
     private final Closing closing;
     private boolean stopping;
@@ -25,19 +25,19 @@ final class SpaceLoop {
             SpaceHome space,
             SpaceSettings settings,
             Dispatcher dispatcher,
-            Lifeline lifeline,
+            IdleStrategy idle,
             Rejections rejections,
             Closing closing) {
         this.space = space;
         this.settings = settings;
         this.dispatcher = dispatcher;
-        this.lifeline = lifeline;
+        this.idle = idle;
         this.rejections = rejections;
         this.closing = closing;
     }
 
     /** The run method of the thread, until the space is closed. */
-    void live() {
+    void run() {
         @Nullable Home before = null;
         @Nullable Runnable watch = null;
         try {
@@ -58,7 +58,7 @@ final class SpaceLoop {
     /** Starts the watchdog; if there is no thread for it, the space runs without. */
     private @Nullable Runnable watch() {
         try {
-            return Watchdog.watch(space, settings, lifeline, dispatcher);
+            return Watchdog.watch(space, settings, idle, dispatcher);
         } catch (Throwable noThread) {
             space.reports().error("the watchdog of space", space, noThread, null);
             return null;
@@ -73,7 +73,7 @@ final class SpaceLoop {
     private void passAndSleep() {
         try {
             if (!dispatcher.pass() & !settle()) {
-                lifeline.sleep(dispatcher, settings.clock());
+                idle.sleep(dispatcher, settings.clock());
             }
             pauseNanos = 0;
         } catch (Throwable broken) {

@@ -10,15 +10,15 @@ package io.troupe.actor;
 final class SpaceThread extends Thread {
     private final SpaceHome space;
     private final NodeRing callbacks;
-    private final NodeRing mails;
+    private final NodeRing messages;
     private final SpaceLoop loop;
 
-    SpaceThread(SpaceHome space, NodeRing callbacks, NodeRing mails, SpaceLoop loop) {
+    SpaceThread(SpaceHome space, NodeRing callbacks, NodeRing messages, SpaceLoop loop) {
         super(null, null, space.toString(), 0, false);
         this.space = space;
         this.loop = loop;
         this.callbacks = callbacks;
-        this.mails = mails;
+        this.messages = messages;
         setDaemon(true);
     }
 
@@ -30,12 +30,12 @@ final class SpaceThread extends Thread {
         return callbacks;
     }
 
-    NodeRing mails() {
-        return mails;
+    NodeRing messages() {
+        return messages;
     }
 
     @Override
     public void run() {
-        loop.live();
+        loop.run();
     }
 }

@@ -26,7 +26,7 @@ final class SpaceTimers {
         Objects.requireNonNull(delay, "delay");
         Objects.requireNonNull(period, "period");
         Objects.requireNonNull(task, "task");
-        Life life = cell.life();
+        Incarnation life = cell.life();
         Timer timer = wheel.set(
                 () -> life.run("a timer", task),
                 SpaceHome.countedNanos(delay),
@@ -42,7 +42,7 @@ final class SpaceTimers {
         if (!space.isCurrent()) {
             return clock.runsByItself() // otherwise time passes only when the clock is moved, which wakes the space
                     ? outside.schedule(delayNanos, expiry)
-                    : scheduleFromAfar(delayNanos, expiry);
+                    : scheduleRemotely(delayNanos, expiry);
         }
         if (space.hasEnded()) {
             ifClosed.run(); // the timers are no longer checked
@@ -52,11 +52,11 @@ final class SpaceTimers {
         return () -> onThread(timer::cancel);
     }
 
-    private Runnable scheduleFromAfar(long delayNanos, Expiry expiry) {
+    private Runnable scheduleRemotely(long delayNanos, Expiry expiry) {
         var pending = new Timer[1]; // both accessed on the space's thread only
         var withdrawn = new boolean[1];
         long deadline = clock.nanos() + delayNanos;
-        space.enqueueMail(new Entry(
+        space.enqueueMessage(new Entry(
                 () -> {
                     if (!withdrawn[0]) {
                         pending[0] = wheel.set(expiry, deadline - clock.nanos(), 0);
@@ -85,7 +85,7 @@ final class SpaceTimers {
         if (space.isCurrent()) {
             task.run();
         } else {
-            space.enqueueMail(new Entry(task, () -> {}));
+            space.enqueueMessage(new Entry(task, () -> {}));
         }
     }
 }

@@ -23,7 +23,7 @@ final class Watchdog {
     private static final boolean CAN_RECORD = loadEvents();
 
     private final SpaceHome space;
-    private final Lifeline lifeline;
+    private final IdleStrategy idle;
     private final Dispatcher dispatcher;
     private final long limitNanos;
     private final Consumer<Stall> listener;
@@ -35,9 +35,9 @@ final class Watchdog {
     private volatile boolean recording = CAN_RECORD;
 
     private Watchdog(
-            SpaceHome space, Lifeline lifeline, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
+            SpaceHome space, IdleStrategy idle, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
         this.space = space;
-        this.lifeline = lifeline;
+        this.idle = idle;
         this.dispatcher = dispatcher;
         this.limitNanos = SpaceHome.countedNanos(limit);
         this.listener = listener;
@@ -74,11 +74,11 @@ final class Watchdog {
      *
      * @return ends the watch; null if the space is not to be watched
      */
-    static @Nullable Runnable watch(SpaceHome space, SpaceSettings settings, Lifeline lifeline, Dispatcher dispatcher) {
+    static @Nullable Runnable watch(SpaceHome space, SpaceSettings settings, IdleStrategy idle, Dispatcher dispatcher) {
         if (settings.stallLimit().isZero()) {
             return null;
         }
-        var watchdog = new Watchdog(space, lifeline, dispatcher, settings.stallLimit(), settings.onStall());
+        var watchdog = new Watchdog(space, idle, dispatcher, settings.stallLimit(), settings.onStall());
         long period = Math.max(1, watchdog.limitNanos / LOOKS_PER_LIMIT);
         var looks = LOOKS.scheduleWithFixedDelay(watchdog::look, period, period, TimeUnit.NANOSECONDS);
         return () -> looks.cancel(false);
@@ -89,7 +89,7 @@ final class Watchdog {
         try {
             long served = dispatcher.served();
             long now = clock.nanos();
-            if (served != seen || lifeline.isAsleep()) {
+            if (served != seen || idle.isAsleep()) {
                 seen = served;
                 since = now;
                 reported = false;
@@ -120,18 +120,18 @@ final class Watchdog {
             return;
         }
         var stack = List.of(busy.getStackTrace());
-        if (served != dispatcher.served() || lifeline.isAsleep() || !isInATurn(stack)) {
+        if (served != dispatcher.served() || idle.isAsleep() || !isInATurn(stack)) {
             return; // the space was about to continue, or it waits for a processor, which is not a stall
         }
         var stall = new Stall(space.toString(), Duration.ofNanos(nanos), stack);
         HelperThreads.run(
                 space + "-stall",
-                () -> tell(
+                () -> notifyListener(
                         stall)); // on another thread, because the listener may block and other spaces are watched too
         reported = true; // once per message
     }
 
-    private void tell(Stall stall) {
+    private void notifyListener(Stall stall) {
         if (recording) {
             record(() -> new StallEvent(stall).commit());
         }
@@ -152,7 +152,7 @@ final class Watchdog {
         return type.equals(Dispatcher.class.getName())
                         && (frame.getMethodName().equals("serveOne")
                                 || frame.getMethodName().equals("runTask"))
-                || type.equals(Sequence.class.getName())
+                || type.equals(SequentialBody.class.getName())
                 || type.equals(Reports.class.getName());
     }
 

@@ -114,7 +114,7 @@ class ActorSpaceThreadTest {
     }
 
     @Test
-    void get_thatTakesTooLong_saysWhatItWaitedFor() {
+    void get_thatTakesTooLong_reportsWhatItWaitedFor() {
         interface Silent {
             Promise<String> ask(String what);
         }

@@ -64,7 +64,7 @@ class CallOrderTest {
     }
 
     @Test
-    void callback_comesBeforeTheMailsThatWait() {
+    void callback_comesBeforeQueuedMessages() {
         var log = new ArrayList<String>();
         interface Worker {
             Promise<String> work();

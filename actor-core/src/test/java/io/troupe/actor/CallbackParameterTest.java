@@ -128,7 +128,7 @@ class CallbackParameterTest {
                 OfAClass.class,
                 Seen.class
             })
-    void callbackInAnotherType_isRefusedAtSpawn(Class<?> type) {
+    void callbackInAnotherType_isRejectedAtSpawn(Class<?> type) {
         assertThatThrownBy(() -> test.space().spawn(type, () -> null))
                 .isInstanceOf(ActorTypeException.class)
                 .hasMessageContaining(".wander(String, ")
@@ -138,7 +138,7 @@ class CallbackParameterTest {
     }
 
     @Test
-    void promiseOfACallback_isRefusedAtSpawn() {
+    void promiseOfACallback_isRejectedAtSpawn() {
         assertThatThrownBy(() -> test.space().spawn(Answering.class, () -> null))
                 .isInstanceOf(ActorTypeException.class)
                 .hasMessageContaining("Answering.listener()")
@@ -146,7 +146,7 @@ class CallbackParameterTest {
     }
 
     @Test
-    void otherGenericParameters_areNotRefused() {
+    void otherGenericParameters_areNotRejected() {
         Harmless<?> proxy = test.spawn(Harmless.class, () -> null);
         assertThat(proxy).hasToString("Harmless#1");
         assertThat(test.takeProblems()).hasSize(1); // the factory

@@ -78,7 +78,7 @@ class ClassActorTest {
     public abstract static class Shelf extends Actor implements Comparable<Shelf> {}
 
     @Test
-    void interfaceMethodThatAnswersAtOnce_isRefusedAtSpawn() {
+    void interfaceMethodThatAnswersAtOnce_isRejectedAtSpawn() {
         refused(Jar.class, "Labelled.label()", "returns String", "make it static, or spawn the actor by an interface");
         refused(Shelf.class, "Comparable.compareTo(", "returns int");
     }
@@ -134,7 +134,7 @@ class ClassActorTest {
     }
 
     @Test
-    void fieldsThatOthersCanReach_areRefusedAtSpawn() {
+    void fieldsThatOthersCanReach_areRejectedAtSpawn() {
         refused(PublicField.class, "the field PublicField.count", "make it private", "Promise");
         refused(InheritedField.class, "the field ProtectedField.shared", "make it private");
         refused(PackageField.class, "the field PackageField.total", "make it private");
@@ -173,7 +173,7 @@ class ClassActorTest {
     }
 
     @Test
-    void methodsThatAProxyCannotOverride_areRefusedAtSpawn() {
+    void methodsThatAProxyCannotOverride_areRejectedAtSpawn() {
         refused(FinalHelper.class, "FinalHelper.help()", "is final", "remove final", "or make it private");
         refused(FinalPackageHelper.class, "FinalPackageHelper.help(int)", "or make it private");
         refused(FinalStart.class, "FinalStart.started()", "is final");

@@ -155,7 +155,7 @@ class ContractTest {
     }
 
     @Test
-    void callbacks_runAtMost256InARow_beforeAMail() {
+    void callbacks_runAtMost256InARow_beforeAMessage() {
         Desk desk = test.spawn(Desk.class, PlainDesk::new);
         test.run(() -> {
             desk.note(log);
@@ -170,7 +170,7 @@ class ContractTest {
     }
 
     @Test
-    void endlessMails_doNotStarveTheCallbacks() {
+    void endlessMessages_doNotStarveTheCallbacks() {
         var spins = new int[1];
         var spinner = new Door[1];
         var answered = new Deferred<Integer>();
@@ -279,7 +279,7 @@ class ContractTest {
     }
 
     @Test
-    void asker_hearsOfAnException_beforeAnyTimeHasPassed() {
+    void caller_receivesAnException_beforeAnyTimeHasPassed() {
         Desk desk = test.spawn(Desk.class, PlainDesk::new);
         Throwable error = test.error(desk.ask(-1, "no such number").orTimeout(Duration.ofSeconds(30)));
         assertThat(error).isExactlyInstanceOf(IllegalArgumentException.class).hasMessage("no such number");

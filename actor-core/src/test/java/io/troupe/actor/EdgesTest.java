@@ -59,7 +59,7 @@ class EdgesTest {
     }
 
     @Test
-    void timeout_ofARequestThatTookTheOldestOnesPlace_saysThatItHasNotBegun() {
+    void timeout_ofARequestThatTookTheOldestOnesPlace_reportsThatItHasNotBegun() {
         var test = new TestSpace();
         var error = new AtomicReference<Throwable>();
         Worker worker = test.space()

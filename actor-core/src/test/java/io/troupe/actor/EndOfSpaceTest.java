@@ -57,7 +57,7 @@ class EndOfSpaceTest {
     }
 
     @Test
-    void close_callBeforeItsActorHasStarted_isTurnedAway() {
+    void close_callBeforeItsActorHasStarted_isRejected() {
         var space = ActorSpace.create(settings);
         space.execute(() -> {
             Worker worker = spawnElsewhere(space); // the entry that starts it is in the inbox
@@ -172,7 +172,7 @@ class EndOfSpaceTest {
     }
 
     @Test
-    void stop_timersOfTheActor_areForgotten() {
+    void stop_timersOfTheActor_areRemoved() {
         var space = ActorSpace.create(settings);
         Clocked clocked = space.spawn(Clocked.class, Clocked::new);
         space.crank();

@@ -148,7 +148,7 @@ class EndOfThingsTest {
     }
 
     @Test
-    void callback_ofACallThatAFullMailboxTurnsAwayOrACancelSkips_isFailed() {
+    void callback_ofACallThatAFullMailboxRejectsOrACancelSkips_isFailed() {
         Worker worker = spawn(ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT));
         Promise<Integer> taken = worker.streamAndAnswer((result, error) -> log.add("first: " + error));
         worker.stream((result, error) -> log.add("second: " + error));
@@ -178,7 +178,7 @@ class EndOfThingsTest {
     }
 
     @Test
-    void close_saysWhatWasStillQueued() {
+    void close_reportsWhatWasStillQueued() {
         var letters = new ArrayList<DeadLetter>();
         var space = ActorSpace.create(SpaceSettings.named("left")
                 .withOnDeadLetter(letters::add)
@@ -207,7 +207,7 @@ class EndOfThingsTest {
     @Test
     @Tag("threads")
     @Timeout(60)
-    void close_ofASpaceThatIsBusy_saysWithWhat() throws Exception {
+    void close_ofASpaceThatIsBusy_reportsWithWhat() throws Exception {
         var begun = new CountDownLatch(1);
         var goOn = new CountDownLatch(1);
         var space = ActorSpace.create(SpaceSettings.named("busy").withOnStall(Duration.ZERO, stall -> {}));
@@ -239,7 +239,7 @@ class EndOfThingsTest {
     }
 
     @Test
-    void timer_cancelledOnAnotherThread_throwsAndSaysWhere() {
+    void timer_cancelledOnAnotherThread_throwsAndNamesTheThread() {
         Worker worker = spawn(ActorSettings.DEFAULT);
         var timer = test.get(worker.setTimer());
         assertThatThrownBy(timer::cancel)

@@ -91,7 +91,7 @@ class FailedCallTest {
     }
 
     @Test
-    void rejection_nobodyListensTo_isReported() {
+    void rejection_withoutAListener_isReported() {
         Counter counter = test.spawn(Counter.class, FailingCounter::new);
         test.run(() -> counter.failing("unheard"));
         assertThat(test.takeProblems()).singleElement().satisfies(problem -> {
@@ -122,7 +122,7 @@ class FailedCallTest {
     }
 
     @Test
-    void stoppedActor_refusesRequestsAndMakesDeadLettersOfMessages() {
+    void stoppedActor_rejectsRequestsAndMakesDeadLettersOfMessages() {
         Counter counter = test.spawn(Counter.class, FailingCounter::new);
         test.space().stop(counter);
         Throwable error = test.error(counter.add(1));

@@ -118,7 +118,7 @@ class FairnessTest {
     }
 
     @Test
-    void timer_thatFallsDueAmongManyMails_waitsForSixteenAtMost() {
+    void timer_thatFallsDueAmongManyMessages_waitsForSixteenAtMost() {
         var clock = new SteppedClock();
         try (var space = spaceOn(clock)) {
             var served = new int[1];
@@ -142,7 +142,7 @@ class FairnessTest {
     }
 
     @Test
-    void timer_amongMailsThatTakeLong_waitsForOneMail() {
+    void timer_amongMessagesThatTakeLong_waitsForOneMessage() {
         var clock = new SteppedClock();
         try (var space = spaceOn(clock)) {
             var servedBefore = new ArrayList<Integer>();
@@ -177,7 +177,7 @@ class FairnessTest {
     }
 
     @Test
-    void answerOfAnotherThread_waitsForNoMailFromOutside() {
+    void answerOfAnotherThread_waitsForNoMessageFromOutside() {
         var answer = new Deferred<Integer>(test.space());
         test.run(() -> answer.then(value -> log.add("answer")));
         Worker worker = test.spawn(Worker.class, () -> new Worker(this));
@@ -190,7 +190,7 @@ class FairnessTest {
     }
 
     @Test
-    void answerOfAnotherThread_comesBeforeTheNextMailFromInside() {
+    void answerOfAnotherThread_comesBeforeTheNextMessageFromInside() {
         var answer = new Deferred<Integer>(test.space());
         test.run(() -> {
             answer.then(value -> log.add("answer"));
@@ -209,7 +209,7 @@ class FairnessTest {
     }
 
     @Test
-    void mailOfAnotherThread_doesNotOvertakeTheCallbackThatThreadQueuedBefore() {
+    void messageOfAnotherThread_doesNotOvertakeTheCallbackThatThreadQueuedBefore() {
         var answer = new Deferred<Integer>(test.space());
         Worker worker = test.spawn(Worker.class, () -> new Worker(this));
         worker.poke(); // also from the inbox, so that the space is in the middle of it
@@ -225,7 +225,7 @@ class FairnessTest {
     }
 
     @Test
-    void mailOfAnotherThread_doesNotOvertakeMoreCallbacksOfThatThreadThanRunInARow() {
+    void messageOfAnotherThread_doesNotOvertakeMoreCallbacksOfThatThreadThanRunInARow() {
         Worker worker = test.spawn(Worker.class, () -> new Worker(this));
         var answers = new ArrayList<Deferred<Integer>>();
         for (int count = 0; count < 2_000; count++) {
@@ -245,7 +245,7 @@ class FairnessTest {
     }
 
     @Test
-    void mailsOfAnotherThread_amongItsCallbacks_runWhenThoseBeforeThemHaveRun() {
+    void messagesOfAnotherThread_amongItsCallbacks_runWhenThoseBeforeThemHaveRun() {
         Worker worker = test.spawn(Worker.class, () -> new Worker(this));
         var answers = new ArrayList<Deferred<Integer>>();
         for (int count = 0; count < 400; count++) {
@@ -270,7 +270,7 @@ class FairnessTest {
     }
 
     @Test
-    void timeOut_amongManyMails_saysThatTheRequestBehindThemHasNotBegun() {
+    void timeOut_amongManyMessages_reportsThatTheRequestBehindThemHasNotBegun() {
         var clock = new SteppedClock();
         try (var space = spaceOn(clock)) {
             Desk desk = space.spawn(Desk.class, () -> () -> Promise.of(1));

@@ -181,7 +181,7 @@ class InterfaceTypeTest {
     }
 
     @Test
-    void typesThatAreNoInterfaces_areRefusedWithAReason() {
+    void typesThatAreNoInterfaces_areRejectedWithAReason() {
         refused(Colour.class, "does not extend io.troupe.actor.Actor");
         refused(Only.class, "does not extend io.troupe.actor.Actor");
         refused(int.class, "does not extend io.troupe.actor.Actor");

@@ -157,7 +157,7 @@ class KeyedTimersTest {
     }
 
     @Test
-    void cancelTimer_saysWhetherOneWasGoingToRun() {
+    void cancelTimer_returnsWhetherOneWasGoingToRun() {
         Clockwork proxy = spawn();
         run(proxy, () -> {
             log.add("unknown: " + me().forget("key"));
@@ -240,7 +240,7 @@ class KeyedTimersTest {
     }
 
     @Test
-    void misuse_isRefused_andLeavesTheTimerThatWaits() {
+    void misuse_isRejected_andLeavesTheTimerThatWaits() {
         Clockwork proxy = spawn();
         run(proxy, () -> {
             me().later("key", SECOND, () -> log.add("kept"));

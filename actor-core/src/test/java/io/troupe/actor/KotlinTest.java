@@ -69,7 +69,7 @@ class KotlinTest {
     }
 
     @Test
-    void finalClassesAndFunctions_areRefusedWithTheWordThatKotlinHasForIt() throws Exception {
+    void finalClassesAndFunctions_areRejectedWithTheWordThatKotlinHasForIt() throws Exception {
         refused("Closed", "greeter.Closed cannot be an actor type", "in Kotlin, make it open");
         refused("HalfClosed", "HalfClosed.fixed() of actor type greeter.HalfClosed", "in Kotlin, make it open");
         refused("ManyCallbacks", "ManyCallbacks.listen(Callback[])", "declare the parameter as Callback<T>");

@@ -111,7 +111,7 @@ class MetricsTest {
     @Test
     @Tag("threads")
     @Timeout(60)
-    void figures_ofASpaceThatIsBehind_sayHowFar() throws Exception {
+    void figures_ofASpaceThatIsBehind_reportHowFar() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("behind").withOnStall(Duration.ZERO, stall -> {}))) {
             Worker worker = space.spawn(Worker.class, Working::new);
             var latch = new CountDownLatch(1);

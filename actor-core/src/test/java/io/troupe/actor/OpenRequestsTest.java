@@ -102,7 +102,7 @@ class OpenRequestsTest {
     }
 
     @Test
-    void stop_rejectsRequestsThatHaveBegun_inTheOrderInWhichTheyBegan_beforeWatchersHear() {
+    void stop_rejectsRequestsThatHaveBegun_inTheOrderInWhichTheyBegan_beforeWatchersAreNotified() {
         Desk desk = spawn("desk", Supervision.RESUME);
         desk.later("a").handle((value, error) -> log.add("first"));
         desk.later("b").handle((value, error) -> log.add("second"));

@@ -205,7 +205,7 @@ class SequentialTest {
     void threadOfABody_thatHasEnded_isNotTheSpacesAnyMore() throws Exception {
         SpaceHome space = test.space();
         var end = new Deferred<Boolean>();
-        new Sequence<>(space, space.currentOwner(), space::isCurrent, end).live();
+        new SequentialBody<>(space, space.currentOwner(), space::isCurrent, end).run();
         assertThat(end.get(Duration.ofSeconds(50))).isTrue();
         assertThat(space.isCurrent()).isFalse(); // though no other thread has taken control
     }

@@ -88,7 +88,7 @@ class SpaceServicesTest {
 
     @Test
     @SuppressWarnings("NullAway") // passes null on purpose
-    void nullArgument_isRefusedAtOnce_byName() {
+    void nullArgument_isRejectedAtOnce_byName() {
         ActorSpace space = test.space();
         assertThatThrownBy(() -> space.delay(null)).hasMessage("duration");
         assertThatThrownBy(() -> space.retry(1, null, () -> Promise.of(1))).hasMessage("pause");

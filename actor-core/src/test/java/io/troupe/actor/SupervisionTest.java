@@ -86,7 +86,7 @@ class SupervisionTest {
     }
 
     @Test
-    void restart_makesAFreshInstanceBehindTheSameProxy_andKeepsTheMailbox() {
+    void restart_makesANewInstanceBehindTheSameProxy_andKeepsTheMailbox() {
         Fragile fragile = spawn(Supervision.restart(3, Duration.ofSeconds(10)));
         test.get(fragile.count());
         fragile.fail();
@@ -109,7 +109,7 @@ class SupervisionTest {
     }
 
     @Test
-    void moreFailuresThanTheLimit_stopTheActor_andItsWatchersHear() {
+    void moreFailuresThanTheLimit_stopTheActor_andItsWatchersAreNotified() {
         Fragile fragile = spawn(Supervision.restart(2, Duration.ofSeconds(10)));
         Promise<Void> stopped = test.space().whenStopped(fragile);
         for (int i = 0; i < 3; i++) {
@@ -210,7 +210,7 @@ class SupervisionTest {
 
     @Test
     @Timeout(30)
-    void callsOfAnActorThatWaitsForItsRestart_areTurnedAway_whenItStops() {
+    void callsOfAnActorThatWaitsForItsRestart_areRejected_whenItStops() {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
         stubborn.note(1);
         stubborn.note(2);
@@ -261,7 +261,7 @@ class SupervisionTest {
     }
 
     @Test
-    void settingsThatMakeNoSense_areRefused() {
+    void settingsThatMakeNoSense_areRejected() {
         assertThatThrownBy(() -> Supervision.restart(-1, Duration.ofSeconds(1))).hasMessageContaining("limit is -1");
         assertThatThrownBy(() -> Supervision.restart(1, Duration.ZERO)).hasMessageContaining("window is PT0S");
     }

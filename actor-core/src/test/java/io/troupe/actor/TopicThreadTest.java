@@ -107,7 +107,7 @@ class TopicThreadTest {
     }
 
     @Test
-    void lateSubscriber_ofALatestTopic_missesNothingAndHearsNothingTwice() throws Exception {
+    void lateSubscriber_ofALatestTopic_missesNothingAndReceivesNothingTwice() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("late"))) {
             Topic<Integer> topic = Topic.latest(space, "count");
             var subscribing = new CountDownLatch(1);

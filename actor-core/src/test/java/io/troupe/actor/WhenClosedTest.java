@@ -59,7 +59,7 @@ class WhenClosedTest {
     }
 
     @Test
-    void whenClosed_canBeCancelledByOneWatcher_andTheOthersStillHear() {
+    void whenClosed_canBeCancelledByOneWatcher_andTheOthersAreStillNotified() {
         Promise<@Nullable Void> mine = space.whenClosed();
         Promise<@Nullable Void> others = space.whenClosed();
         mine.cancel();
@@ -102,7 +102,7 @@ class WhenClosedTest {
     }
 
     @Test
-    void whoeverWatches_mayCallActorsThatAreGone_andIsTurnedAway() {
+    void watcher_mayCallStoppedActors_andIsTurnedAway() {
         var other = new Resident(log);
         var resident = space.spawn(Resident.class, () -> other);
         space.whenClosed().thenRun(() -> {

@@ -38,7 +38,7 @@ public class SleepAgainstWake {
 
     private final Dispatcher dispatcher = new Dispatcher(
             SPACE, new NodeQueue(), new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS, Clock.system());
-    private final Lifeline lifeline = new Lifeline();
+    private final IdleStrategy lifeline = new IdleStrategy();
 
     @Actor
     public void sleep(ZZ_Result result) {

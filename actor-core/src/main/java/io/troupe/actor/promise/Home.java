@@ -18,14 +18,14 @@ public abstract class Home {
 
     final Owner outsider;
     private final Owner self;
-    private Turn turn;
+    private CurrentOwner turn;
 
     /** @hidden */
     @SuppressWarnings("this-escape") // owners only store the reference, and do not use it before the first node runs
     protected Home() {
         outsider = new Owner(this, true);
         self = new Owner(this);
-        turn = new Turn(self);
+        turn = new CurrentOwner(self);
     }
 
     /** The home whose thread is calling, or null. */
@@ -79,7 +79,7 @@ public abstract class Home {
      *
      * @hidden
      */
-    protected abstract void enqueueFromAfar(Node node);
+    protected abstract void enqueueAsRemote(Node node);
 
     /**
      * Like {@link #enqueue}, called on this home's thread.
@@ -129,7 +129,7 @@ public abstract class Home {
      * @hidden
      */
     protected final void begin(Owner owner) {
-        Turn now = turn;
+        CurrentOwner now = turn;
         if (now.owner != owner) {
             now.owner = owner;
         }
@@ -163,12 +163,12 @@ public abstract class Home {
     }
 
     /**
-     * Replaces the holder of the current owner; called periodically, see {@link Turn}.
+     * Replaces the holder of the current owner; called periodically, see {@link CurrentOwner}.
      *
      * @hidden
      */
     protected final void renewTurn() {
-        turn = new Turn(turn.owner);
+        turn = new CurrentOwner(turn.owner);
     }
 
     /**
@@ -218,8 +218,8 @@ public abstract class Home {
      *
      * @hidden
      */
-    protected static boolean isMail(Node node) {
-        return node.isMail();
+    protected static boolean isMessage(Node node) {
+        return node.isMessage();
     }
 
     /**
@@ -236,8 +236,8 @@ public abstract class Home {
      *
      * @hidden
      */
-    protected static boolean isHeard(Promise<?> promise) {
-        return promise.isHeard();
+    protected static boolean isHandled(Promise<?> promise) {
+        return promise.isHandled();
     }
 
     /**
@@ -247,7 +247,7 @@ public abstract class Home {
      * @hidden
      */
     protected static void whenSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
-        promise.register(new Relay(action, isOver));
+        promise.register(new InlineListener(action, isOver));
     }
 
     /**

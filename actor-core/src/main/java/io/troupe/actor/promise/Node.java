@@ -35,7 +35,7 @@ public abstract class Node {
     }
 
     /** True if this goes to a mailbox; everything else goes to the callback queue, which is drained first. */
-    protected boolean isMail() {
+    protected boolean isMessage() {
         return false;
     }
 

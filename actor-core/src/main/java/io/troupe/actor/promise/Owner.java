@@ -18,8 +18,8 @@ public class Owner {
     private final Home home;
     private final boolean outside;
     private volatile boolean over;
-    private @Nullable OpenAnswer oldest; // guarded by this, as is the rest of the list
-    private @Nullable OpenAnswer newest;
+    private @Nullable OpenRequest oldest; // guarded by this, as is the rest of the list
+    private @Nullable OpenRequest newest;
     private int openAnswers;
     private int sweepAt = FEW;
 
@@ -53,10 +53,10 @@ public class Owner {
     /**
      * Adds a request that has begun and is not settled. Cancelled requests are removed whenever the number has doubled.
      */
-    final synchronized void open(OpenAnswer answer) {
+    final synchronized void open(OpenRequest answer) {
         if (openAnswers >= sweepAt) {
-            OpenAnswer next;
-            for (OpenAnswer each = oldest; each != null; each = next) {
+            OpenRequest next;
+            for (OpenRequest each = oldest; each != null; each = next) {
                 next = each.after;
                 if (each.isIdle()) {
                     unlink(each);
@@ -76,15 +76,15 @@ public class Owner {
     }
 
     /** Called before a request is settled; any thread. */
-    final synchronized void close(OpenAnswer answer) {
+    final synchronized void close(OpenRequest answer) {
         if (answer.listed) {
             unlink(answer);
         }
     }
 
-    private void unlink(OpenAnswer answer) {
-        OpenAnswer before = answer.before;
-        OpenAnswer after = answer.after;
+    private void unlink(OpenRequest answer) {
+        OpenRequest before = answer.before;
+        OpenRequest after = answer.after;
         if (before == null) {
             oldest = after;
         } else {

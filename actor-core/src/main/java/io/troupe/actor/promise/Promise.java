@@ -138,7 +138,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
                     "await() belongs in the body of ActorSpace.sequential(..); a thread outside the space waits with get(Duration)");
         }
         if (isDone()) {
-            hear();
+            markHandled();
         } else {
             here.await(this);
         }
@@ -201,7 +201,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         Objects.requireNonNull(other, "other");
         Objects.requireNonNull(function, "function");
         Promise<R> both = thenCompose(mine -> other.<R>thenApply(theirs -> function.apply(mine, theirs)));
-        other.register(new Relay(
+        other.register(new InlineListener(
                 () -> {}, both)); // a listener, so that an error of the other promise is not reported as unhandled
         return both;
     }
@@ -239,7 +239,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * other listener is left.
      */
     public final Promise<T> orTimeout(Duration timeout) {
-        return Limited.start(this, Objects.requireNonNull(timeout, "timeout"));
+        return TimeLimitedPromise.start(this, Objects.requireNonNull(timeout, "timeout"));
     }
 
     /**
@@ -281,7 +281,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      */
     public final CompletableFuture<T> toCompletableFuture() {
         var future = new CompletableFuture<T>();
-        register(new Relay(
+        register(new InlineListener(
                 () -> {
                     Object outcome = Objects.requireNonNull(outcomeNow());
                     if (outcome instanceof Rejection rejection) {
@@ -299,13 +299,13 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     /** All values, in the order of the arguments; rejected with the first error. */
     public static <T extends @Nullable Object> Promise<List<T>> all(
             Collection<? extends Promise<? extends T>> promises) {
-        return Gather.all(promises);
+        return Combinators.all(promises);
     }
 
     /** All outcomes, in the order of the arguments; never rejected. */
     public static <T extends @Nullable Object> Promise<List<Outcome<T>>> allSettled(
             Collection<? extends Promise<? extends T>> promises) {
-        return Gather.allSettled(promises);
+        return Combinators.allSettled(promises);
     }
 
     /**
@@ -313,7 +313,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * their errors as suppressed exceptions.
      */
     public static <T extends @Nullable Object> Promise<T> any(Collection<? extends Promise<? extends T>> promises) {
-        return Gather.any(promises);
+        return Combinators.any(promises);
     }
 
     /**
@@ -321,7 +321,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * there are none.
      */
     public static <T extends @Nullable Object> Promise<T> race(Collection<? extends Promise<? extends T>> promises) {
-        return Gather.race(promises);
+        return Combinators.race(promises);
     }
 
     /** The promise for which this one is waiting, or null. */

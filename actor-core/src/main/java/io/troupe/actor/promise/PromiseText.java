@@ -26,7 +26,7 @@ final class PromiseText {
             if (before.length() + behind.length() > 0 && ++more >= SPELLED_OUT) {
                 return before + "promise after " + origin(source, more) + behind;
             }
-            if (first instanceof Limited<?> limited) {
+            if (first instanceof TimeLimitedPromise<?> limited) {
                 behind.insert(0, " within " + limited.timeout());
             } else {
                 before.append("promise after ");

@@ -16,12 +16,12 @@ import org.jspecify.annotations.Nullable;
 abstract class Settleable<T extends @Nullable Object> extends Node {
     /*
      * One field holds the whole state, so that one compare-and-set decides between "settle" and "register":
-     *   null           pending, without listeners
-     *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones, or Listeners if
-     *                  there are more than a few
-     *   a Settling     settled by another thread than that of some listener, which may not have run yet
-     *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be mistaken for
-     *                  one of the above)
+     *   null                   pending, without listeners
+     *   a Node                 pending, with listeners: the newest, linked by Node.next to the older ones,
+     *                          or Listeners if there are more than a few
+     *   a PendingNotification  settled by a thread other than that of some listener, which may not have run yet
+     *   anything else          settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be
+     *                          mistaken for one of the above)
      */
     private static final Object NULL = new Object();
     private static final VarHandle STATE;
@@ -81,15 +81,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     /** The outcome, or null while pending. */
     final @Nullable Object outcomeNow() {
         Object now = STATE.getAcquire(this);
-        return now instanceof Settling settling ? settling.outcome() : isSettled(now) ? now : null;
+        return now instanceof PendingNotification notification ? notification.outcome() : isSettled(now) ? now : null;
     }
 
     /** The outcome, for a listener that is about to run. */
     final Object outcomeForListener() {
         Object now = STATE.getAcquire(this);
-        if (now instanceof Settling settling) {
-            settling.arrive();
-            return settling.outcome();
+        if (now instanceof PendingNotification notification) {
+            notification.listenerRuns();
+            return notification.outcome();
         }
         return Objects.requireNonNull(now);
     }
@@ -98,7 +98,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (value == null) {
             return NULL;
         }
-        return value instanceof Node || value instanceof Special ? new Special.Boxed(value) : value;
+        return value instanceof Node || value instanceof SettledState ? new SettledState.Boxed(value) : value;
     }
 
     @SuppressWarnings("unchecked") // only asOutcome stores values
@@ -110,14 +110,14 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (outcome == NULL) {
             return null;
         }
-        return outcome instanceof Special.Boxed boxed ? boxed.value() : outcome;
+        return outcome instanceof SettledState.Boxed boxed ? boxed.value() : outcome;
     }
 
     /** True if a listener has received, or will receive, the outcome. */
-    final boolean isHeard() {
+    final boolean isHandled() {
         Object now = STATE.getAcquire(this);
-        Object outcome = now instanceof Settling settling ? settling.outcome() : now;
-        return outcome instanceof Node || outcome instanceof Rejection rejection && rejection.isHeard();
+        Object outcome = now instanceof PendingNotification notification ? notification.outcome() : now;
+        return outcome instanceof Node || outcome instanceof Rejection rejection && rejection.isHandled();
     }
 
     /**
@@ -141,9 +141,9 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /** Marks a rejection as received. */
-    final void hear() {
+    final void markHandled() {
         if (outcomeNow() instanceof Rejection rejection) {
-            rejection.hear();
+            rejection.markHandled();
         }
     }
 
@@ -197,7 +197,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * @hidden
      */
     protected final void follow(Promise<? extends T> other, Owner owner) {
-        var answer = new OpenAnswer(this, owner);
+        var answer = new OpenRequest(this, owner);
         owner.open(answer);
         other.register(answer);
     }
@@ -254,7 +254,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      */
     private static Object handedOn(Object outcome) {
         if (outcome instanceof Rejection rejection) {
-            rejection.hear();
+            rejection.markHandled();
             return new Rejection(rejection.error());
         }
         return outcome;
@@ -269,24 +269,25 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     private static boolean finish(@Nullable Node listeners, Object outcome) {
-        if (listeners == Claim.REFUSED) {
+        if (listeners == AlreadySettled.INSTANCE) {
             return false;
         }
         if (listeners != null) {
-            tell(listeners, outcome);
+            notifyListeners(listeners, outcome);
         }
         return true;
     }
 
     /**
-     * Settles this promise and returns its listeners, newest first; {@link Claim#REFUSED} if it was already settled.
+     * Settles this promise and returns its listeners, newest first; {@link AlreadySettled#INSTANCE} if it was already
+     * settled.
      */
     private @Nullable Node claim(Object outcome) {
         if (!isLocal()) {
             return claimShared(outcome);
         }
         Home home = Objects.requireNonNull(home());
-        return home.isCurrent() ? claimAtHome(outcome) : claimFromAfar(outcome, home);
+        return home.isCurrent() ? claimAtHome(outcome) : claimRemotely(outcome, home);
     }
 
     /** Like {@link #claim}; on the home's thread, or if there is no home. */
@@ -304,7 +305,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     private @Nullable Node claimAtHome(Object outcome) {
         Object now = state;
         if (isSettled(now)) {
-            return Claim.REFUSED;
+            return AlreadySettled.INSTANCE;
         }
         var listeners = (Node) now;
         if (listeners instanceof Listeners many) {
@@ -317,11 +318,11 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return listeners;
     }
 
-    private @Nullable Node claimFromAfar(Object outcome, Home home) {
+    private @Nullable Node claimRemotely(Object outcome, Home home) {
         if (isDone()) {
-            return Claim.REFUSED;
+            return AlreadySettled.INSTANCE;
         }
-        home.enqueue(new Errand(home, () -> settle(outcome)));
+        home.enqueue(new PostedAction(home, () -> settle(outcome)));
         return null;
     }
 
@@ -329,45 +330,50 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         while (true) {
             Object now = STATE.getAcquire(this);
             if (isSettled(now)) {
-                return Claim.REFUSED;
+                return AlreadySettled.INSTANCE;
             }
             if (now instanceof Listeners many) {
                 Node listeners;
-                Settling settling;
+                PendingNotification notification;
                 synchronized (many) {
                     if (many.isClosed()) {
                         continue; // another thread has settled it
                     }
                     listeners = many.link();
-                    settling = settlingFor(outcome, listeners);
+                    notification = notificationFor(outcome, listeners);
                     many.close();
-                    STATE.setVolatile(this, settling == null ? outcome : settling);
+                    STATE.setVolatile(this, notification == null ? outcome : notification);
                 }
-                return claimed(outcome, listeners, settling); // outside the lock: it may call user handlers
+                return claimed(outcome, listeners, notification); // outside the lock: it may call user handlers
             }
             var listeners = (Node) now;
-            Settling settling = settlingFor(outcome, listeners);
-            if (STATE.compareAndSet(this, now, settling == null ? outcome : settling)) {
-                return claimed(outcome, listeners, settling);
+            PendingNotification notification = notificationFor(outcome, listeners);
+            if (STATE.compareAndSet(this, now, notification == null ? outcome : notification)) {
+                return claimed(outcome, listeners, notification);
             }
         }
     }
 
-    private static @Nullable Settling settlingFor(Object outcome, @Nullable Node listeners) {
-        return listeners != null && Settling.isNeeded(listeners) ? new Settling(outcome, listeners) : null;
+    private static @Nullable PendingNotification notificationFor(Object outcome, @Nullable Node listeners) {
+        return listeners != null && PendingNotification.isNeeded(listeners)
+                ? new PendingNotification(outcome, listeners)
+                : null;
     }
 
-    private @Nullable Node claimed(Object outcome, @Nullable Node listeners, @Nullable Settling settling) {
+    private @Nullable Node claimed(
+            Object outcome, @Nullable Node listeners, @Nullable PendingNotification notification) {
         if (outcome instanceof Rejection rejection) {
             noteRejection(rejection, listeners);
         }
-        return settling == null || listeners == null ? listeners : new Settling.End(settling, listeners);
+        return notification == null || listeners == null
+                ? listeners
+                : new PendingNotification.End(notification, listeners);
     }
 
     private void noteRejection(Rejection rejection, @Nullable Node listeners) {
         Home place = home();
-        if (isHeardBy(listeners)) {
-            rejection.hear();
+        if (isHandledBy(listeners)) {
+            rejection.markHandled();
         } else if (place != null && !(rejection.error() instanceof CancellationException)) {
             if (listeners == null) {
                 place.rejected((Promise<?>) this, rejection.error());
@@ -377,7 +383,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    private static boolean isHeardBy(@Nullable Node listeners) {
+    private static boolean isHandledBy(@Nullable Node listeners) {
         for (Node node = listeners; node != null; node = node.next) {
             if (!node.hasTimedOut()) {
                 return true;
@@ -390,7 +396,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * Notifies listeners, oldest first. Promises that only follow are settled in this loop, not recursively, so a chain
      * of them may have any length.
      */
-    private static void tell(Node newest, Object outcome) {
+    private static void notifyListeners(Node newest, Object outcome) {
         if (newest.next == null && newest instanceof Stage<?, ?> only) {
             only.dispatch();
             return;
@@ -402,10 +408,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             listener.next = null;
             if (listener instanceof Follower follower) {
                 follower.beforeSettling();
-                Node more = follower.isIdle() ? Claim.REFUSED : follower.promise.claim(handedOn(outcome));
-                waiting = more == Claim.REFUSED ? waiting : reverse(more, waiting);
-            } else if (listener instanceof Settling.End end) {
-                waiting = reverse(end.tryToEnd(), waiting);
+                Node more = follower.isIdle() ? AlreadySettled.INSTANCE : follower.promise.claim(handedOn(outcome));
+                waiting = more == AlreadySettled.INSTANCE ? waiting : reverse(more, waiting);
+            } else if (listener instanceof PendingNotification.End end) {
+                waiting = reverse(end.closeOrTakeLate(), waiting);
             } else {
                 dispatch(listener);
             }
@@ -452,7 +458,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (home.isCurrent()) {
             registerAtHome(listener);
         } else {
-            home.enqueue(new Errand(home, () -> registerAtHome(listener)));
+            home.enqueue(new PostedAction(home, () -> registerAtHome(listener)));
         }
     }
 
@@ -462,7 +468,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             listener.next = null;
             STATE.setRelease(this, listener);
         } else if (isSettled(now)) {
-            tellLate(listener, now);
+            notifyLate(listener, now);
         } else if (now instanceof Listeners many) {
             many.add(listener);
         } else {
@@ -473,15 +479,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     private void registerShared(Node listener) {
         while (true) {
             Object now = STATE.getAcquire(this);
-            if (now instanceof Settling settling) {
-                boolean behindOthers = settling.setOut(listener);
-                if (!settling.join(listener)) {
-                    tellAfterwards(listener, settling.outcome(), behindOthers);
+            if (now instanceof PendingNotification notification) {
+                boolean behindOthers = notification.countListener(listener);
+                if (!notification.append(listener)) {
+                    notifyAfterwards(listener, notification.outcome(), behindOthers);
                 }
                 return;
             }
             if (isSettled(now)) {
-                tellLate(listener, now);
+                notifyLate(listener, now);
                 return;
             }
             if (now instanceof Listeners many) {
@@ -515,23 +521,23 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return node;
     }
 
-    private static void tellLate(Node listener, Object outcome) {
+    private static void notifyLate(Node listener, Object outcome) {
         if (outcome instanceof Rejection rejection) {
-            rejection.hear();
+            rejection.markHandled();
         }
         listener.next = null;
-        tell(listener, outcome);
+        notifyListeners(listener, outcome);
     }
 
-    private static void tellAfterwards(Node listener, Object outcome, boolean behindOthers) {
+    private static void notifyAfterwards(Node listener, Object outcome, boolean behindOthers) {
         if (behindOthers && listener instanceof Stage<?, ?> stage) {
             if (outcome instanceof Rejection rejection) {
-                rejection.hear();
+                rejection.markHandled();
             }
             stage.next = null;
-            stage.dispatchFromAfar();
+            stage.dispatchAsRemote();
         } else {
-            tellLate(listener, outcome);
+            notifyLate(listener, outcome);
         }
     }
 
@@ -539,7 +545,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (listener instanceof Stage<?, ?> stage) {
             stage.dispatch();
         } else {
-            Detached.run(listener);
+            DetachedListeners.run(listener);
         }
     }
 }

@@ -39,7 +39,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     final void dispatch() {
         Home home = owner == null ? Home.current() : owner.home();
         if (home == null) {
-            Detached.run(this);
+            DetachedListeners.run(this);
         } else {
             home.enqueue(this);
         }
@@ -67,11 +67,11 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     }
 
     /** Queues this listener behind those that another thread has queued at its home. */
-    final void dispatchFromAfar() {
+    final void dispatchAsRemote() {
         if (owner == null) {
             dispatch();
         } else {
-            owner.home().enqueueFromAfar(this);
+            owner.home().enqueueAsRemote(this);
         }
     }
 

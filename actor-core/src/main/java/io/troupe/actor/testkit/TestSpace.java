@@ -127,7 +127,7 @@ public final class TestSpace implements AutoCloseable {
             throw new AssertionError("nothing is left to do, and " + promise + " is still pending"
                     + (timers == 0 ? "" : "; timers that wait for advance(..): " + timers));
         }
-        withdrawUnheard(promise);
+        withdrawUnhandled(promise);
         try {
             return promise.get(Duration.ZERO);
         } catch (InterruptedException | TimeoutException rejection) { // a settled promise does not wait
@@ -149,7 +149,7 @@ public final class TestSpace implements AutoCloseable {
             throw new AssertionError(promise + (promise.isDone() ? " was fulfilled" : " is still pending")
                     + ", expected it to be rejected");
         }
-        withdrawUnheard(promise);
+        withdrawUnhandled(promise);
         return error;
     }
 
@@ -157,7 +157,7 @@ public final class TestSpace implements AutoCloseable {
      * Removes the report of a rejection that the test now reads; it was reported because the clock moved before the
      * test registered a listener.
      */
-    private void withdrawUnheard(Promise<?> promise) {
+    private void withdrawUnhandled(Promise<?> promise) {
         problems.removeIf(problem ->
                 problem.error() == promise.error() && problem.where().startsWith("a promise nobody listens to"));
     }

@@ -113,7 +113,7 @@ class CallbacksGuideTest {
     }
 
     @Test
-    void probes_recordCalls_andAnswerWhenTheTestSaysSo() {
+    void probes_recordCalls_andAnswerOnDemand() {
         record LookingPilot(Camera camera) implements Pilot {
             @Override
             public Promise<Integer> look(int degrees) {

@@ -160,7 +160,7 @@ class JavadocSamplesTest {
     @Test
     @Tag("threads")
     @Timeout(60)
-    void spaceSettings_sayWhereReportsGo() throws Exception {
+    void spaceSettings_defineWhereReportsGo() throws Exception {
         var reported = new Deferred<String>();
         var undelivered = new Deferred<DeadLetter>();
         ErrorHandler onError = (where, error) -> reported.resolve(where + ": " + error.getMessage());

@@ -141,7 +141,7 @@ class PromisesGuideTest {
     }
 
     @Test
-    void timeout_saysWhoAskedWhomForWhat_andWhatWasInTheWay() {
+    void timeout_namesCallerRequestAndProgress() {
         class Robot extends Actor {
             private final Greeter greeter;
 

@@ -180,7 +180,7 @@ class SpacesGuideTest {
     }
 
     @Test
-    void close_saysWhatWasLeftUndone() throws Exception {
+    void close_reportsWhatWasLeftUndone() throws Exception {
         var space = ActorSpace.create(
                 SpaceSettings.named("short-lived").withOnDeadLetter(this::show).withHandCrank());
         Thermostat heater = space.spawn(Thermostat.class, () -> new Fixed(20));

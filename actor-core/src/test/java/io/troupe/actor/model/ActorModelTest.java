@@ -22,7 +22,7 @@ class ActorModelTest {
     private volatile long seed;
 
     @Test
-    void randomPrograms_showWhatTheModelSays() {
+    void randomPrograms_behaveLikeTheModel() {
         Long given = Long.getLong("model.seed");
         long first = given != null ? given : new Random().nextInt(Integer.MAX_VALUE);
         int programs = given != null ? 1 : Integer.getInteger("model.programs", PROGRAMS);

@@ -93,7 +93,7 @@ final class ModelPromise {
         return outcome != null;
     }
 
-    boolean isHeard() {
+    boolean isHandled() {
         return heard;
     }
 
@@ -102,8 +102,8 @@ final class ModelPromise {
     }
 
     /**
-     * Settles it. From outside, a local promise is settled when the space processes that, and the result is
-     * true if it was pending.
+     * Settles it. From outside, a local promise is settled when the space processes that, and the result is true if it
+     * was pending.
      */
     boolean settle(String end) {
         if (outcome != null) {

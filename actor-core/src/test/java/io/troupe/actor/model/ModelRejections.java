@@ -44,7 +44,7 @@ final class ModelRejections {
         var now = List.copyOf(lost);
         lost.clear();
         for (var promise : now) {
-            if (!promise.isHeard()) {
+            if (!promise.isHandled()) {
                 space.history.add("unheard " + String.valueOf(promise.outcome()).substring(1));
             }
         }

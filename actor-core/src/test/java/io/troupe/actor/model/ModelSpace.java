@@ -19,7 +19,7 @@ final class ModelSpace {
     private final List<ModelTask> inbox = new ArrayList<>();
     private final List<ModelTask> callbackInbox = new ArrayList<>();
     private final List<ModelTask> callbacks = new ArrayList<>();
-    private final List<ModelTask> mails = new ArrayList<>();
+    private final List<ModelTask> messages = new ArrayList<>();
     private final Map<ModelTask, ModelTask> lastCallbackBefore = new IdentityHashMap<>();
     private int owed = QUOTA;
     private final List<Runnable> ends = new ArrayList<>();
@@ -33,7 +33,7 @@ final class ModelSpace {
 
     void enqueue(ModelTask task) {
         if (inside) {
-            (task.mail() ? mails : callbacks).add(task);
+            (task.message() ? messages : callbacks).add(task);
             return;
         }
         addFromOutside(task);
@@ -46,7 +46,7 @@ final class ModelSpace {
     }
 
     private void addFromOutside(ModelTask task) {
-        (task.mail() ? inbox : callbackInbox).add(task);
+        (task.message() ? inbox : callbackInbox).add(task);
     }
 
     /** Queues a callback behind those of other threads, even if called inside. */
@@ -123,7 +123,7 @@ final class ModelSpace {
     }
 
     private boolean somethingWaits() {
-        return !(inbox.isEmpty() && callbackInbox.isEmpty() && callbacks.isEmpty() && mails.isEmpty());
+        return !(inbox.isEmpty() && callbackInbox.isEmpty() && callbacks.isEmpty() && messages.isEmpty());
     }
 
     private boolean runIdle() {
@@ -152,15 +152,15 @@ final class ModelSpace {
             if (stopping) {
                 break;
             }
-            ModelTask mail = inbox.removeFirst();
+            ModelTask message = inbox.removeFirst();
             worked = true;
-            if (callbacks.isEmpty() && mails.isEmpty()) {
+            if (callbacks.isEmpty() && messages.isEmpty()) {
                 owed = QUOTA;
-                turn(mail.action());
+                turn(message.action());
             } else {
-                mails.add(mail);
+                messages.add(message);
                 if (lastBefore != null) {
-                    lastCallbackBefore.put(mail, lastBefore);
+                    lastCallbackBefore.put(message, lastBefore);
                 }
             }
         }
@@ -183,7 +183,7 @@ final class ModelSpace {
         boolean worked = false;
         for (int i = 0; i < QUOTA && !stopping; i++) {
             takeCallbacks();
-            if (callbacks.isEmpty() && mails.isEmpty()) {
+            if (callbacks.isEmpty() && messages.isEmpty()) {
                 break;
             }
             worked = true;
@@ -194,16 +194,16 @@ final class ModelSpace {
                 turn(callbacks.removeFirst().action());
                 served++;
             }
-            if (served == limit && mails.isEmpty()) {
+            if (served == limit && messages.isEmpty()) {
                 drainInbox(false);
             }
-            if (!mails.isEmpty() && !stopping) {
-                int before = callbacksBefore(mails.getFirst());
+            if (!messages.isEmpty() && !stopping) {
+                int before = callbacksBefore(messages.getFirst());
                 if (before > 0) {
                     owed = before;
                     return true;
                 }
-                turn(mails.removeFirst().action());
+                turn(messages.removeFirst().action());
             }
             if (served == limit) {
                 return true;
@@ -212,8 +212,8 @@ final class ModelSpace {
         return worked;
     }
 
-    private int callbacksBefore(ModelTask mail) {
-        ModelTask last = lastCallbackBefore.get(mail);
+    private int callbacksBefore(ModelTask message) {
+        ModelTask last = lastCallbackBefore.get(message);
         for (int index = 0; index < callbacks.size(); index++) {
             if (callbacks.get(index) == last) {
                 return index + 1;
@@ -253,7 +253,7 @@ final class ModelSpace {
 
     private void refuseAll() {
         while (somethingWaits()) {
-            var inside = callbacks.isEmpty() ? mails : callbacks;
+            var inside = callbacks.isEmpty() ? messages : callbacks;
             var outside = callbackInbox.isEmpty() ? inbox : callbackInbox;
             ModelTask task = (inside.isEmpty() ? outside : inside).removeFirst();
             turn(task.ifClosed() == null ? task.action() : task.ifClosed());

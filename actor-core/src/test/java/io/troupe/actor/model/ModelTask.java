@@ -5,10 +5,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * A queued entry.
  *
- * @param mail true if it is a message, false if it is a callback
+ * @param message true if it is a message, false if it is a callback
  * @param ifClosed what runs instead after the space has stopped; null = the same
  */
-record ModelTask(boolean mail, Runnable action, @Nullable Runnable ifClosed) {
+record ModelTask(boolean message, Runnable action, @Nullable Runnable ifClosed) {
     static ModelTask callback(Runnable action) {
         return new ModelTask(false, action, null);
     }

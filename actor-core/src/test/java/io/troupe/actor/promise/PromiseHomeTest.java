@@ -42,7 +42,7 @@ class PromiseHomeTest {
     }
 
     @Test
-    void timeLimit_thatNobodyListensTo_isReported() {
+    void timeLimit_withoutAListener_isReported() {
         var never = new Deferred<String>(test.space());
         test.run(() -> never.orTimeout(Duration.ofSeconds(1)));
         test.advance(Duration.ofSeconds(1));
@@ -64,7 +64,7 @@ class PromiseHomeTest {
     }
 
     @Test
-    void timeLimit_saysWhoAskedWhatAndHowFarItHasCome() {
+    void timeLimit_namesCallerRequestAndProgress() {
         interface Slow {
             Promise<String> read(int page);
         }
@@ -163,7 +163,7 @@ class PromiseHomeTest {
     }
 
     @Test
-    void failure_thatComesAfterTheTimeLimit_isReported_unlessAnotherListenerHeardIt() {
+    void failure_thatComesAfterTheTimeLimit_isReported_unlessAnotherListenerReceivedIt() {
         for (boolean another : new boolean[] {false, true}) {
             var late = new Deferred<String>(test.space());
             test.run(() -> {

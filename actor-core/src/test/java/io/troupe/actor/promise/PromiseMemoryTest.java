@@ -99,7 +99,7 @@ class PromiseMemoryTest {
     }
 
     @Test
-    void bodiesThatWaited_andWereCancelled_areForgotten() {
+    void bodiesThatWaited_andWereCancelled_areRemoved() {
         var longLived = new Deferred<Integer>(test.space());
         for (int actor = 0; actor < 300; actor++) {
             Patient patient = test.spawn(Patient.class, () -> new Patient(longLived));
@@ -107,7 +107,7 @@ class PromiseMemoryTest {
             test.crank();
         }
         longLived.then(value -> {});
-        assertThat(kept(longLived, Relay.class)).isLessThan(20);
+        assertThat(kept(longLived, InlineListener.class)).isLessThan(20);
         longLived.resolve(1);
         test.crank();
     }
@@ -186,14 +186,14 @@ class PromiseMemoryTest {
     void queueThatIsIdle_keepsNoNode() {
         var queue = new NodeQueue();
         for (int round = 0; round < 3; round++) {
-            var first = new Relay(() -> {}, () -> false);
-            var second = new Relay(() -> {}, () -> false);
+            var first = new InlineListener(() -> {}, () -> false);
+            var second = new InlineListener(() -> {}, () -> false);
             queue.offer(first);
             assertThat(queue.poll()).isSameAs(first);
-            assertThat(kept(queue, Relay.class)).isEqualTo(1);
+            assertThat(kept(queue, InlineListener.class)).isEqualTo(1);
             queue.forgetLast();
             queue.forgetLast();
-            assertThat(kept(queue, Relay.class)).isZero();
+            assertThat(kept(queue, InlineListener.class)).isZero();
             assertThat(queue.isEmpty()).isTrue();
             queue.offer(first);
             queue.offer(second);

@@ -24,7 +24,7 @@ class PromiseTest {
     private final List<String> log = new ArrayList<>();
 
     @Test
-    void promise_asText_saysWhatCameOfIt() {
+    void promise_asText_includesItsOutcome() {
         var deferred = new Deferred<Integer>();
         assertThat(deferred).hasToString("promise");
         Promise<Integer> next = deferred.thenApply(number -> number + 1);
@@ -90,7 +90,7 @@ class PromiseTest {
     }
 
     @Test
-    void error_travelsUnwrappedUntilSomebodyHandlesIt() throws Exception {
+    void error_travelsUnwrappedUntilItIsHandled() throws Exception {
         var boom = new IOException("boom");
         Promise<String> rescued =
                 deferred.thenApply(String::length).thenApply(n -> "n" + n).exceptionally(Throwable::getMessage);
@@ -220,7 +220,7 @@ class PromiseTest {
 
     @Test
     @SuppressWarnings("NullAway") // passes null on purpose
-    void nullArgument_isRefusedAtRegistration_byName() {
+    void nullArgument_isRejectedAtRegistration_byName() {
         Promise<Integer> promise = new Deferred<>();
         refuses("listener", () -> promise.then((Consumer<Integer>) null));
         refuses("listener", () -> promise.then((BiConsumer<Integer, Throwable>) null));

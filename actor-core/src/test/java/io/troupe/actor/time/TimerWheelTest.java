@@ -96,7 +96,7 @@ class TimerWheelTest {
     }
 
     @Test
-    void negativePeriod_isRefused() {
+    void negativePeriod_isRejected() {
         assertThatThrownBy(() -> wheel.set(() -> {}, 0, -1)).hasMessageContaining("-1 ns");
     }
 

@@ -88,7 +88,7 @@ public class LateListener {
         }
 
         @Override
-        protected void enqueueFromAfar(Node node) {
+        protected void enqueueAsRemote(Node node) {
             inbox.offer(node);
         }
 

@@ -8,12 +8,12 @@ import org.jspecify.annotations.Nullable;
 
 /** Padding that keeps the following field off the cache lines of the fields before it. */
 @SuppressWarnings("unused")
-abstract class LifelinePadding {
+abstract class IdlePadding {
     private long p00, p01, p02, p03, p04, p05, p06, p07, p08, p09, p10, p11, p12, p13, p14, p15;
 }
 
 /** The field that senders read at every message; it is written when the space goes to sleep or is woken. */
-abstract class LifelinePhase extends LifelinePadding {
+abstract class IdlePhase extends IdlePadding {
     volatile int phase;
 }
 
@@ -23,7 +23,7 @@ abstract class LifelinePhase extends LifelinePadding {
  * <p><b>Threads.</b> {@link #wake} from any thread, after it has queued an entry; the rest on the space's thread.
  */
 @SuppressWarnings("unused")
-final class Lifeline extends LifelinePhase {
+final class IdleStrategy extends IdlePhase {
     /*
      * No wake-up is lost: the sleeper first publishes that it sleeps and then checks its queues again; the waker first
      * queues an entry and then checks whether the space sleeps. Both are sequentially consistent, so at least one of
@@ -53,7 +53,7 @@ final class Lifeline extends LifelinePhase {
 
     static {
         try {
-            PHASE = MethodHandles.lookup().findVarHandle(LifelinePhase.class, "phase", int.class);
+            PHASE = MethodHandles.lookup().findVarHandle(IdlePhase.class, "phase", int.class);
         } catch (ReflectiveOperationException e) {
             throw new ExceptionInInitializerError(e);
         }

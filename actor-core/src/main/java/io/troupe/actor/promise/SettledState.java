@@ -1,9 +1,9 @@
 package io.troupe.actor.promise;
 
 /** A settled state that is not the value itself. */
-abstract class Special {
+abstract class SettledState {
     /** Wraps a value that would be mistaken for another state. */
-    static final class Boxed extends Special {
+    static final class Boxed extends SettledState {
         private final Object value;
 
         Boxed(Object value) {

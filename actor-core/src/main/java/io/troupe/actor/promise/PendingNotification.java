@@ -10,12 +10,12 @@ import org.jspecify.annotations.Nullable;
  * through the inbox of their home as the earlier ones did: an entry that the home queues for itself would overtake
  * them.
  */
-final class Settling extends Special {
+final class PendingNotification extends SettledState {
     private final Object outcome;
     private final AtomicReference<@Nullable Node> late = new AtomicReference<>();
     private final AtomicInteger onTheirWay = new AtomicInteger();
 
-    Settling(Object outcome, Node listeners) {
+    PendingNotification(Object outcome, Node listeners) {
         this.outcome = outcome;
         for (Node node = listeners; node != null; node = node.next) {
             if (node instanceof Stage) {
@@ -25,12 +25,12 @@ final class Settling extends Special {
     }
 
     /** Counts a listener that has not run yet; true if there are others. */
-    boolean setOut(Node listener) {
+    boolean countListener(Node listener) {
         return listener instanceof Stage && onTheirWay.getAndIncrement() > 0;
     }
 
     /** Called when a listener runs. */
-    void arrive() {
+    void listenerRuns() {
         onTheirWay.decrementAndGet();
     }
 
@@ -49,10 +49,10 @@ final class Settling extends Special {
     }
 
     /** Appends a late listener; false once all listeners have been notified. */
-    boolean join(Node listener) {
+    boolean append(Node listener) {
         while (true) {
             Node now = late.get();
-            if (now == Claim.REFUSED) {
+            if (now == AlreadySettled.INSTANCE) {
                 return false;
             }
             listener.next = now;
@@ -64,10 +64,10 @@ final class Settling extends Special {
 
     /** The last entry of the queue: closes it, or lets late listeners go first. */
     static final class End extends Node {
-        private final Settling settling;
+        private final PendingNotification notification;
 
-        End(Settling settling, Node listeners) {
-            this.settling = settling;
+        End(PendingNotification notification, Node listeners) {
+            this.notification = notification;
             this.next = listeners;
         }
 
@@ -76,11 +76,11 @@ final class Settling extends Special {
          * null.
          */
         @Nullable
-        Node tryToEnd() {
-            if (settling.late.compareAndSet(null, Claim.REFUSED)) {
+        Node closeOrTakeLate() {
+            if (notification.late.compareAndSet(null, AlreadySettled.INSTANCE)) {
                 return null;
             }
-            next = settling.late.getAndSet(null);
+            next = notification.late.getAndSet(null);
             return this;
         }
 

@@ -7,10 +7,10 @@ import org.jspecify.annotations.Nullable;
  * Runs relays, and listeners without a home, on the thread that settles their promise. They run one after the other,
  * never nested, so a chain of them may have any length.
  */
-final class Detached {
+final class DetachedListeners {
     private static final ThreadLocal<@Nullable ArrayDeque<Node>> WAITING = new ThreadLocal<>();
 
-    private Detached() {}
+    private DetachedListeners() {}
 
     /** True if the calling thread is running such a listener. */
     static boolean isRunning() {

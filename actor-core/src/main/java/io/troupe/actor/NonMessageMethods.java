@@ -10,8 +10,8 @@ import java.util.List;
  * The methods of a class actor that are not messages. None may run on a proxy, whose fields are unset: the proxy
  * overrides them to throw, so they must be overridable.
  */
-final class NonMessages {
-    private NonMessages() {}
+final class NonMessageMethods {
+    private NonMessageMethods() {}
 
     /** The overridable methods that are not public, each once. */
     static List<Method> of(Class<?> type) {

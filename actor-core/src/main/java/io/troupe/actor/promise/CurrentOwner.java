@@ -5,10 +5,10 @@ package io.troupe.actor.promise;
  * because the field is written at every turn, and storing a reference into an object of the old generation costs a
  * fence under G1 (until JEP 522, JDK 26).
  */
-final class Turn {
+final class CurrentOwner {
     Owner owner;
 
-    Turn(Owner owner) {
+    CurrentOwner(Owner owner) {
         this.owner = owner;
     }
 }

@@ -10,14 +10,14 @@ import org.jspecify.annotations.Nullable;
  * One incarnation of an actor, from its start to its stop or restart: the owner of its listeners and timers. On the
  * space's thread, except for {@link #isOver}.
  */
-final class Life extends Owner {
+final class Incarnation extends Owner {
     private static final int FEW = 8;
 
     private final ActorCell cell;
     private @Nullable List<Timer> timers; // most actors have none
     private int sweepAt = FEW;
 
-    Life(ActorCell cell) {
+    Incarnation(ActorCell cell) {
         super(cell.space());
         this.cell = cell;
     }

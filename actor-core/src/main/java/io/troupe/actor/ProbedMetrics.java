@@ -7,7 +7,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /** The metrics of one space, measured by a probe in its message queue. */
-final class Probing implements SpaceMetrics {
+final class ProbedMetrics implements SpaceMetrics {
     private record Probe(long sentNanos, long servedBefore) {}
 
     private record Finding(long waiting, Duration latency) {}
@@ -19,7 +19,7 @@ final class Probing implements SpaceMetrics {
     private final AtomicReference<@Nullable Probe> underWay = new AtomicReference<>();
     private volatile Finding found = new Finding(0, Duration.ZERO);
 
-    Probing(SpaceHome space, Dispatcher dispatcher, Reports reports) {
+    ProbedMetrics(SpaceHome space, Dispatcher dispatcher, Reports reports) {
         this.space = space;
         this.dispatcher = dispatcher;
         this.reports = reports;
@@ -28,7 +28,7 @@ final class Probing implements SpaceMetrics {
     private void send() {
         var probe = new Probe(clock.nanos(), dispatcher.served());
         if (!space.isClosing() && underWay.compareAndSet(null, probe)) {
-            space.enqueueMail(new Entry(() -> arrive(probe), () -> underWay.set(null)));
+            space.enqueueMessage(new Entry(() -> arrive(probe), () -> underWay.set(null)));
         }
     }
 

@@ -5,12 +5,12 @@ import java.lang.invoke.VarHandle;
 
 /** Padding that keeps the following field off the cache lines of the fields before it. */
 @SuppressWarnings("unused")
-abstract class ProgressPadding {
+abstract class EntryCounterPadding {
     private long p00, p01, p02, p03, p04, p05, p06, p07, p08, p09, p10, p11, p12, p13, p14, p15;
 }
 
 /** The counter. */
-abstract class ProgressCount extends ProgressPadding {
+abstract class EntryCounterValue extends EntryCounterPadding {
     long served;
 }
 
@@ -19,14 +19,14 @@ abstract class ProgressCount extends ProgressPadding {
  * occasionally; it occupies separate cache lines.
  */
 @SuppressWarnings("unused")
-final class Progress extends ProgressCount {
+final class EntryCounter extends EntryCounterValue {
     private static final VarHandle SERVED;
 
     private long q00, q01, q02, q03, q04, q05, q06, q07, q08, q09, q10, q11, q12, q13, q14, q15;
 
     static {
         try {
-            SERVED = MethodHandles.lookup().findVarHandle(ProgressCount.class, "served", long.class);
+            SERVED = MethodHandles.lookup().findVarHandle(EntryCounterValue.class, "served", long.class);
         } catch (ReflectiveOperationException e) {
             throw new ExceptionInInitializerError(e);
         }

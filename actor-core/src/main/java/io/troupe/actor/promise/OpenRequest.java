@@ -8,17 +8,17 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> The links are guarded by the owner, because the promise may be settled on any thread.
  */
-final class OpenAnswer extends Follower {
+final class OpenRequest extends Follower {
     private final Owner owner;
     boolean listed;
 
     @Nullable
-    OpenAnswer before;
+    OpenRequest before;
 
     @Nullable
-    OpenAnswer after;
+    OpenRequest after;
 
-    OpenAnswer(Settleable<?> request, Owner owner) {
+    OpenRequest(Settleable<?> request, Owner owner) {
         super(request);
         this.owner = owner;
     }

@@ -12,8 +12,8 @@ import org.jspecify.annotations.Nullable;
  * Combinators over several promises. The result belongs to the calling space, else to the home of the first part that
  * has one.
  */
-final class Gather {
-    private Gather() {}
+final class Combinators {
+    private Combinators() {}
 
     private static <P> List<P> parts(Collection<? extends P> promises) {
         var parts = new ArrayList<P>(Objects.requireNonNull(promises, "promises"));
@@ -45,7 +45,7 @@ final class Gather {
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new Relay(
+            part.register(new InlineListener(
                     () -> {
                         Throwable error = part.error();
                         if (error != null) {
@@ -70,7 +70,7 @@ final class Gather {
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new Relay(
+            part.register(new InlineListener(
                     () -> {
                         if (pending.decrementAndGet() == 0) {
                             var outcomes = new ArrayList<Outcome<T>>(parts.size());
@@ -91,7 +91,7 @@ final class Gather {
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new Relay(
+            part.register(new InlineListener(
                     () -> {
                         if (!part.isRejected()) {
                             first.resolve(Stage.present(part.getNow()));

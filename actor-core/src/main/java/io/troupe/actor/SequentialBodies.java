@@ -15,29 +15,29 @@ import org.jspecify.annotations.Nullable;
  * while it has control of the space: the space's thread passes control to it, and does nothing until control is
  * returned, so that only one of these threads runs at a time. On the thread that has control.
  */
-final class Sequences {
+final class SequentialBodies {
     private final SpaceHome space;
-    private final Set<Sequence<?>> waiting = new LinkedHashSet<>();
-    private @Nullable Sequence<?> running;
+    private final Set<SequentialBody<?>> waiting = new LinkedHashSet<>();
+    private @Nullable SequentialBody<?> running;
 
-    Sequences(SpaceHome space) {
+    SequentialBodies(SpaceHome space) {
         this.space = space;
     }
 
     <T extends @Nullable Object> Promise<T> start(Callable<? extends T> body, Owner owner) {
         var end = new Deferred<T>(space);
-        var sequence = new Sequence<T>(space, owner, body, end);
-        space.enqueueMail(new Entry(() -> lend(sequence), () -> end.reject(closed())));
+        var sequence = new SequentialBody<T>(space, owner, body, end);
+        space.enqueueMessage(new Entry(() -> lend(sequence), () -> end.reject(closed())));
         return end;
     }
 
     /** Passes control to a body until it ends or waits. */
-    private void lend(Sequence<?> sequence) {
+    private void lend(SequentialBody<?> sequence) {
         waiting.remove(sequence);
         running = sequence;
         space.beginTurnOf(sequence.owner());
         try {
-            sequence.go();
+            sequence.resume();
         } finally {
             running = null;
         }
@@ -45,7 +45,7 @@ final class Sequences {
 
     /** Suspends the calling body until the promise is settled. */
     void await(Promise<?> promise) {
-        Sequence<?> sequence = running;
+        SequentialBody<?> sequence = running;
         if (sequence == null) {
             throw new IllegalStateException(
                     "await() would stop the whole space, and with it whoever could settle " + promise
@@ -59,7 +59,7 @@ final class Sequences {
         while (!promise.isDone()) { // it may be resumed for a promise that it no longer waits for
             waiting.add(sequence);
             try {
-                sequence.giveBack();
+                sequence.yieldControl();
             } finally {
                 waiting.remove(sequence);
             }
@@ -67,14 +67,14 @@ final class Sequences {
         }
     }
 
-    private void resume(Sequence<?> sequence) {
+    private void resume(SequentialBody<?> sequence) {
         if (waiting.contains(sequence)) {
             lend(sequence);
         } // else it was cancelled before
     }
 
     /** Resumes the bodies of an incarnation that has ended; their waits throw. */
-    void cancelThoseOf(Life life) {
+    void cancelThoseOf(Incarnation life) {
         for (var sequence : List.copyOf(waiting)) {
             if (sequence.owner() == life) {
                 space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence)));

@@ -1,10 +1,10 @@
 package io.troupe.actor.promise;
 
 /** Sentinel: the promise was already settled. */
-final class Claim extends Node {
-    static final Node REFUSED = new Claim();
+final class AlreadySettled extends Node {
+    static final Node INSTANCE = new AlreadySettled();
 
-    private Claim() {}
+    private AlreadySettled() {}
 
     @Override
     protected void run() {

@@ -3,7 +3,7 @@ package io.troupe.actor.promise;
 import java.util.function.BooleanSupplier;
 
 /** An internal listener that only passes an outcome on, so it may run on any thread that settles the promise. */
-final class Relay extends Node {
+final class InlineListener extends Node {
     private final Runnable action;
     private final BooleanSupplier isOver;
 
@@ -12,7 +12,7 @@ final class Relay extends Node {
      *
      * @param reader the promise that needs the outcome; once it is settled, this relay is no longer needed
      */
-    Relay(Runnable action, Promise<?> reader) {
+    InlineListener(Runnable action, Promise<?> reader) {
         this(action, reader::isDone);
     }
 
@@ -21,7 +21,7 @@ final class Relay extends Node {
      *
      * @param isOver true once this relay is no longer needed; called by any thread
      */
-    Relay(Runnable action, BooleanSupplier isOver) {
+    InlineListener(Runnable action, BooleanSupplier isOver) {
         this.action = action;
         this.isOver = isOver;
     }

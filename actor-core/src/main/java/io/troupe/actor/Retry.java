@@ -9,7 +9,7 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** Repeats an attempt until it succeeds. A loop, so that it retains nothing of failed attempts. */
-final class Retrial<T extends @Nullable Object> {
+final class Retry<T extends @Nullable Object> {
     private final ActorSpace space;
     private final Duration pause;
     private final Supplier<? extends Promise<? extends T>> attempt;
@@ -17,7 +17,7 @@ final class Retrial<T extends @Nullable Object> {
     private int left;
     private volatile @Nullable Promise<?> pausing;
 
-    private Retrial(ActorSpace space, int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
+    private Retry(ActorSpace space, int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
         this.space = space;
         this.left = tries;
         this.pause = Objects.requireNonNull(pause, "pause");
@@ -27,7 +27,7 @@ final class Retrial<T extends @Nullable Object> {
 
     static <T extends @Nullable Object> Promise<T> start(
             ActorSpace space, int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
-        var retrial = new Retrial<T>(space, tries, pause, attempt);
+        var retrial = new Retry<T>(space, tries, pause, attempt);
         retrial.tryNow();
         return retrial.end;
     }
