@@ -9,11 +9,11 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Base class of an actor that wants to know its space, or is itself the type others call ({@code class Demo3 extends
- * Actor}).
+ * Base class of an actor that needs access to its space, or that is called by its class instead of an interface
+ * ({@code class Demo3 extends Actor}).
  *
- * <p><b>Role.</b> Optional: any object can be the implementation of an actor interface. Made by the factory given to
- * {@link ActorSpace#spawn}; its public methods that return {@code void} or {@link Promise} are its messages.
+ * <p><b>Role.</b> Optional: any object can be the implementation of an actor interface. Created by the factory passed
+ * to {@link ActorSpace#spawn}; the public methods that return {@code void} or {@link Promise} are its messages.
  *
  * {@snippet :
  * class Heater extends Actor {
@@ -37,7 +37,8 @@ import org.jspecify.annotations.Nullable;
  * heater.set(20); // a message
  * }
  *
- * <p><b>Threads.</b> The space's thread; calling these methods from another one throws {@link IllegalStateException}.
+ * <p><b>Threads.</b> The space's thread; calling these methods from another thread throws
+ * {@link IllegalStateException}.
  *
  * <p><b>Source.</b> Paper, Figures 17 and 20.
  */
@@ -48,7 +49,7 @@ public abstract class Actor {
     protected Actor() {}
 
     final void join(ActorCell mine) {
-        keyed.cancelAll(); // of a life before, if the factory answers the same object again
+        keyed.cancelAll(); // those of the previous incarnation, if the factory returns the same object again
         if (cell != null && cell != mine) {
             throw new ActorException("the factory of " + mine + " answered an object that is the actor " + cell
                     + " already, expected one of its own");
@@ -57,18 +58,18 @@ public abstract class Actor {
     }
 
     /**
-     * The proxy of this actor: what to hand to others, and to call when the call shall be a message, with a turn of its
-     * own. ({@code this} calls at once.)
+     * The proxy of this actor: pass it to others, and call it to send this actor a message that is processed in a later
+     * turn. (A call on {@code this} runs immediately.)
      *
-     * <p><b>Order.</b> Behind what this actor has sent itself before. What others have sent meanwhile may come before
-     * or after it.
+     * <p><b>Order.</b> The message is queued behind those that this actor has sent itself before. The order relative to
+     * messages of other senders is not defined.
      */
-    @SuppressWarnings("unchecked") // the caller names the type it spawned this actor as
+    @SuppressWarnings("unchecked") // the caller names the type with which it spawned this actor
     protected final <A> A self() {
         return (A) java.util.Objects.requireNonNull(cell("self()").proxy());
     }
 
-    /** The space this actor lives in. */
+    /** The space of this actor. */
     protected final ActorSpace space() {
         return cell("space()").space();
     }
@@ -77,13 +78,14 @@ public abstract class Actor {
     protected void started() {}
 
     /**
-     * Called after the last message; not if the constructor threw. Requests that are still open after it are rejected.
+     * Called after the last message, but not if the constructor threw. Requests that are still open after it are
+     * rejected.
      */
     protected void stopped() {}
 
     /**
-     * Stops this actor after the current message; the messages behind it become dead letters, the requests are
-     * rejected, and so are the requests that have begun and are not answered.
+     * Stops this actor after the current message. Queued one-way messages become dead letters. Queued requests are
+     * rejected, and so are requests that have begun and are not yet answered.
      */
     protected final void stop() {
         var mine = cell("stop()");
@@ -94,13 +96,13 @@ public abstract class Actor {
         return keyed;
     }
 
-    /** Runs a task once, later, unless this actor has stopped. */
+    /** Runs a task once after a delay, unless this actor has stopped. */
     protected final Timer after(Duration delay, Runnable task) {
         return cell("after(..)").space().timer(cell, delay, Duration.ZERO, Schedule.FIXED_RATE, task);
     }
 
     /**
-     * Runs a task again and again, the first time after one period, until this actor has stopped; with the schedule
+     * Runs a task periodically, first after one period, until this actor has stopped; with the schedule
      * {@link Schedule#FIXED_RATE}.
      */
     protected final Timer every(Duration period, Runnable task) {
@@ -108,9 +110,9 @@ public abstract class Actor {
     }
 
     /**
-     * Runs a task again and again, the first time after one period, until this actor has stopped.
+     * Runs a task periodically, first after one period, until this actor has stopped.
      *
-     * @param schedule when it runs next if it was late, or took long
+     * @param schedule the next run after one that was late or took long
      */
     protected final Timer every(Duration period, Schedule schedule, Runnable task) {
         checkPeriod(period);
@@ -118,17 +120,18 @@ public abstract class Actor {
     }
 
     /**
-     * Runs a task once, later, in place of the timer with that key: the one before, if it has not run yet, does not run
-     * any more, even if it is due already. The timer is gone when it has run, and when this actor stops or restarts.
+     * Runs a task once after a delay, replacing the timer with that key: a previous timer that has not run yet is
+     * cancelled, even if it is already due. The timer is removed when it has run, and when this actor stops or
+     * restarts.
      *
-     * @param key any object, compared by {@code equals}; belongs to this actor alone
+     * @param key any object, compared by {@code equals}; private to this actor
      */
     protected final Timer after(Object key, Duration delay, Runnable task) {
         return keyed.set(cell("after(..)"), key, delay, Duration.ZERO, Schedule.FIXED_RATE, task);
     }
 
     /**
-     * As {@link #every(Duration, Runnable)}, in place of the timer with that key; see {@link #after(Object, Duration,
+     * Like {@link #every(Duration, Runnable)}, replacing the timer with that key; see {@link #after(Object, Duration,
      * Runnable)}.
      */
     protected final Timer every(Object key, Duration period, Runnable task) {
@@ -136,7 +139,7 @@ public abstract class Actor {
     }
 
     /**
-     * As {@link #every(Duration, Schedule, Runnable)}, in place of the timer with that key; see {@link #after(Object,
+     * Like {@link #every(Duration, Schedule, Runnable)}, replacing the timer with that key; see {@link #after(Object,
      * Duration, Runnable)}.
      */
     protected final Timer every(Object key, Duration period, Schedule schedule, Runnable task) {
@@ -144,21 +147,21 @@ public abstract class Actor {
         return keyed.set(cell("every(..)"), key, period, period, schedule, task);
     }
 
-    /** Takes the timer with that key back; false if there is none that is still going to run. */
+    /** Cancels the timer with that key; false if there is none, or if it has run or was cancelled. */
     protected final boolean cancelTimer(Object key) {
         cell("cancelTimer(..)");
         return keyed.cancel(key);
     }
 
     /**
-     * The paper's {@code while}, one turn of the space for each round: see
+     * The {@code while} loop of the paper, one turn of the space per round: see
      * {@link ActorSpace#repeatWhile(BooleanSupplier, Runnable)}.
      */
     protected final Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Runnable body) {
         return space().repeatWhile(condition, body);
     }
 
-    /** A loop whose next round begins when the promise of the last one is fulfilled. */
+    /** A loop whose next round begins when the promise of the previous round is fulfilled. */
     protected final Promise<@Nullable Void> repeatWhile(
             BooleanSupplier condition, Supplier<? extends Promise<?>> body) {
         return space().repeatWhile(condition, body);

@@ -9,9 +9,9 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An actor as its space sees it: where its messages go and who handles them. For generated code.
+ * The internal state of an actor: its mailbox, its implementation and its supervision. For generated code.
  *
- * <p><b>Threads.</b> {@link #send} from any thread, everything else on the space's.
+ * <p><b>Threads.</b> {@link #send} from any thread, everything else on the space's thread.
  *
  * @hidden
  */
@@ -27,18 +27,18 @@ public final class ActorCell {
     private final Supplier<?> factory;
     private final ActorSettings settings;
     private final @Nullable BoundedMailbox mailbox;
-    private @Nullable Object implementation; // null also while calls are held back
+    private @Nullable Object implementation; // also null while calls are held back
     private @Nullable Object instance;
     private @Nullable Object proxy;
     private @Nullable FailureCount failures;
-    private @Nullable Throwable endedBy; // the failure that led to the last end of an instance
-    private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as is stopped for other threads
-    private Life life;
+    private @Nullable Throwable endedBy; // the failure that led to the end of the last instance
+    private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as are writes of stopped
+    private Incarnation life;
     private @Nullable ArrayDeque<Node>
-            held; // since a restart has to wait, until those calls are served that came meanwhile
-    private @Nullable Timer revival; // of the last pause before a restart
+            held; // calls held back while a restart waits, until all of them have been delivered
+    private @Nullable Timer restartTimer; // the timer of the pause before a restart
     private boolean releasing;
-    private boolean stopHeld; // a stop waits among the calls held back
+    private boolean stopHeld; // a stop is queued among the held calls
     private boolean starting;
     private int failedStarts; // in a row
     private boolean begun;
@@ -51,15 +51,15 @@ public final class ActorCell {
     ActorCell after;
 
     /**
-     * An actor that has not started.
+     * Creates a cell of an actor that has not started.
      *
-     * @param type what it is called by if it has no name of its own
-     * @param number tells it from others of its type then
+     * @param type the name of the actor's type is used if the settings name no other
+     * @param number distinguishes unnamed actors of one type
      */
     ActorCell(ActorSpace space, Class<?> type, int number, Supplier<?> factory, ActorSettings settings) {
         this.space = space;
         this.type = type;
-        this.life = new Life(this);
+        this.life = new Incarnation(this);
         this.number = number;
         this.factory = factory;
         this.settings = settings;
@@ -67,40 +67,44 @@ public final class ActorCell {
         this.mailbox = bound == null ? null : new BoundedMailbox(bound);
     }
 
-    /** Puts a call into the actor's mailbox. */
+    /** Puts a message into the actor's mailbox. */
     public void send(Message message) {
         if (mailbox != null) {
             sendBounded(message, mailbox);
         } else if (Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
-            thread.mails().add(message);
+            thread.messages().add(message);
         } else {
-            space.enqueueMail(message);
+            space.enqueueMessage(message);
         }
     }
 
-    /** Puts a call into the actor's mailbox. */
+    /** Puts a request into the actor's mailbox. */
     public void send(Request<?> request) {
         if (mailbox == null && Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
-            request.noteAsker(true);
-            thread.mails().add(request);
+            request.noteCaller(true);
+            thread.messages().add(request);
         } else {
             sendSlowly(request);
         }
     }
 
-    /** From another thread, from one that cranks or has borrowed the space, or to a mailbox that may be full. */
+    /**
+     * For callers on other threads, for threads that only borrow the space (crank, sequential bodies), and for bounded
+     * mailboxes.
+     */
     private void sendSlowly(Request<?> request) {
-        request.noteAsker(space.isCurrent());
+        request.noteCaller(space.isCurrent());
         if (mailbox != null) {
             sendBounded(request, mailbox);
         } else {
-            space.enqueueMail(request);
+            space.enqueueMessage(request);
         }
     }
 
     private void sendBounded(Node call, BoundedMailbox bounded) {
-        checkStack(FRAMES_FOR_QUEUEING); // a place that was taken must not be lost where the stack ends
-        // no switch: its table is a class, which a caller at the end of its stack could spoil for all
+        // checked first, so that a stack overflow cannot lose an acquired permit
+        checkStack(FRAMES_FOR_QUEUEING);
+        // no switch: its table is a class, whose initialisation would fail for good in a caller with little stack left
         var admission = bounded.admit(call, this);
         if (admission == BoundedMailbox.Admission.QUEUED) {
             queue(call, bounded);
@@ -111,21 +115,21 @@ public final class ActorCell {
         }
     }
 
-    /** Throws a StackOverflowError where the caller's stack has not so many frames left. */
+    /** Throws a StackOverflowError if the caller's stack has fewer frames left. */
     private static int checkStack(int frames) {
         return frames == 0 ? 0 : 1 + checkStack(frames - 1);
     }
 
     private void queue(Node call, BoundedMailbox bounded) {
         try {
-            space.enqueueMail(call);
-        } catch (Throwable notQueued) { // the caller's stack has ended: the place is free again
+            space.enqueueMessage(call);
+        } catch (Throwable notQueued) { // the caller's stack overflowed: release the permit
             bounded.takeBack(call);
             throw notQueued;
         }
     }
 
-    /** A callback argument as the actor gets it: what it sends comes back to the caller's callback queue. */
+    /** Wraps a callback argument, so that what the actor sends arrives in the caller's callback queue. */
     public <T extends @Nullable Object> @Nullable Callback<T> returning(@Nullable Callback<T> callback) {
         return ReturningCallback.wrap(callback, space);
     }
@@ -148,11 +152,11 @@ public final class ActorCell {
         return proxy;
     }
 
-    Life life() {
+    Incarnation life() {
         return life;
     }
 
-    /** Fulfilled when the actor has stopped. Any thread. */
+    /** Fulfilled when the actor has stopped; any thread. */
     synchronized Promise<@Nullable Void> ended() {
         if (ended == null) {
             if (stopped) {
@@ -164,8 +168,8 @@ public final class ActorCell {
     }
 
     /**
-     * The entry that spawning has queued: starts the actor, unless a call that came another way has done so, or it was
-     * stopped before.
+     * The entry queued by {@code spawn}: starts the actor, unless an earlier call has started it, or it was stopped
+     * before.
      */
     void start() {
         if (!begun && !stopped && !space.isStopping()) {
@@ -206,7 +210,10 @@ public final class ActorCell {
         }
     }
 
-    /** After the calls that came before; in the pause before a restart at once, for it may never start again. */
+    /**
+     * Stops the actor after the calls that are queued. During the pause before a restart it stops immediately, because
+     * the actor may never start again.
+     */
     void stopBehindCalls() {
         if (held != null && instance != null) {
             stopHeld = true;
@@ -220,8 +227,8 @@ public final class ActorCell {
         if (stopped) {
             return;
         }
-        if (revival != null) {
-            revival.cancel();
+        if (restartTimer != null) {
+            restartTimer.cancel();
         }
         space.actors().remove(this);
         Deferred<@Nullable Void> watched;
@@ -231,7 +238,7 @@ public final class ActorCell {
         }
         endLife(whyStopped());
         if (held != null) {
-            held.forEach(space::enqueueMail); // to be turned away like all others
+            held.forEach(space::enqueueMessage); // to be rejected like all others
             held = null;
         }
         if (watched != null) {
@@ -239,13 +246,13 @@ public final class ActorCell {
         }
     }
 
-    /** The end of one instance. */
+    /** Ends the current instance. */
     private void endLife(String reason) {
         if (instance instanceof Actor actor) {
             space.beginTurnOf(life);
             try {
                 actor.stopped();
-            } catch (Throwable thrown) { // reported, and no failure of the instance that comes next
+            } catch (Throwable thrown) { // reported, and not counted as a failure of the next instance
                 space.reports().error("stopped() of", this, thrown, settings.onError());
             }
         }
@@ -260,8 +267,8 @@ public final class ActorCell {
     }
 
     /**
-     * At once, but after a second failed start in a row only after a pause, so that an actor that cannot start leaves
-     * time for the others.
+     * Restarts the actor immediately. From the second failed start in a row it pauses first, so that an actor that
+     * cannot start leaves time for the others.
      */
     private void restart() {
         if (stopped) {
@@ -270,7 +277,7 @@ public final class ActorCell {
         endLife("the actor " + this + " was restarted");
         endedBy = null;
         if (failedStarts < 2) {
-            revive();
+            startAgain();
             return;
         }
         if (held == null) {
@@ -282,20 +289,17 @@ public final class ActorCell {
         }
         long pauseNanos =
                 Math.min(LONGEST_PAUSE_NANOS, FIRST_PAUSE_NANOS << Math.min(failedStarts - 2, MOST_DOUBLINGS));
-        revival = space.dispatcher.timers.set(this::revive, pauseNanos, 0);
+        restartTimer = space.dispatcher.timers.set(this::startAgain, pauseNanos, 0);
     }
 
-    private void revive() {
+    private void startAgain() {
         if (!stopped && !space.isStopping()) {
-            life = new Life(this);
+            life = new Incarnation(this);
             startInstance();
         }
     }
 
-    /**
-     * The calls that were held back come before those that wait in the space, one for each entry, so that others have
-     * their turns.
-     */
+    /** Delivers the held calls before those queued in the space, one per entry, so that other actors get their turn. */
     private void releaseSoon() {
         if (!releasing) {
             releasing = true;
@@ -306,10 +310,10 @@ public final class ActorCell {
     private void release() {
         releasing = false;
         if (held == null || instance == null) {
-            return; // it has stopped, or waits again
+            return; // it has stopped, or is waiting again
         }
         Node ticket = held.poll();
-        if (ticket instanceof Entry) { // see stopBehindCalls()
+        if (ticket instanceof Entry) { // a stop, see stopBehindCalls()
             stop();
         } else if (ticket != null) {
             deliver(ticket);
@@ -325,13 +329,15 @@ public final class ActorCell {
         }
     }
 
-    /** Turns a call away that found no room, or had to make room. Any thread. */
+    /** Rejects a call for which the mailbox had no room, or which was dropped for a newer one. Any thread. */
     void drop(Node call, String reason) {
-        space.reports().turnAway(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
+        space.reports().rejectCall(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
     }
 
     /**
-     * Begins the turn of a one-way call: the implementation that is to handle it, or null if nobody is, or has done so.
+     * Begins the turn of a one-way message.
+     *
+     * @return the target to invoke, or null if the message was already handled or rejected
      */
     @Nullable
     Object target(Message message) {
@@ -344,7 +350,11 @@ public final class ActorCell {
         return target;
     }
 
-    /** Begins the turn of a request: the implementation that is to handle it, or null if nobody is, or has done so. */
+    /**
+     * Begins the turn of a request.
+     *
+     * @return the target to invoke, or null if the request was already handled or rejected
+     */
     @Nullable
     Object target(Request<?> request) {
         Object target = implementation;
@@ -356,7 +366,7 @@ public final class ActorCell {
         return target;
     }
 
-    /** The slower way: of a call that may be another's ticket, may have been cancelled, or may find nobody. */
+    /** The slow path: the actor is not running, its mailbox is bounded, or the request is cancelled. */
     private void deliverNext(Node ticket) {
         start();
         if (held != null) {
@@ -370,9 +380,9 @@ public final class ActorCell {
         Node call = mailbox == null ? ticket : mailbox.next(ticket);
         Object target = instance;
         if (call instanceof Request<?> request && request.isDone()) {
-            space.reports().skip(request); // cancelled while it waited
+            space.reports().skip(request); // cancelled while queued
         } else if (target == null) {
-            refuse(call);
+            reject(call);
         } else {
             space.beginTurnOf(life);
             try {
@@ -382,19 +392,19 @@ public final class ActorCell {
                     ((Request<?>) call).serveWith(target);
                 }
             } catch (Throwable thrown) {
-                space.fail(call, thrown); // the call's own failure, though another was its ticket
+                space.fail(call, thrown); // the failure belongs to this call, although the ticket was another's
             }
         }
     }
 
-    /** The call that would be served with this ticket. */
+    /** The call that would be delivered for this ticket. */
     Node callOf(Node ticket) {
         return mailbox == null ? ticket : mailbox.peek(ticket);
     }
 
     /**
-     * How many calls wait before this one in a mailbox that keeps them itself, or among those held back; -1 if it is
-     * not among the first so many.
+     * The number of calls ahead of this one in a mailbox that stores its calls, or among the held calls; -1 if it is
+     * not among the first {@code limit}.
      */
     int placeInMailbox(Node call, int limit) {
         int place = mailbox == null ? -1 : mailbox.placeOf(call, limit);
@@ -414,13 +424,13 @@ public final class ActorCell {
         return -1;
     }
 
-    private void refuse(Node call) {
+    private void reject(Node call) {
         String reason = whyStopped();
         var error = new ActorStoppedException(call + " was not begun: " + reason, endedBy, false);
-        space.reports().turnAway(call, this, reason, error);
+        space.reports().rejectCall(call, this, reason, error);
     }
 
-    /** Runs something on behalf of this actor; what it throws is a failure of the actor. */
+    /** Runs an action on behalf of this actor; an exception is a failure of the actor. */
     void guard(String what, Runnable action) {
         space.beginTurnOf(life);
         try {
@@ -430,7 +440,10 @@ public final class ActorCell {
         }
     }
 
-    /** What the failure leads to comes when the failing turn has returned, and before anything else. */
+    /**
+     * Reports a failure and applies supervision. The directive is carried out when the failing turn has returned,
+     * before anything else.
+     */
     void failed(String what, Throwable thrown) {
         space.reports().error(what + " of", this, thrown, settings.onError());
         if (stopped) {
@@ -443,11 +456,12 @@ public final class ActorCell {
             failures = new FailureCount(settings.supervision());
         }
         Supervision.Directive directive = failures.note(space.clock().nanos());
-        if (failedStarts > settings.supervision().limit()) { // the pauses between them may be longer than the window
+        if (failedStarts
+                > settings.supervision().limit()) { // the pauses between failed starts may be longer than the window
             directive = Supervision.Directive.STOP;
         }
         if (starting && directive != Supervision.Directive.RESUME && held == null) {
-            held = new ArrayDeque<>(); // the call that has led to the start does not reach this instance
+            held = new ArrayDeque<>(); // the call that caused the start is not delivered to this instance
         }
         if (directive != Supervision.Directive.RESUME || implementation == null) {
             endedBy = thrown;

@@ -2,7 +2,7 @@ package io.troupe.actor;
 
 import org.jspecify.annotations.Nullable;
 
-/** What is wrong with an actor or its space; the parent of this room's exceptions. */
+/** Base class of the exceptions that an actor or its space throws. */
 public class ActorException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

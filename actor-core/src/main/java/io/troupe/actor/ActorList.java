@@ -5,8 +5,8 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The actors of a space that have started and not stopped, in the order of their start; linked through the cells, so
- * that an actor costs no entry.
+ * The actors of a space that have started and not stopped, in the order of their start. The list is linked through the
+ * cells, so that an actor needs no list node.
  */
 final class ActorList {
     private @Nullable ActorCell first;
@@ -17,7 +17,7 @@ final class ActorList {
         return size;
     }
 
-    /** Appends a cell; nothing happens if it is in the list: a restarted actor keeps its place. */
+    /** Appends a cell. No effect if it is already in the list: a restarted actor keeps its position. */
     void add(ActorCell cell) {
         if (contains(cell)) {
             return;

@@ -12,23 +12,23 @@ import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Which methods of an actor type are messages.
+ * The methods of an actor type that are messages.
  *
- * <p>An interface's are its abstract ones, and the default ones that return what a message can return, since the
- * implementation may override them; its other default methods run where they are called. A class actor's are all its
- * public ones, inherited default methods too, because nothing but a message may run on its proxy, whose fields are
+ * <p>For an interface these are the abstract methods, and the default methods whose return type a message may have,
+ * since the implementation may override them. Other default methods run on the caller's thread. For a class actor these
+ * are all public methods, including inherited default methods: no other code may run on its proxy, whose fields are
  * unset.
  *
- * @param messages those a proxy sends, one per name and parameter types
- * @param bridges what else a proxy has to answer to, because a supertype calls a message by another descriptor
- * @param refused those of a class actor that are not public: calling one on a proxy throws
+ * @param messages the methods that a proxy sends, one per name and parameter types
+ * @param bridges further methods that a proxy must implement, because a supertype calls a message by another descriptor
+ * @param refused the methods of a class actor that are not public: calling one on a proxy throws
  */
 record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> refused) {
-    /** A call by the descriptor of {@code from} is one of {@code to}. */
+    /** A call of {@code from} is redirected to {@code to}. */
     record Bridge(Method from, Method to) {}
 
     /**
-     * A method that calls find, and the one the user wrote: they differ where the compiler put a bridge between them.
+     * The method that callers link to, and the one in the source code; they differ if the compiler generated a bridge.
      */
     private record Found(Method called, Method written) {}
 
@@ -56,17 +56,18 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                     .forEach(found -> bridges.add(new Bridge(found.called(), chosen)));
         }
         bridges.forEach(bridge -> rules.checkBridge(bridge.from(), bridge.to()));
-        return new ActorMethods(messages, distinct(bridges), type.isInterface() ? List.of() : NonMessages.of(type));
+        return new ActorMethods(
+                messages, distinct(bridges), type.isInterface() ? List.of() : NonMessageMethods.of(type));
     }
 
-    /** The public methods that could be messages; together those that are one method to the compiler. */
+    /** The public methods that could be messages, grouped by those that are one method to the compiler. */
     private static Iterable<List<Found>> groups(Class<?> type, TypeArguments arguments) {
         return Arrays.stream(type.getMethods())
                 .filter(method -> !Modifier.isStatic(method.getModifiers())
                         && method.getDeclaringClass() != Object.class
                         && !isLocal(method)
                         && (type.isInterface() || !isLifecycle(method)))
-                .sorted(Comparator.comparing(Method::getName) // an order that does not depend on reflection's
+                .sorted(Comparator.comparing(Method::getName) // independent of the order of reflection
                         .thenComparing(ActorMethods::descriptor)
                         .thenComparing(method -> method.getDeclaringClass().getName()))
                 .map(method -> new Found(method, method.isBridge() ? written(method) : method))
@@ -77,7 +78,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                 .values();
     }
 
-    /** The most special: with the parameters that the type sees, and the narrowest result. */
+    /** The most specific method: with the type's own parameter types, and the narrowest result. */
     private static Method choose(List<Found> same, TypeArguments arguments) {
         Method chosen = same.getFirst().written();
         for (Found found : same) {
@@ -136,7 +137,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                 && (method.getName().equals("started") || method.getName().equals("stopped"));
     }
 
-    /** What every proxy answers itself. */
+    /** The methods that every proxy implements locally. */
     static boolean isLocal(Method method) {
         return switch (method.getName()) {
             case "hashCode", "toString" -> method.getParameterCount() == 0;
@@ -145,7 +146,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         };
     }
 
-    /** As a caller writes it: {@code Greeter.greet(String)}. */
+    /** The method as in source code: {@code Greeter.greet(String)}. */
     static String show(Method method) {
         return method.getDeclaringClass().getSimpleName() + "." + signature(method);
     }

@@ -1,11 +1,11 @@
 package io.troupe.actor;
 
 /**
- * What every generated proxy is as well. For generated code.
+ * Implemented by every generated proxy. For generated code.
  *
  * @hidden
  */
 public interface ActorProxy {
-    /** The actor behind the proxy; the name cannot meet a user's method. */
+    /** The actor behind the proxy; the name cannot clash with a method of a user. */
     ActorCell troupe$cell();
 }

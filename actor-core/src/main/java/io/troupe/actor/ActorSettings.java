@@ -4,7 +4,7 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How an actor is made; immutable.
+ * Settings of an actor; immutable.
  *
  * {@snippet :
  * ActorSettings settings = ActorSettings.named("counter")
@@ -13,10 +13,10 @@ import org.jspecify.annotations.Nullable;
  * Counter counter = space.spawn(Counter.class, Counter::new, settings);
  * }
  *
- * @param name for messages about it; null = the type's simple name and a number
- * @param onError is told what its one-way messages and timers throw; null = the space's handler is
- * @param supervision what becomes of it then
- * @param mailbox how many calls may wait for it; null = any number
+ * @param name used in log and error messages; null = the type's simple name and a number
+ * @param onError receives the exceptions of its one-way messages and timers; null = the space's handler receives them
+ * @param supervision what happens to the actor after such an exception
+ * @param mailbox the limit of queued calls; null = unlimited
  */
 public record ActorSettings(
         @Nullable String name,

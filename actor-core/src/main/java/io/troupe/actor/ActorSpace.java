@@ -14,10 +14,10 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The one thread on which its actors live.
+ * The single thread on which its actors run.
  *
- * <p><b>Role.</b> {@link #global()} is the space of the paper; {@link #create} makes further ones, for tests or one per
- * core. Ends with {@link #close}.
+ * <p><b>Role.</b> {@link #global()} is the space of the paper; {@link #create} creates further ones, for tests or one
+ * per core. Ends with {@link #close}.
  *
  * {@snippet :
  * interface Greeter {
@@ -30,18 +30,21 @@ import org.jspecify.annotations.Nullable;
  * } // close() serves what was queued
  * }
  *
- * <p><b>Threads.</b> Every method from any thread unless it says otherwise. An actor's code only ever runs on its
- * space's thread, so it needs no locks. Actors share the thread: one that interrupts it interrupts whatever comes next
- * there, until the space sleeps (clearing the flag at each message would cost as much as a fifth of a message).
+ * <p><b>Threads.</b> Every method may be called from any thread, unless documented otherwise. An actor's code runs only
+ * on its space's thread, so it needs no locks. The actors share the thread: an interrupt set by one affects the code
+ * that runs next, until the space sleeps. (Clearing the flag after each message would cost a fifth of a message.)
  *
- * <p><b>Order.</b> Calls from one sender to one actor are handled in the order in which they were made. Answers and
- * other callbacks, from this and from other spaces, are handled before messages, but never more than 256 of them in a
- * row. A timer that is due waits for 16 messages at most, and for the answers that come before these.
+ * <p><b>Order.</b> Work arrives in two queues. A <i>message</i> is a call of an actor, one-way or a request. A
+ * <i>callback</i> is the call of a promise's listener, or a result for a {@link Callback}. Messages from one sender to
+ * one actor are handled in the order in which they were sent. Callbacks, from this and from other spaces, are handled
+ * before messages, but at most 256 of them in a row. A timer that is due waits for at most 16 messages, and for the
+ * callbacks that come before these.
  *
- * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed. No error is fatal to a space: whatever an actor, a
- * listener or a handler throws, an {@link OutOfMemoryError} and an {@link InternalError} too, is reported, and the
- * others are served. If memory is too short even for the report, the error is counted. A caller whose stack ends within
- * a call gets its {@link StackOverflowError} or has its call queued, which is then served within a second.
+ * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed. No error ends a space: everything that an actor, a
+ * listener or a handler throws is reported, even an {@link OutOfMemoryError} or an {@link InternalError}, and the space
+ * goes on. If there is not enough memory for the report, the error is only counted. If the caller's stack overflows
+ * within a call, the caller either gets a {@link StackOverflowError}, or the call is queued and handled within a
+ * second.
  *
  * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single
  * thread.
@@ -63,12 +66,12 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         this.offload = new Offload(settings.offloadLimit());
     }
 
-    /** The space that everybody shares: one daemon thread, started on first use, never closed. */
+    /** The shared space: one daemon thread, started on first use, never closed. */
     public static ActorSpace global() {
         return Global.SPACE;
     }
 
-    /** A space of its own, on a new daemon thread unless it is to be cranked by hand. */
+    /** Creates a space, with a new daemon thread unless it is cranked by hand. */
     public static ActorSpace create(SpaceSettings settings) {
         return open(new ActorSpace(settings, true));
     }
@@ -86,20 +89,20 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     /**
-     * Makes an actor.
+     * Creates an actor.
      *
      * @param type an interface, or a class that extends {@link Actor} and whose fields are private; its public methods
      *     return {@code void} or {@link Promise}
-     * @param factory makes the implementation, on the space's thread, before the first message
-     * @return a proxy, for any thread: calling it sends a message and returns at once
-     * @throws ActorTypeException if the type has a method that cannot be a message, or cannot be reached
+     * @param factory creates the implementation, on the space's thread, before the first message
+     * @return a proxy for any thread: calling it sends a message and returns immediately
+     * @throws ActorTypeException if the type has a method that cannot be a message, or cannot be accessed
      * @throws ActorStoppedException if this space is closed
      */
     public <A> A spawn(Class<A> type, Supplier<? extends A> factory) {
         return spawn(type, factory, ActorSettings.DEFAULT);
     }
 
-    /** Makes an actor with settings of its own; see {@link #spawn(Class, Supplier)}. */
+    /** Creates an actor with settings; see {@link #spawn(Class, Supplier)}. */
     public <A> A spawn(Class<A> type, Supplier<? extends A> factory, ActorSettings actorSettings) {
         Objects.requireNonNull(type, "type");
         Objects.requireNonNull(factory, "factory");
@@ -109,27 +112,27 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         var cell = new ActorCell(this, type, spawned.incrementAndGet(), factory, actorSettings);
         A proxy = proxies.newProxy(cell);
         cell.bind(proxy);
-        enqueueMail(new Entry(cell::start, cell::stop));
+        enqueueMessage(new Entry(cell::start, cell::stop));
         return proxy;
     }
 
     /**
-     * Stops the actor behind a proxy of this space after the messages already in its mailbox. One that waits for its
-     * restart is stopped without another start, and those messages are turned away, as at each end of an actor:
-     * messages become dead letters, requests are rejected.
+     * Stops the actor behind a proxy of this space after the messages already in its mailbox. An actor that is waiting
+     * for its restart is stopped without another start, and those messages are rejected as at every end of an actor:
+     * one-way messages become dead letters, requests are rejected.
      */
     public void stop(Object proxy) {
         ActorCell cell = cellOf(proxy);
-        enqueueMail(new Entry(cell::stopBehindCalls, cell::stop));
+        enqueueMessage(new Entry(cell::stopBehindCalls, cell::stop));
     }
 
     /**
      * Watches an actor of this space.
      *
-     * @return fulfilled when the actor has stopped, for whatever reason; at once if it has
+     * @return fulfilled when the actor has stopped, for whatever reason; immediately if it has stopped already
      */
     public Promise<@Nullable Void> whenStopped(Object proxy) {
-        var own = new Deferred<@Nullable Void>(this); // each watcher may cancel its own
+        var own = new Deferred<@Nullable Void>(this); // a separate promise, so that each watcher may cancel its own
         own.resolveFrom(cellOf(proxy).ended());
         return own;
     }
@@ -137,8 +140,8 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     /**
      * Watches this space.
      *
-     * @return fulfilled when it is closed, on its thread, after its actors have stopped; at once if it is closed. Each
-     *     watcher may cancel its own
+     * @return fulfilled on this space's thread when it is closed, after its actors have stopped; immediately if it is
+     *     closed already. Each call returns a separate promise, which may be cancelled
      */
     public Promise<@Nullable Void> whenClosed() {
         var own = new Deferred<@Nullable Void>((Home) null);
@@ -161,42 +164,42 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         }
     }
 
-    /** Runs a task on the space's thread, in its turn. */
+    /** Runs a task on the space's thread, queued like a message. */
     public void execute(Runnable task) {
         Objects.requireNonNull(task, "task");
         checkOpen("execute(..)");
-        enqueueMail(new Entry(() -> runGuarded(task)));
+        enqueueMessage(new Entry(() -> runGuarded(task)));
     }
 
     /**
-     * Runs blocking work on a virtual thread, so many at a time as {@link SpaceSettings#offloadLimit} says.
+     * Runs blocking work on a virtual thread; {@link SpaceSettings#offloadLimit} bounds the number of concurrent runs.
      *
-     * <p>For work that waits, for a file, a socket or a lock; not for computing. All virtual threads share a few
-     * carriers, one for each processor, and one that computes keeps its carrier until it is done, so that the blocking
-     * work of every space waits. Give computing to a pool of platform threads of your own:
-     * {@code Promise.from(CompletableFuture.supplyAsync(work, pool))}; its listeners run on this space all the same.
+     * <p>For work that waits for a file, a socket or a lock, not for computation. All virtual threads share a few
+     * carrier threads, one per processor. One that computes occupies its carrier until it is done, which delays the
+     * blocking work of every space. Run computations on a pool of platform threads:
+     * {@code Promise.from(CompletableFuture.supplyAsync(work, pool))}; listeners still run on this space.
      *
-     * @return settled with what the work answers or throws
+     * @return settled with what the work returns or throws
      */
     public <T extends @Nullable Object> Promise<T> offload(Callable<? extends T> work) {
         return offload.run(this, Objects.requireNonNull(work, "work"));
     }
 
     /**
-     * Runs a body that may wait with {@link Promise#await()}, on a platform thread that counts as this space's while
-     * the body runs: it sees and changes what an actor's code may. While it waits the space serves others, the same
-     * actor included, so what it has read before may have changed after.
+     * Runs a body that may wait with {@link Promise#await()}. It runs on a platform thread that counts as this space's
+     * thread meanwhile: it may read and change the state of the actor. While it waits, the space runs other work,
+     * including messages of the same actor, so state that was read before may have changed afterwards.
      *
-     * <p>A body has its thread, with the memory of its stack, until it ends: thousands may wait at a time, but not
-     * millions. The threads are daemons that later bodies use again, of other spaces too; so a body must not rely on
-     * thread-locals, and removes those it has set.
+     * <p>A body occupies its thread, with the memory of its stack, until it ends: thousands may wait at a time, but not
+     * millions. The threads are daemons and are reused by later bodies, also of other spaces. So a body must not rely
+     * on thread-locals, and must remove those it sets.
      *
-     * <p><b>Order.</b> The body begins in its turn among the messages, on behalf of the calling actor; what it waited
-     * for is a callback. <b>Cost.</b> Two switches between threads for the beginning and for each {@code await()} that
-     * really waits. <b>Errors.</b> If the machine has no further thread, the promise is rejected with the
-     * {@link OutOfMemoryError} that says so.
+     * <p><b>Order.</b> The start of the body is queued like a message, on behalf of the calling actor; what it waits
+     * for arrives as a callback. <b>Cost.</b> Two thread switches for the start, and for each {@code await()} that
+     * really waits. <b>Errors.</b> If no further thread can be created, the promise is rejected with the
+     * {@link OutOfMemoryError}.
      *
-     * @return settled with what the body answers or throws
+     * @return settled with what the body returns or throws
      */
     public <T extends @Nullable Object> Promise<T> sequential(Callable<? extends T> body) {
         Objects.requireNonNull(body, "body");
@@ -205,73 +208,73 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     /**
-     * Fulfilled after a while, by this space's clock; rejected with {@link CancellationException} if the space is
-     * closed before.
+     * Returns a promise that is fulfilled after a delay, by this space's clock. It is rejected with
+     * {@link CancellationException} if the space is closed first.
      */
     public Promise<@Nullable Void> delay(Duration duration) {
         return Delay.start(this, Objects.requireNonNull(duration, "duration"));
     }
 
     /**
-     * Tries until a promise is fulfilled, or the promise that this answers is cancelled. The first try is made at once,
-     * on the calling thread, the others on this space's.
+     * Repeats an attempt until its promise is fulfilled, or until the returned promise is cancelled. The first attempt
+     * is made immediately on the calling thread, the others on this space's thread.
      *
-     * <p><b>Cost.</b> Keeps nothing of the tries that have failed, so it may go on for ever.
+     * <p><b>Cost.</b> Retains nothing of failed attempts, so it may go on indefinitely.
      *
-     * @param tries how often at the most
-     * @param pause between the end of one try and the beginning of the next
-     * @return the first value, or the error of the last try
+     * @param tries the maximum number of attempts
+     * @param pause the time between the end of one attempt and the start of the next
+     * @return the first value, or the error of the last attempt
      */
     public <T extends @Nullable Object> Promise<T> retry(
             int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
         if (tries < 1) {
             throw new IllegalArgumentException("tries is " + tries + ", expected 1 or more");
         }
-        return Retrial.start(this, tries, pause, attempt);
+        return Retry.start(this, tries, pause, attempt);
     }
 
-    /** Runs an action on the space's thread as soon as nothing waits there: no entry in any queue, no timer due. */
+    /** Runs an action on the space's thread as soon as it is idle: no entry in any queue, no timer due. */
     public void onIdle(Runnable action) {
         Objects.requireNonNull(action, "action");
         checkOpen("onIdle(..)");
-        enqueueMail(new Entry(() -> dispatcher.addIdleAction(action)));
+        enqueueMessage(new Entry(() -> dispatcher.addIdleAction(action)));
     }
 
     /**
-     * Runs the body while the condition holds, one round a turn, so that others have theirs in between.
+     * Runs the body while the condition holds, one round per turn, so that other work runs in between.
      *
-     * @return fulfilled when the condition does not hold, rejected when condition or body throw
+     * @return fulfilled when the condition no longer holds, rejected when the condition or the body throws
      */
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Runnable body) {
         Objects.requireNonNull(body, "body");
-        return Repetition.start(this, condition, () -> {
+        return RepeatLoop.start(this, condition, () -> {
             body.run();
             return null;
         });
     }
 
-    /** Runs the body while the condition holds; a round begins when the promise of the round before is fulfilled. */
+    /** Runs the body while the condition holds; a round begins when the promise of the previous round is fulfilled. */
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Supplier<? extends Promise<?>> body) {
-        return Repetition.start(this, condition, body);
+        return RepeatLoop.start(this, condition, body);
     }
 
     /**
-     * Serves what waits, and what comes of it, until nothing waits; only for a space that is cranked by hand. The
-     * calling thread is the space's meanwhile.
+     * Runs everything that is queued, and what follows from it, until nothing is queued; only for a space that is
+     * cranked by hand. The calling thread is the space's thread meanwhile.
      *
-     * @throws IllegalStateException if the space has a thread of its own, or is being cranked already
+     * @throws IllegalStateException if the space has its own thread, or is already being cranked
      */
     public void crank() {
         loop.crank();
     }
 
-    /** The clock by which this space's timers run. */
+    /** The clock of this space's timers. */
     public Clock clock() {
         return settings.clock();
     }
 
     /**
-     * Whether nothing waits here: no entry in any queue, no timer due. Exact between cranks, and between two turns on
+     * True if the space is idle: no entry in any queue, no timer due. Exact between cranks, and between two turns on
      * the space's thread.
      */
     public boolean isQuiet() {
@@ -279,26 +282,26 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     /**
-     * A moment of this space's clock until which no timer is due; {@link Long#MAX_VALUE} if there is none. For whoever
-     * moves the clock of a space that is cranked by hand; exact as {@link #isQuiet} is.
+     * A moment of this space's clock before which no timer is due; {@link Long#MAX_VALUE} if there is none. For code
+     * that moves the clock of a space cranked by hand; exact under the same conditions as {@link #isQuiet}.
      */
     public long nextTimerNanos() {
         return dispatcher.timers.nextDeadline();
     }
 
-    /** How much this space has done, and how far it is behind. */
+    /** Counters of the work done, and of the backlog. */
     public SpaceMetrics metrics() {
         return figures();
     }
 
     /**
-     * Serves what was queued before, stops every actor, turns what is left into dead letters, and ends the thread;
-     * waits for that, up to ten seconds, unless it is called on the thread of a space, this one or another: such a
-     * thread never waits, since two spaces that close each other would wait for ever; {@link #whenClosed()} tells it of
-     * the end. Later calls to its actors become dead letters and rejections.
+     * Processes what was queued before, stops every actor, turns the remaining messages into dead letters, and ends the
+     * thread. Waits for that, up to ten seconds. On the thread of a space, this one or another, it does not wait, since
+     * two spaces that close each other would deadlock; use {@link #whenClosed()} there. Later calls of its actors
+     * become dead letters or are rejected.
      *
      * @throws IllegalStateException if this is the {@link #global()} space
-     * @throws ActorException if the thread is busy with something else all the time; it ends when it has done that
+     * @throws ActorException if the thread is busy for all that time; it ends when it has finished that work
      */
     @Override
     public void close() {
@@ -309,12 +312,12 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     }
 
     /**
-     * Closes the space as {@link #close()} does, and says what it had not done.
+     * Closes the space like {@link #close()}, and returns what was not done.
      *
-     * @param patience how long to wait for the entry that is being served, and for what was queued before
-     * @throws IllegalStateException if this is the {@link #global()} space, or on the thread of a space, this one or
-     *     another
-     * @throws ActorException if that takes longer; the text says what the thread is doing
+     * @param patience the time limit for the entry that is being processed, and for what was queued before
+     * @throws IllegalStateException if this is the {@link #global()} space, or if called on the thread of a space, this
+     *     one or another
+     * @throws ActorException if that takes longer; the message includes what the thread is doing
      */
     public Leftovers close(Duration patience) {
         Objects.requireNonNull(patience, "patience");

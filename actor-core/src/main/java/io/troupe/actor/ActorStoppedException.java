@@ -3,10 +3,10 @@ package io.troupe.actor;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The answer to a request whose actor has stopped, or whose space was closed, before it was answered; or whose actor
- * was restarted after it had begun.
+ * The error of a request whose actor stopped, or whose space was closed, before it was answered; also of a request that
+ * had begun when its actor was restarted.
  *
- * <p>The cause is what made the actor stop or restart, if something was thrown.
+ * <p>The cause is the exception that made the actor stop or restart, if there was one.
  */
 public final class ActorStoppedException extends ActorException {
     private static final long serialVersionUID = 1L;
@@ -23,8 +23,8 @@ public final class ActorStoppedException extends ActorException {
     }
 
     /**
-     * Whether the actor had begun the request, so that some of what was asked for may have been done; if not, it can be
-     * asked again elsewhere.
+     * True if the actor had begun the request, so that part of the work may have been done. If false, the request can
+     * be repeated elsewhere.
      */
     public boolean wasBegun() {
         return begun;

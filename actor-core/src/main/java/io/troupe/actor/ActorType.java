@@ -8,7 +8,9 @@ import org.jspecify.annotations.Nullable;
 import org.objenesis.ObjenesisStd;
 import org.objenesis.instantiator.ObjectInstantiator;
 
-/** What was generated for an actor type: how to make its proxies. One per type, kept as long as the type. */
+/**
+ * The generated classes of an actor type, and how to create its proxies. One per type, retained as long as the type.
+ */
 abstract class ActorType {
     private static final ClassValue<Once> TYPES = new ClassValue<>() {
         @Override
@@ -22,7 +24,8 @@ abstract class ActorType {
     }
 
     /**
-     * Classes can be defined once only: the first thread generates, the others wait, and a failure stays what it was.
+     * Classes can be defined only once: the first thread generates them, other threads wait, and a failure is
+     * permanent.
      */
     private static final class Once {
         private @Nullable ActorType made;
@@ -44,7 +47,7 @@ abstract class ActorType {
         }
     }
 
-    /** A proxy that sends to the cell. */
+    /** Creates a proxy that sends to the cell. */
     abstract <A> A newProxy(ActorCell cell);
 
     private static ActorType generate(Class<?> type) {
@@ -77,8 +80,8 @@ abstract class ActorType {
     }
 
     /**
-     * The proxy of a class actor is a subclass, made without running the constructors of the class, which are for the
-     * real actor.
+     * The proxy of a class actor is a subclass. It is created without running the constructors of the class, which are
+     * for the real actor.
      */
     private static final class OfClass extends ActorType {
         private final ObjectInstantiator<?> instantiator;
@@ -94,7 +97,7 @@ abstract class ActorType {
         <A> A newProxy(ActorCell cell) {
             Object proxy = instantiator.newInstance();
             cellField.set(proxy, cell);
-            VarHandle.releaseFence(); // as a final field would: whoever is handed the proxy sees its cell
+            VarHandle.releaseFence(); // like a final field: every thread that receives the proxy sees its cell
             return (A) proxy;
         }
     }

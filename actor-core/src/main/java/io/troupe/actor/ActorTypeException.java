@@ -1,7 +1,8 @@
 package io.troupe.actor;
 
 /**
- * A type that cannot be an actor's; the message names the method at fault and says what to do. Thrown by {@code spawn}.
+ * Thrown by {@code spawn} for a type that cannot be an actor type; the message names the method at fault and what to
+ * do.
  */
 public final class ActorTypeException extends ActorException {
     private static final long serialVersionUID = 1L;

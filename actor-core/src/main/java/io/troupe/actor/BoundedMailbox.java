@@ -8,23 +8,23 @@ import java.util.concurrent.Semaphore;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps count of the calls that wait for one actor, and of their order if the oldest may be dropped.
+ * Counts the calls queued for one actor, and stores them in order if the oldest may be dropped.
  *
- * <p><b>Threads.</b> {@link #admit} from any thread, {@link #next} from the space's.
+ * <p><b>Threads.</b> {@link #admit} from any thread, {@link #next} from the space's thread.
  *
- * <p>With {@code DROP_OLDEST} the calls wait here, and those in the space's queues are no more than tickets: a call
- * that takes the place of the oldest one is not queued itself, it will be served with the ticket of another. So there
- * are never more tickets than places, however many calls are dropped.
+ * <p>With {@code DROP_OLDEST} the calls are stored here, and the entries in the space's queues are only tickets. A call
+ * that replaces the oldest one is not queued: it will be delivered for the ticket of another call. So there are never
+ * more tickets than places, however many calls are dropped.
  */
 final class BoundedMailbox {
     enum Admission {
         /** To be queued in the space. */
         QUEUED,
-        /** It waits; nothing is to be queued. */
+        /** Stored here; nothing is to be queued. */
         TAKEN_IN,
         /** There is no room. */
         REFUSED,
-        /** The caller was interrupted while it waited for room. */
+        /** The caller was interrupted while waiting for room. */
         INTERRUPTED
     }
 
@@ -38,7 +38,7 @@ final class BoundedMailbox {
         this.calls = bound.overflow() == MailboxBound.Overflow.DROP_OLDEST ? new ArrayDeque<>() : null;
     }
 
-    /** Makes room for a call, by waiting or by dropping another if that is the rule. */
+    /** Makes room for a call; depending on the overflow rule it waits, or drops another call. */
     Admission admit(Node call, ActorCell cell) {
         if (calls != null) {
             return admitDropping(call, cell, calls);
@@ -72,7 +72,7 @@ final class BoundedMailbox {
         return Admission.TAKEN_IN;
     }
 
-    /** Takes the call that is to be served with this ticket. */
+    /** Takes the call that is to be delivered for this ticket. */
     Node next(Node ticket) {
         if (calls == null) {
             room.release();
@@ -83,7 +83,7 @@ final class BoundedMailbox {
         }
     }
 
-    /** A call that was admitted has not been queued after all. */
+    /** Removes a call that was admitted but could not be queued. */
     void takeBack(Node call) {
         if (calls == null) {
             room.release();
@@ -94,7 +94,7 @@ final class BoundedMailbox {
         }
     }
 
-    /** The call that would be served with this ticket. */
+    /** The call that would be delivered for this ticket. */
     Node peek(Node ticket) {
         if (calls == null) {
             return ticket;
@@ -104,7 +104,7 @@ final class BoundedMailbox {
         }
     }
 
-    /** How many calls wait here before this one, or -1 if it is not among the first so many. */
+    /** The number of calls stored here ahead of this one, or -1 if it is not among the first {@code limit}. */
     int placeOf(Node call, int limit) {
         if (calls == null) {
             return -1;

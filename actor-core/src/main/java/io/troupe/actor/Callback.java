@@ -7,11 +7,11 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An argument through which an actor sends many results back.
+ * A parameter type through which an actor sends many results to its caller.
  *
  * <p><b>Role.</b> A parameter type of actor methods. The caller passes a lambda, as in the paper:
  * {@code robot.wander((colour, error) -> ..)}; the actor calls {@link #next}, and at the end {@link #finish} or
- * {@link #fail}. Who wants to stop listening, or to hear of the end, passes a {@link Stream}.
+ * {@link #fail}. To cancel, or to be notified of the end, pass a {@link Stream}.
  *
  * {@snippet :
  * camera.watch((colour, error) -> log.add("saw " + colour));
@@ -20,22 +20,22 @@ import org.jspecify.annotations.Nullable;
  * camera.watch(stream); // stream.cancel() ends it
  * }
  *
- * <p><b>Threads.</b> The actor may call it from any thread. The caller's side runs on the caller's space, as entries of
- * its callback queue, on behalf of the calling actor; if the caller is no actor space, on the space of the actor, and
- * no more once that is closed, but for the failure of a call that is turned away.
+ * <p><b>Threads.</b> The actor may call it from any thread. The caller's implementation runs on the caller's space, as
+ * entries of its callback queue, on behalf of the calling actor. If the caller is outside every space, it runs on the
+ * actor's space; once that is closed, only the failure of a rejected call is still delivered.
  *
- * <p><b>End.</b> An actor need not end a callback, so its own end does not: one that stops or restarts without
- * {@link #finish} or {@link #fail} leaves the callback open, and nothing more arrives. Who must know watches the actor
- * with {@link ActorSpace#whenStopped}; an actor that keeps callbacks fails them in {@code stopped()}.
+ * <p><b>End.</b> The end of an actor does not end its callbacks: if it stops or restarts without {@link #finish} or
+ * {@link #fail}, the callback stays open and no further results arrive. A caller can watch the actor with
+ * {@link ActorSpace#whenStopped}. An actor that stores callbacks should fail them in {@code stopped()}.
  *
- * <p><b>Order.</b> Results arrive in the order in which they were sent; after the end, or after a cancellation, nothing
- * arrives any more.
+ * <p><b>Order.</b> Results arrive in the order in which they were sent; after the end, or after a cancellation, no more
+ * results arrive.
  *
  * <p><b>Source.</b> Paper, section 3.5, Figure 17.
  */
 @FunctionalInterface
 public interface Callback<T extends @Nullable Object> {
-    /** One result, or, with an error, the end. */
+    /** Receives one result or, with an error, the end. */
     void accept(@Nullable T result, @Nullable Throwable error);
 
     /** Sends one result. */
@@ -43,7 +43,7 @@ public interface Callback<T extends @Nullable Object> {
         accept(result, null);
     }
 
-    /** Ends with success; a plain lambda does not hear of it. */
+    /** Ends without an error; a plain lambda is not notified. */
     default void finish() {}
 
     /** Ends with an error. */
@@ -51,29 +51,29 @@ public interface Callback<T extends @Nullable Object> {
         accept(null, Objects.requireNonNull(error, "error"));
     }
 
-    /** Whether nobody listens any more, so that the actor may stop sending. */
+    /** True if results are no longer wanted, so that the actor may stop sending. */
     default boolean isCancelled() {
         return false;
     }
 
-    /** The reader's side of a callback that can be cancelled and that hears of the end. Any thread may cancel. */
+    /** The receiving side of a callback: it can be cancelled, by any thread, and is notified of the end. */
     final class Stream<T extends @Nullable Object> implements Callback<T> {
         private final Consumer<? super T> onNext;
         private final Consumer<@Nullable Throwable> onEnd;
         private final AtomicBoolean over = new AtomicBoolean();
 
         /**
-         * A stream.
+         * Creates a stream.
          *
-         * @param onNext hears each result
-         * @param onEnd hears the end, once: null for success, a {@link CancellationException} after {@link #cancel}
+         * @param onNext receives each result
+         * @param onEnd receives the end, once: null for success, a {@link CancellationException} after {@link #cancel}
          */
         public Stream(Consumer<? super T> onNext, Consumer<@Nullable Throwable> onEnd) {
             this.onNext = Objects.requireNonNull(onNext, "onNext");
             this.onEnd = Objects.requireNonNull(onEnd, "onEnd");
         }
 
-        /** Stops listening: no result arrives any more, and the actor can see that. */
+        /** Cancels: no more results arrive, and the actor sees {@link #isCancelled}. */
         public void cancel() {
             end(new CancellationException("the reader has cancelled"));
         }

@@ -15,18 +15,18 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The end of a space: asked for by {@link #begin}, carried out by {@link #shut}, waited for with {@link #await}; after
- * that, whoever still queues something turns it away himself.
+ * The shutdown of a space: requested by {@link #begin}, carried out by {@link #shut}, awaited with {@link #await}.
+ * Afterwards, a thread that queues an entry must reject it itself.
  *
- * <p><b>Threads.</b> {@link #shut} on the space's thread, the rest on any.
+ * <p><b>Threads.</b> {@link #shut} on the space's thread, the rest on any thread.
  */
 final class Closing {
-    private static final int FRAMES_FOR_REFUSING = 128;
-    private static final VarHandle REFUSING;
+    private static final int FRAMES_FOR_REJECTING = 128;
+    private static final VarHandle REJECTING;
 
     static {
         try {
-            REFUSING = MethodHandles.lookup().findVarHandle(Closing.class, "refusing", boolean.class);
+            REJECTING = MethodHandles.lookup().findVarHandle(Closing.class, "rejecting", boolean.class);
         } catch (ReflectiveOperationException e) {
             throw new ExceptionInInitializerError(e);
         }
@@ -34,53 +34,53 @@ final class Closing {
 
     private final SpaceHome space;
     private final Dispatcher dispatcher;
-    private final Lifeline lifeline;
+    private final IdleStrategy idle;
     private final Rejections rejections;
     private final AtomicBoolean begun = new AtomicBoolean();
-    private volatile boolean refusing; // whether a thread turns leftovers away
+    private volatile boolean rejecting; // true while a thread rejects leftovers
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
-    private final Refusal last;
-    private final List<Runnable> steps; // all made before, so that the end needs little memory
+    private final LeftoverDrain last;
+    private final List<Runnable> steps; // created in advance, so that closing needs little memory
     private int bodies;
     private volatile @Nullable Leftovers leftovers;
     private int openRequests;
     private final List<String> openExamples = new ArrayList<>();
 
     /**
-     * The end of a space that lives.
+     * Creates the shutdown of a running space.
      *
-     * @param clockRegistration runs when the clock need not wake the space any more
+     * @param clockRegistration removes the space's registration with its clock
      */
     Closing(
             SpaceHome space,
             Dispatcher dispatcher,
-            Lifeline lifeline,
+            IdleStrategy idle,
             Rejections rejections,
             Runnable clockRegistration) {
         this.space = space;
         this.dispatcher = dispatcher;
-        this.lifeline = lifeline;
+        this.idle = idle;
         this.rejections = rejections;
-        last = new Refusal(space, dispatcher);
+        last = new LeftoverDrain(space, dispatcher);
         steps = List.of(
                 this::stopActors,
                 this::stopBodies,
                 clockRegistration,
-                lifeline::close,
+                idle::close,
                 this::dropWhatWaits,
-                last::refuseAll,
+                last::rejectAll,
                 this::resolveClosed,
-                last::refuseAll, // what those who watched have queued
+                last::rejectAll, // what the watchers have queued
                 this::reportRejections,
-                last::refuseAll, // what the error handler has asked of actors
+                last::rejectAll, // what the error handler has sent to actors
                 this::countLeftovers);
     }
 
-    /** Stops the space behind what is queued now; only the first call does. */
+    /** Queues the shutdown of the space behind everything queued now; only the first call has an effect. */
     void begin(Runnable stop) {
         if (begun.compareAndSet(false, true)) {
-            space.enqueueMail(new Entry(stop, stop));
+            space.enqueueMessage(new Entry(stop, stop));
         }
     }
 
@@ -92,12 +92,12 @@ final class Closing {
         return ended.getCount() == 0;
     }
 
-    /** Fulfilled, on the space's thread, after its actors have stopped. */
+    /** Fulfilled on the space's thread after its actors have stopped. */
     Promise<@Nullable Void> closed() {
         return closed;
     }
 
-    /** A request had begun and was rejected when its actor was stopped; on the space's thread. */
+    /** Counts a request that had begun and was rejected because its actor was stopped; on the space's thread. */
     void noteOpenRequest(Request<?> request) {
         if (openRequests++ < Leftovers.EXAMPLES) {
             openExamples.add(request.toString());
@@ -112,17 +112,17 @@ final class Closing {
         return openExamples;
     }
 
-    /** What was not done; when it is over. */
+    /** What was not done; available after the end. */
     Leftovers leftovers() {
         return Objects.requireNonNull(leftovers);
     }
 
-    /** Whatever one step throws, the others are done, and the space is closed after. */
+    /** Carries out the shutdown. If one step throws, the others are still done, and the space is closed afterwards. */
     void shut() {
-        refusing = true; // nobody else turns leftovers away before this thread has
+        rejecting = true; // no other thread rejects leftovers before this one has
         bodies = space.sequences().count();
         try {
-            for (int step = 0; step < steps.size(); step++) { // an iterator might find no memory
+            for (int step = 0; step < steps.size(); step++) { // no iterator: it would allocate
                 try {
                     steps.get(step).run();
                 } catch (Throwable broken) {
@@ -130,12 +130,12 @@ final class Closing {
                 }
             }
         } finally {
-            lifeline.close();
+            idle.close();
             space.giveUpThread();
-            refusing = false;
+            rejecting = false;
             ended.countDown();
         }
-        refuseLeftovers();
+        rejectLeftovers();
     }
 
     private void stopActors() {
@@ -164,40 +164,44 @@ final class Closing {
         leftovers = last.leftovers(bodies);
     }
 
-    /** Throws a StackOverflowError if the caller's stack is too short for {@link #refuseLeftovers}. */
+    /** Throws a StackOverflowError if the caller's stack is too short for {@link #rejectLeftovers}. */
     void checkStack() {
-        descend(FRAMES_FOR_REFUSING, Home.current());
+        descend(FRAMES_FOR_REJECTING, Home.current());
     }
 
     private static void descend(int frames, @Nullable Home current) {
         if (frames > 0) {
             descend(frames - 1, current);
         } else {
-            SpaceHome.leave(current); // changes nothing: what has to succeed at the end succeeds here, further down
+            SpaceHome.leave(
+                    current); // no effect: verifies that the call that must succeed at the end has room on the stack
         }
     }
 
     /**
-     * After the end: a caller that finds entries in the queues turns them away; one at a time, and meanwhile it acts
-     * for the space. One whose stack is too short throws before it begins, and leaves them to the next.
+     * After the end: a caller that finds entries in the queues rejects them. One thread does so at a time, and acts for
+     * the space meanwhile. A caller whose stack is too short throws before it begins, and leaves the entries to the
+     * next caller.
      */
-    void refuseLeftovers() {
+    void rejectLeftovers() {
         Home before = Home.current();
         while (dispatcher.hasArrivals()) {
             checkStack();
-            if (!REFUSING.compareAndSet(this, false, true)) {
+            if (!REJECTING.compareAndSet(this, false, true)) {
                 return;
             }
             try {
                 space.enter();
-                new Refusal(space, dispatcher).refuseAll();
+                new LeftoverDrain(space, dispatcher).rejectAll();
                 rejections.report();
             } finally {
                 try {
                     space.giveUpThread();
                     SpaceHome.leave(before);
                 } finally {
-                    refusing = false; // by no call: whatever was thrown, the next caller can go on
+                    rejecting =
+                            false; // a plain store, not a call: it succeeds whatever was thrown, so the next caller can
+                    // go on
                 }
             }
         }

@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
 /**
- * A message that reached nobody.
+ * A message that was not delivered.
  *
  * {@snippet :
  * Consumer<DeadLetter> onDeadLetter = letter -> log.add(letter.message() + " to " + letter.actor());
@@ -12,8 +12,8 @@ package io.troupe.actor;
  * counter.add(1); // too late
  * }
  *
- * @param actor name of the actor it was for
- * @param message the method, with its arguments
+ * @param actor the name of the receiver
+ * @param message the method with its arguments
  * @param reason why it was not delivered
  */
 public record DeadLetter(String actor, String message, String reason) {

@@ -6,7 +6,7 @@ import jdk.jfr.Label;
 import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
 
-/** For the flight recorder: a message reached nobody. */
+/** Flight recorder event: a message was not delivered. */
 @Name("io.troupe.DeadLetter")
 @Label("Dead Letter")
 @Category("Troupe")

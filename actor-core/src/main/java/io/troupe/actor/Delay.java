@@ -6,7 +6,7 @@ import java.time.Duration;
 import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
-/** A promise that a timer fulfils; cancelling it takes the timer back. */
+/** A promise that is fulfilled by a timer; cancelling it cancels the timer. */
 final class Delay {
     private final Deferred<@Nullable Void> over;
     private volatile @Nullable Runnable withdraw;

@@ -12,21 +12,30 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The queues of a space and the order in which they are served; on the space's thread, but for the inboxes and
+ * The queues of a space and the order in which they are processed. On the space's thread, except for the inboxes and
  * {@link #served}.
  *
- * <p><b>Order.</b> Entries from outside wait in two inboxes, entries from inside in two rings: callbacks and mails.
- * Before each mail the inbox of callbacks is looked at, and what is there joins the ring of callbacks: an answer of
- * another space does not wait for mails, and no mail overtakes a callback that its sender queued before it. A mail from
- * the inbox runs at once only if both rings are empty, else it queues up behind them; so calls of one sender to one
- * receiver keep their order. A request whose answer has one listener hands that on: it is served next, as it would be
- * from its ring. Callbacks come before mails, those of the inbox too, but after {@value #QUOTA} in a row (and one that
- * was handed on) one mail, the inbox and the timers have their turn; a mail from the inbox only if no callback is left
- * that came before it. What an entry asked for {@link #afterTurn} comes before everything else.
+ * <p><b>Queues.</b> A <i>message</i> is a call of an actor or a task in message order; a <i>callback</i> is a listener,
+ * a result for a {@link Callback}, or the resumption of a sequential body. Both kinds have an inbox for entries from
+ * other threads and a ring for entries from the space's own thread.
  *
- * <p>Timers have their turn after each pass, and within it after {@value #STRIDE} mails, or after each mail while mails
- * take longer than a millisecond. By a clock that is moved by hand no timer is ever late, so there the end of the pass
- * is soon enough.
+ * <p><b>Order.</b> A pass drains the queues in these steps:
+ *
+ * <ol>
+ *   <li>Before each message, the callbacks in the callback inbox are moved to the callback ring. So a callback from
+ *       another space does not wait for messages, and no message overtakes a callback that its sender queued before it.
+ *   <li>A message from the inbox runs at once only if both rings are empty. Otherwise it is appended to the message
+ *       ring, which keeps the order of messages from one sender to one receiver.
+ *   <li>Callbacks run before messages. After {@value #QUOTA} callbacks in a row (and one returned by a request, see
+ *       below) one message, the inbox and the timers get their turn. A message from the inbox runs then only if no
+ *       callback that came before it is left.
+ *   <li>Timers run after each pass. Within a pass they run after {@value #STRIDE} messages, or after each message while
+ *       messages take longer than a millisecond. On a clock that is moved by hand no timer is ever late, so the end of
+ *       the pass suffices.
+ * </ol>
+ *
+ * <p>A request whose result has exactly one listener returns that listener, and it runs next, as it would from its
+ * ring. Actions of {@link #afterTurn} run before everything else.
  */
 final class Dispatcher {
     private static final int QUOTA = 256;
@@ -40,17 +49,18 @@ final class Dispatcher {
     final TimerWheel timers;
     private final SpaceHome space;
     private final Clock clock;
-    private final Consumer<Runnable> runTask = this::runTask; // made once: a pass must not need memory
+    private final Consumer<Runnable> runTask = this::runTask; // created once: a pass must not allocate
     private final NodeRing callbacks;
-    private final NodeRing mails;
+    private final NodeRing messages;
     private final Precedence precedence = new Precedence();
     private final ArrayDeque<Runnable> afterTurn = new ArrayDeque<>();
     private final List<Runnable> idleActions = new ArrayList<>();
-    private final Progress direct = new Progress(); // of what was served and in no ring
+    private final EntryCounter direct = new EntryCounter(); // counts what was run without being in a ring
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
-    private int callbackQuota = QUOTA; // less amid a row of callbacks, or if a mail waits for that many only
+    private int callbackQuota =
+            QUOTA; // reduced within a row of callbacks, or if a message waits for that many callbacks only
     private int stride = STRIDE;
     private long lastLookNanos;
 
@@ -59,25 +69,25 @@ final class Dispatcher {
             NodeQueue inbox,
             NodeQueue callbackInbox,
             NodeRing callbacks,
-            NodeRing mails,
+            NodeRing messages,
             TimerWheel timers,
             Clock clock) {
         this.space = space;
         this.inbox = inbox;
         this.callbackInbox = callbackInbox;
         this.callbacks = callbacks;
-        this.mails = mails;
+        this.messages = messages;
         this.timers = timers;
         this.clock = clock;
     }
 
-    /** Serves nothing more after the present turn. */
+    /** Runs nothing more after the current turn. */
     void halt() {
         quota = 0;
         callbackQuota = 0;
     }
 
-    /** Runs an action when the entry that is being served has returned. */
+    /** Runs an action when the entry that is being processed has returned. */
     void afterTurn(Runnable action) {
         turnLeavesWork = true;
         afterTurn.add(action);
@@ -87,7 +97,7 @@ final class Dispatcher {
         idleActions.add(action);
     }
 
-    /** One round through the queues; false if nothing was there to do. */
+    /** One pass through the queues; false if there was nothing to do. */
     boolean pass() {
         if ((++passes & RENEWAL) == 0) {
             renew();
@@ -95,41 +105,45 @@ final class Dispatcher {
         boolean worked = drainInbox(true);
         worked |= drainRings();
         worked |= quota > 0 && timers.runDue(runTask) > 0;
-        if (!worked && space.isCrankedByHand()) { // one with a thread does so before it sleeps
+        if (!worked && space.isCrankedByHand()) { // a space with a thread does so before it sleeps
             forgetServed();
         }
         return worked;
     }
 
-    /** Lets go of what was served last; to be called when nothing waits. */
+    /** Releases the entries that were processed last; called when the queues are empty. */
     void forgetServed() {
         inbox.forgetLast();
         callbackInbox.forgetLast();
     }
 
-    /** What is written at every turn must not grow old: see {@link NodeRing#renew}. */
+    /** Replaces objects that are written at every turn, before they become old: see {@link NodeRing#renew}. */
     private void renew() {
         space.renewOwner();
         callbacks.renew();
-        mails.renew();
+        messages.renew();
     }
 
-    /** Nothing waits, and no timer is due; between two turns. */
+    /** True if nothing is queued and no timer is due; between two turns. */
     boolean isQuiet() {
-        return callbacks.isEmpty() && mails.isEmpty() && inbox.isEmpty() && callbackInbox.isEmpty() && !timers.isDue();
+        return callbacks.isEmpty()
+                && messages.isEmpty()
+                && inbox.isEmpty()
+                && callbackInbox.isEmpty()
+                && !timers.isDue();
     }
 
-    /** Whether something has arrived from outside; does not look where other threads write. */
+    /** True if an entry has arrived from another thread; does not read the senders' cache lines. */
     boolean isReady() {
         return inbox.isReady() || callbackInbox.isReady();
     }
 
-    /** Whether something from outside waits, or is about to. */
+    /** True if an entry from another thread is queued or being queued. */
     boolean hasArrivals() {
         return !inbox.isEmpty() || !callbackInbox.isEmpty();
     }
 
-    /** Runs what waited for quiet; false if nothing did. */
+    /** Runs the idle actions; false if there are none. */
     boolean runIdleActions() {
         if (idleActions.isEmpty()) {
             return false;
@@ -144,12 +158,12 @@ final class Dispatcher {
         return actions;
     }
 
-    /** Takes out an entry that will not be served any more; those of the rings are counted as served. */
+    /** Removes an entry that will not be processed any more; entries of the rings are counted as processed. */
     @Nullable
     Node pollLeftover() {
         Node node = callbacks.poll();
         if (node == null) {
-            node = mails.poll();
+            node = messages.poll();
         }
         if (node == null) {
             node = callbackInbox.poll();
@@ -157,35 +171,37 @@ final class Dispatcher {
         return node != null ? node : inbox.poll();
     }
 
-    /** How many entries have been served; from any thread, a little behind. */
+    /** The number of processed entries; from any thread, slightly delayed. */
     long served() {
-        return direct.served() + callbacks.taken() + mails.taken();
+        return direct.served() + callbacks.taken() + messages.taken();
     }
 
-    /** How many entries wait; between two turns. Takes time in the number of those from outside. */
+    /**
+     * The number of queued entries; between two turns. Takes time proportional to the number of those in the inboxes.
+     */
     long waiting() {
-        return (long) callbacks.size() + mails.size() + inbox.size() + callbackInbox.size();
+        return (long) callbacks.size() + messages.size() + inbox.size() + callbackInbox.size();
     }
 
-    /** How many mails wait in front of one; -1 if it is not among the first so many. */
-    int mailsBefore(Node mail, int limit) {
-        int inside = Math.min(limit, mails.size());
+    /** The number of messages ahead of this one; -1 if it is not among the first {@code limit}. */
+    int messagesBefore(Node message, int limit) {
+        int inside = Math.min(limit, messages.size());
         for (int index = 0; index < inside; index++) {
-            if (mails.get(index) == mail) {
+            if (messages.get(index) == message) {
                 return index;
             }
         }
-        int behind = inbox.indexOf(mail, limit - inside);
+        int behind = inbox.indexOf(message, limit - inside);
         return behind < 0 ? -1 : inside + behind;
     }
 
-    /** Whether more entries than that wait. Takes time in the limit. */
+    /** True if more than {@code limit} messages are queued. Takes time proportional to the limit. */
     boolean isLongerThan(int limit) {
-        int inside = mails.size();
+        int inside = messages.size();
         return inside > limit || inbox.isLongerThan(limit - inside);
     }
 
-    /** Serves an entry and the listener that it hands on. */
+    /** Runs an entry, and the listener that it returns. */
     void serve(Node node) {
         Node next = serveOne(node);
         if (next != null) {
@@ -194,11 +210,11 @@ final class Dispatcher {
     }
 
     /**
-     * The one place where anything that is thrown ends: whatever an entry does, the thread goes on. The entry has been
-     * counted before, by its ring or by {@link #direct}, so that one that never ends was seen to begin;
-     * {@link Watchdog} looks for this method.
+     * Runs an entry and catches everything it throws, so that the thread goes on. The entry was counted before, by its
+     * ring or by {@link #direct}, so one that never returns counts as begun. {@link Watchdog} looks for this method on
+     * the stack.
      *
-     * @return the listener that it hands on
+     * @return the listener to run next, or null
      */
     private @Nullable Node serveOne(Node node) {
         Node next = null;
@@ -221,8 +237,8 @@ final class Dispatcher {
     }
 
     /**
-     * The one listener of the answer that was just given, which would have been the next callback in its ring; none
-     * follows it this way.
+     * Runs the single listener of the request that was just answered; it would have been the next callback in its ring.
+     * A listener that this one returns is not run this way.
      */
     private void serveNext(Node callback) {
         if (quota == 0) { // the turn has halted this dispatcher
@@ -232,15 +248,16 @@ final class Dispatcher {
             callbackQuota = quota - 1;
             serveOne(callback);
             if (callbacks.isEmpty() && !callbackInbox.isReady()) {
-                callbackQuota = quota; // a mail comes next
+                callbackQuota = quota; // a message comes next
             }
         }
     }
 
     /**
-     * Between two mails. Reads the clock only if there are timers: that costs as much as a few messages.
+     * Runs the timers that are due between two messages. Reads the clock only if there are timers, because that costs
+     * as much as a few messages.
      *
-     * @return how many mails later to look again
+     * @return the number of messages until the next check
      */
     private int lookAtTimers() {
         if (!timers.isEmpty() && clock.runsByItself() && quota > 0) {
@@ -254,7 +271,7 @@ final class Dispatcher {
         return stride;
     }
 
-    /** A task that is no entry: a timer's, or one that waited for quiet. */
+    /** Runs a task that is not an entry: a timer's or an idle action. */
     void runTask(Runnable task) {
         direct.step();
         space.runGuarded(task);
@@ -271,8 +288,10 @@ final class Dispatcher {
     }
 
     /**
-     * @param withCallbacks whether callbacks may be served between the mails; else the mails behind them join their
-     *     ring
+     * Drains the inbox.
+     *
+     * @param withCallbacks whether callbacks may run between the messages; otherwise the messages behind them are
+     *     appended to their ring
      */
     private boolean drainInbox(boolean withCallbacks) {
         boolean worked = takeCallbacks();
@@ -280,11 +299,11 @@ final class Dispatcher {
         int untilLook = stride;
         try {
             for (int count = 0; count < quota && inbox.isReadyAfter(last); count++) {
-                takeCallbacks(); // among them is what the mail's sender queued before it
+                takeCallbacks(); // these may include callbacks that the sender queued before the message
                 long callbacksBefore = callbacks.added();
                 boolean callbacksFirst = withCallbacks && !callbacks.isEmpty();
                 if (callbacksFirst) {
-                    inbox.endBatch(last); // a callback may look at what waits
+                    inbox.endBatch(last); // a callback may read the queue
                 }
                 while (withCallbacks && callbackQuota > 1 && !callbacks.isEmpty()) {
                     callbackQuota--;
@@ -294,23 +313,23 @@ final class Dispatcher {
                 if (quota == 0) {
                     break; // a callback has halted this dispatcher
                 }
-                boolean behind = !callbacks.isEmpty() || !mails.isEmpty();
+                boolean behind = !callbacks.isEmpty() || !messages.isEmpty();
                 if (behind) {
-                    mails.makeRoom(); // before the mail is taken: it must not be lost when memory is short
-                    precedence.note(mails.added(), callbacksBefore, mails.taken());
+                    messages.makeRoom(); // before the message is taken: it must not be lost if memory is short
+                    precedence.note(messages.added(), callbacksBefore, messages.taken());
                 }
                 last = inbox.takeAfter(last);
                 worked = true;
                 if (behind) {
-                    mails.add(last);
+                    messages.add(last);
                 } else {
                     if (callbacksFirst) {
-                        callbackQuota = quota; // it is their mail that comes now
+                        callbackQuota = quota; // the message that the callbacks preceded runs now
                     }
                     direct.step();
                     serve(last);
                     if (--untilLook == 0) {
-                        inbox.endBatch(last); // a timer's task may look at what waits
+                        inbox.endBatch(last); // a timer's task may read the queue
                         untilLook = lookAtTimers();
                     }
                 }
@@ -321,7 +340,7 @@ final class Dispatcher {
         return worked;
     }
 
-    /** Moves the callbacks that have come from outside until now into their ring; false if there were none. */
+    /** Moves the callbacks that have arrived so far into their ring; false if there were none. */
     private boolean takeCallbacks() {
         Node last = callbackInbox.newest();
         if (last == null) {
@@ -335,7 +354,9 @@ final class Dispatcher {
         return true;
     }
 
-    /** The next callback from outside; one is there, but its sender may be between the two steps of queueing it. */
+    /**
+     * Takes the next callback from the inbox. There is one, but its sender may be between the two steps of queueing it.
+     */
     private Node nextArrival() {
         for (int look = 0; ; look++) {
             Node node = callbackInbox.poll();
@@ -345,7 +366,7 @@ final class Dispatcher {
             if (look < SPINS) {
                 Thread.onSpinWait();
             } else {
-                Thread.yield(); // it lost its processor there
+                Thread.yield(); // the sender was preempted there
             }
         }
     }
@@ -361,41 +382,44 @@ final class Dispatcher {
                 takeCallbacks();
             }
             boolean more = !callbacks.isEmpty() && drainCallbacks();
-            Node mail = more ? mailAfterQuota() : mails.poll();
-            if (mail != null) {
-                serve(mail);
+            Node message = more ? messageAfterQuota() : messages.poll();
+            if (message != null) {
+                serve(message);
                 if (--untilLook == 0) {
                     untilLook = lookAtTimers();
                 }
-            } else if (callbacks.isEmpty() && !callbackInbox.isReady()) { // a callback may have queued one there
+            } else if (callbacks.isEmpty() && !callbackInbox.isReady()) { // a message may have queued a callback there
                 return worked;
             }
             if (more) {
-                return true; // timers and the inbox have their turn, too
+                return true; // timers and the inbox get their turn
             }
             worked = true;
         }
         return worked;
     }
 
-    /** The mail that has its turn though callbacks wait; null if there is none, or if one of them came before it. */
-    private @Nullable Node mailAfterQuota() {
+    /**
+     * Takes the message that runs although callbacks are queued; null if there is none, or if one of the callbacks came
+     * before it.
+     */
+    private @Nullable Node messageAfterQuota() {
         callbackQuota = quota;
-        if (mails.isEmpty()) {
-            drainInbox(false); // for a mail that waits there
+        if (messages.isEmpty()) {
+            drainInbox(false); // for a message that is still there
         }
-        if (mails.isEmpty() || quota == 0) {
+        if (messages.isEmpty() || quota == 0) {
             return null;
         }
-        long before = precedence.callbacksBefore(mails.taken()) - callbacks.taken();
+        long before = precedence.callbacksBefore(messages.taken()) - callbacks.taken();
         if (before > 0) {
             callbackQuota = (int) Math.min(quota, before);
             return null;
         }
-        return mails.poll();
+        return messages.poll();
     }
 
-    /** True if there may be more than were served. */
+    /** Runs callbacks up to the quota; true if there may be more. */
     private boolean drainCallbacks() {
         for (int count = 0; count < callbackQuota; count++) {
             Node callback = callbacks.poll();

@@ -3,34 +3,36 @@ package io.troupe.actor;
 import io.troupe.actor.promise.Node;
 import org.jspecify.annotations.Nullable;
 
-/** Something to do on a space's thread that is no call of an actor. */
+/** A task on a space's thread that is not a call of an actor. */
 final class Entry extends Node {
     private final Runnable task;
     private final @Nullable Runnable ifClosed;
-    private final boolean mail;
+    private final boolean message;
 
-    private Entry(Runnable task, @Nullable Runnable ifClosed, boolean mail) {
+    private Entry(Runnable task, @Nullable Runnable ifClosed, boolean message) {
         this.task = task;
         this.ifClosed = ifClosed;
-        this.mail = mail;
+        this.message = message;
     }
 
-    /** In its turn among the mails. */
+    /** A task in message order. */
     Entry(Runnable task) {
         this(task, null, true);
     }
 
-    /** In its turn among the mails; if the space is closed before, the other task runs instead. */
+    /** A task in message order; if the space is closed first, the other task runs instead. */
     Entry(Runnable task, Runnable ifClosed) {
         this(task, ifClosed, true);
     }
 
-    /** Among the callbacks: before the mails that wait; if the space is closed before, the other task runs instead. */
+    /**
+     * A task in the callback queue, before queued messages; if the space is closed first, the other task runs instead.
+     */
     static Entry urgent(Runnable task, Runnable ifClosed) {
         return new Entry(task, ifClosed, false);
     }
 
-    /** What to do when the space has been closed, or null if nobody has thought of it. */
+    /** The task to run if the space has been closed, or null if there is none. */
     @Nullable
     Runnable ifClosed() {
         return ifClosed;
@@ -42,7 +44,7 @@ final class Entry extends Node {
     }
 
     @Override
-    protected boolean isMail() {
-        return mail;
+    protected boolean isMessage() {
+        return message;
     }
 }

@@ -8,7 +8,7 @@ import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
 import org.jspecify.annotations.Nullable;
 
-/** For the flight recorder: something threw, and nobody waited for it. */
+/** Flight recorder event: an exception without a caller to receive it. */
 @Name("io.troupe.Error")
 @Label("Actor Error")
 @Category("Troupe")

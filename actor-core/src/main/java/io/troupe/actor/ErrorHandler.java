@@ -1,8 +1,8 @@
 package io.troupe.actor;
 
 /**
- * Is told what went wrong where nobody else could be told: a one-way message, a timer or a listener threw, or a promise
- * was rejected and nobody listened.
+ * Receives errors that have no caller: a one-way message, a timer or a listener threw, or a promise without a listener
+ * was rejected.
  *
  * {@snippet :
  * ErrorHandler handler = (where, error) -> log.add(where + " failed: " + error.getMessage());
@@ -13,6 +13,10 @@ package io.troupe.actor;
  */
 @FunctionalInterface
 public interface ErrorHandler {
-    /** @param where names the actor and the method, as far as known */
+    /**
+     * Handles an error.
+     *
+     * @param where names the actor and the method, as far as known
+     */
     void handle(String where, Throwable error);
 }

@@ -1,6 +1,6 @@
 package io.troupe.actor;
 
-/** What a timer does, and what happens instead if its space is closed before. */
+/** The task of a timer, and the task that runs instead if the space is closed first. */
 record Expiry(Runnable task, Runnable ifClosed) implements Runnable {
     @Override
     public void run() {

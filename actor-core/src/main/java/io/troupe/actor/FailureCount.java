@@ -12,7 +12,7 @@ final class FailureCount {
         this.supervision = supervision;
     }
 
-    /** Notes a failure and answers what to do about it. */
+    /** Counts a failure and returns the directive for it. */
     Supervision.Directive note(long nowNanos) {
         if (supervision.limit() == Integer.MAX_VALUE) {
             return supervision.directive();
@@ -24,7 +24,7 @@ final class FailureCount {
         return recent.size() > supervision.limit() ? Supervision.Directive.STOP : supervision.directive();
     }
 
-    /** Compared as durations: a window may be longer than nanoseconds can count. */
+    /** Compares durations: a window may exceed the range of nanoseconds in a long. */
     private boolean isOver(long agoNanos) {
         return Duration.ofNanos(agoNanos).compareTo(supervision.window()) >= 0;
     }

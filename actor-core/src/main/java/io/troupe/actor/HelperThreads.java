@@ -6,9 +6,9 @@ import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 
 /**
- * Platform threads for what must run however busy the carriers of virtual threads are: bodies of {@code sequential},
- * and listeners of stalls. Shared by all spaces, made when needed, as many as run at a time. They are daemons, and end
- * when they have had nothing to do for {@value #IDLE_SECONDS} seconds.
+ * Platform threads for work that must run even if all carriers of virtual threads are busy: bodies of
+ * {@code sequential}, and stall listeners. Shared by all spaces, created on demand, one per concurrent task. They are
+ * daemons, and end after {@value #IDLE_SECONDS} idle seconds.
  *
  * <p><b>Threads.</b> Any thread.
  */
@@ -16,7 +16,7 @@ final class HelperThreads {
     private static final long IDLE_SECONDS = 10;
     private static final String IDLE_NAME = "troupe-helper";
 
-    /** Made with a core of none and no queue: a task gets an idle thread, or a new one. */
+    /** With a core size of zero and no queue, a task gets an idle thread or a new one. */
     private static final ExecutorService POOL = new ThreadPoolExecutor(
             0,
             Integer.MAX_VALUE,
@@ -34,13 +34,16 @@ final class HelperThreads {
     /**
      * Runs a task on a thread that has this name meanwhile.
      *
-     * @throws OutOfMemoryError if the machine has no further thread
+     * @throws OutOfMemoryError if no further thread can be created
      */
     static void run(String name, Runnable task) {
         POOL.execute(() -> runNamed(name, task));
     }
 
-    /** The next task must not find an interrupt or a class loader of this one; thread-locals cannot be taken away. */
+    /**
+     * Runs a task, then clears the interrupt flag and the class loader that it may have left; thread-locals cannot be
+     * cleared.
+     */
     private static void runNamed(String name, Runnable task) {
         Thread thread = Thread.currentThread();
         thread.setName(name);

@@ -9,10 +9,10 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The timers of one actor that are known by a key: one for each key at the most. On the space's thread.
+ * The keyed timers of one actor: at most one per key. On the space's thread.
  *
- * <p><b>Cost.</b> Constant time, averaged over many calls: timers that were cancelled by their handle are swept out
- * whenever the map has doubled.
+ * <p><b>Cost.</b> Amortized constant time: timers that were cancelled by their handle are removed whenever the map has
+ * doubled.
  */
 final class KeyedTimers {
     private static final int SMALL = 16;
@@ -27,7 +27,7 @@ final class KeyedTimers {
         boolean once = period.isZero();
         Timer timer = cell.space().timer(cell, delay, period, schedule, () -> {
             if (once) {
-                known.remove(key); // before, for the task may set the key anew
+                known.remove(key); // first, because the task may set the key again
             }
             task.run();
         });
@@ -54,7 +54,7 @@ final class KeyedTimers {
         }
     }
 
-    /** How many are remembered: those that wait, and at most as many again that were cancelled by their handle. */
+    /** The number of stored timers: those that are waiting, and at most as many that were cancelled by their handle. */
     int size() {
         return timers == null ? 0 : timers.size();
     }

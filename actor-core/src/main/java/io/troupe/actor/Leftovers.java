@@ -3,8 +3,8 @@ package io.troupe.actor;
 import java.util.List;
 
 /**
- * What a space had not done when it was closed. Each call among it has been refused: a message as a dead letter, a
- * request by rejection.
+ * What a space had not done when it was closed. Each call among it has been rejected: a one-way message became a dead
+ * letter, the promise of a request was rejected.
  *
  * {@snippet :
  * Leftovers left = space.close(Duration.ofSeconds(5));
@@ -13,15 +13,15 @@ import java.util.List;
  * }
  * }
  *
- * @param messages one-way calls that waited
- * @param requests requests that waited and were not cancelled
- * @param openRequests requests that had begun, and whose answers were not settled when their actors were stopped
- * @param tasks other entries that waited: tasks of {@code execute} and {@code onIdle}, actors that had not started,
- *     rounds of repetitions, and the library's own
- * @param timers timers that were not due, periodic ones included
+ * @param messages queued one-way messages
+ * @param requests queued requests that were not cancelled
+ * @param openRequests requests that had begun and were not answered when their actors were stopped
+ * @param tasks other queued entries: tasks of {@code execute} and {@code onIdle}, actors that had not started, rounds
+ *     of repetitions, and internal tasks
+ * @param timers timers that were not due, including periodic ones
  * @param sequences bodies of {@code sequential} that had not ended
- * @param examples the first calls of those that waited and then of those that had begun, at most {@value #EXAMPLES},
- *     each with its arguments and its actor
+ * @param examples the first queued calls, then the first that had begun, at most {@value #EXAMPLES}, each with its
+ *     arguments and its actor
  */
 public record Leftovers(
         int messages, int requests, int openRequests, int tasks, int timers, int sequences, List<String> examples) {
@@ -31,7 +31,7 @@ public record Leftovers(
         examples = List.copyOf(examples);
     }
 
-    /** Whether no call and no task was left; timers may have been. */
+    /** True if no call and no task was left; timers may have been. */
     public boolean isEmpty() {
         return messages + requests + openRequests + tasks + sequences == 0;
     }

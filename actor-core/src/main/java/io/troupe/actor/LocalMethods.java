@@ -7,7 +7,10 @@ import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Type;
 
-/** Writes the methods of a proxy that send nothing: bridges to those that do, refusals, name and identity. */
+/**
+ * Generates the methods of a proxy that send no message: bridges, methods that throw, {@code toString}, {@code equals}
+ * and {@code hashCode}.
+ */
 final class LocalMethods {
     private static final String CELL_TYPE = Type.getInternalName(ActorCell.class);
 
@@ -88,7 +91,7 @@ final class LocalMethods {
         finish(code);
     }
 
-    /** A class actor's own equals and hashCode would look at fields that a proxy does not have. */
+    /** A class actor's own equals and hashCode would read fields that are unset in a proxy. */
     private static void identity(ClassWriter writer) {
         MethodVisitor hash = writer.visitMethod(ACC_PUBLIC, "hashCode", "()I", null, null);
         hash.visitCode();

@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
 /**
- * How many calls may wait in an actor's mailbox, and what happens to one more. A request that is cancelled holds its
+ * The capacity of an actor's mailbox, and what happens to a call when it is full. A cancelled request occupies its
  * place until its turn, because it stays in the queue until then: cancelling cannot make a bounded mailbox grow.
  *
  * {@snippet :
@@ -13,8 +13,8 @@ package io.troupe.actor;
  * printer.print("second"); // takes the place of the first, which becomes a dead letter
  * }
  *
- * @param capacity calls that may wait
- * @param overflow what happens to one more
+ * @param capacity the number of calls that may be queued
+ * @param overflow what happens to a call when the mailbox is full
  */
 public record MailboxBound(int capacity, Overflow overflow) {
     /** What happens to a call when the mailbox is full. */
@@ -24,12 +24,13 @@ public record MailboxBound(int capacity, Overflow overflow) {
          */
         REJECT,
         /**
-         * A caller outside every actor space waits for room, and is refused as by {@link #REJECT} when it is
-         * interrupted; one on an actor space must not wait, and is treated as by {@link #REJECT}; so is everybody whose
-         * actor lives in a space cranked by hand, where nobody else would make room.
+         * A caller outside every actor space waits for room; if it is interrupted, the call is rejected as by
+         * {@link #REJECT}. A caller on the thread of a space must not wait, and its call is treated as by
+         * {@link #REJECT}. The same holds for every caller of an actor in a space cranked by hand, where no other
+         * thread would make room.
          */
         BLOCK,
-        /** The call that has waited longest is rejected or becomes a dead letter, to make room. */
+        /** The oldest queued call is rejected, or becomes a dead letter, to make room. */
         DROP_OLDEST
     }
 

@@ -1,6 +1,6 @@
 package io.troupe.actor;
 
-/** The answer to a request for which the actor's bounded mailbox had no room. */
+/** The error of a request for which the actor's bounded mailbox had no room. */
 public final class MailboxFullException extends ActorException {
     private static final long serialVersionUID = 1L;
 

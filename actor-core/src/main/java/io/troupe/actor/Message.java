@@ -6,8 +6,8 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A one-way call on its way. For generated code: each {@code void} method of an actor type has its subclass, whose
- * fields are the arguments.
+ * A one-way message. For generated code: each {@code void} method of an actor type has a subclass whose fields are the
+ * arguments.
  *
  * @hidden
  */
@@ -24,14 +24,14 @@ public abstract class Message extends Node {
     /** The method's name and parameter types. */
     protected abstract String method();
 
-    /** The arguments, for messages about this message. */
+    /** The arguments, for log and error messages. */
     protected abstract Object[] arguments();
 
     final ActorCell receiver() {
         return cell;
     }
 
-    /** Repeated in each generated class, to keep its call of {@code invoke} monomorphic. */
+    /** Repeated in each generated class, to keep its call site of {@code invoke} monomorphic. */
     @Override
     protected @Nullable Node serve() throws Throwable {
         Object target = target();
@@ -46,7 +46,7 @@ public abstract class Message extends Node {
         serve();
     }
 
-    /** Who is to handle it now; null if that has been done another way. */
+    /** The target to invoke, or null if the message was already handled or rejected. */
     protected final @Nullable Object target() {
         return cell.target(this);
     }
@@ -57,7 +57,7 @@ public abstract class Message extends Node {
     }
 
     @Override
-    protected final boolean isMail() {
+    protected final boolean isMessage() {
         return true;
     }
 
@@ -75,7 +75,7 @@ public abstract class Message extends Node {
         String text;
         try {
             text = String.valueOf(argument);
-        } catch (Throwable broken) { // a list that contains itself overflows the stack
+        } catch (Throwable broken) { // for example a list that contains itself, which overflows the stack
             return argument.getClass().getName() + " whose toString throws "
                     + broken.getClass().getName();
         }

@@ -10,7 +10,7 @@ import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Type;
 
-/** Writes the message class of one method: its arguments in typed fields, and the call. */
+/** Generates the message class of one method: its arguments in typed fields, and the call. */
 final class MessageGenerator {
     private static final String CELL_DESCRIPTOR = Type.getDescriptor(ActorCell.class);
 
@@ -69,7 +69,7 @@ final class MessageGenerator {
         finish(code);
     }
 
-    /** What the parent does, with an {@code invoke} that can only be this class's. */
+    /** Overrides the parent's method with the same code, so that the call site of {@code invoke} is monomorphic. */
     private void serve(ClassWriter writer, String parent) {
         String node = Type.getDescriptor(Node.class);
         MethodVisitor code =

@@ -9,7 +9,7 @@ import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.Type;
 import java.util.Arrays;
 
-/** What a method must be like to be a message; whoever breaks a rule is told what to write instead. */
+/** The requirements on a method that is a message; the error for a violation names the alternative. */
 final class MethodRules {
     /** The virtual machine's limit of 255 argument slots, less the message under construction and its cell. */
     private static final int SLOTS = 253;
@@ -70,10 +70,7 @@ final class MethodRules {
                 : ", or make it less visible than public";
     }
 
-    /**
-     * A callback that is hidden in another type would call the caller's code on the actor's side, or the other way
-     * round.
-     */
+    /** A callback hidden inside another type would run the caller's code on the actor's thread, or vice versa. */
     void checkArguments(Method method) {
         Type[] types = method.getGenericParameterTypes();
         for (int index = 0; index < types.length; index++) {

@@ -6,7 +6,7 @@ import java.lang.invoke.VarHandle;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/** A first-in-first-out ring of nodes for one thread, that grows, and shrinks when it is renewed. */
+/** A first-in-first-out ring of nodes for one thread. It grows on demand, and shrinks when it is renewed. */
 final class NodeRing {
     private static final int SMALL = 256;
     private static final VarHandle HEAD;
@@ -20,7 +20,7 @@ final class NodeRing {
     }
 
     private @Nullable Node[] entries = new Node[SMALL];
-    private long head; // both count on and on; the lower bits are the place
+    private long head; // both only increase; the low bits are the index
     private long tail;
 
     void add(Node node) {
@@ -35,7 +35,7 @@ final class NodeRing {
         tail = place + 1;
     }
 
-    /** Makes sure that the next {@link #add} needs no memory. */
+    /** Ensures that the next {@link #add} does not allocate. */
     void makeRoom() {
         if (tail - head == entries.length) {
             moveTo(new Node[entries.length * 2]);
@@ -64,12 +64,12 @@ final class NodeRing {
         return (int) (tail - head);
     }
 
-    /** How many nodes have been taken since the ring was made; from any thread, a little behind. */
+    /** The number of nodes taken since the ring was created; from any thread, slightly delayed. */
     long taken() {
         return (long) HEAD.getOpaque(this);
     }
 
-    /** How many nodes have been added since the ring was made. */
+    /** The number of nodes added since the ring was created. */
     long added() {
         return tail;
     }
@@ -78,14 +78,15 @@ final class NodeRing {
         return (int) place & (places.length - 1);
     }
 
-    /** The node that is so many places behind the first one. */
+    /** The node at this index, counted from the first one. */
     Node get(int index) {
         return Objects.requireNonNull(entries[indexOf(head + index, entries)]);
     }
 
     /**
-     * Takes a fresh array, if few nodes are inside. To be called now and then: storing a young node into an array that
-     * has grown old costs a fence under G1 (until JEP 522, JDK 26), which is more than all the rest of queueing.
+     * Replaces the array if the ring holds few nodes. Called periodically: storing a reference to a young node into an
+     * array of the old generation costs a fence under G1 (until JEP 522, JDK 26), which is more than the rest of
+     * queueing.
      */
     void renew() {
         if (size() < SMALL) {

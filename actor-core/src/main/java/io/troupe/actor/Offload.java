@@ -6,7 +6,7 @@ import java.util.concurrent.Callable;
 import java.util.concurrent.Semaphore;
 import org.jspecify.annotations.Nullable;
 
-/** Blocking work on virtual threads, so many at a time; the answer comes back as a promise. */
+/** Runs blocking work on virtual threads, with a limit on concurrent runs; the result is a promise. */
 final class Offload {
     private final Semaphore places;
 
@@ -19,7 +19,7 @@ final class Offload {
         Thread.ofVirtual().name("offload").start(() -> {
             places.acquireUninterruptibly();
             try {
-                if (!answer.isDone()) { // else cancelled before it began
+                if (!answer.isDone()) { // else it was cancelled before it began
                     answer.resolve(work.call());
                 }
             } catch (Throwable thrown) {

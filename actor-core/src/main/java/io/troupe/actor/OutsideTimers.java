@@ -9,19 +9,19 @@ import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Delays that other threads than a space's own have asked of it, so that they end in time even if the space does not
- * serve. They run on one daemon thread for each space, which is started when there are some and ends
- * {@value #IDLE_SECONDS} seconds after the last one, or with the space.
+ * The delays that threads other than the space's own have set, so that they expire in time even if the space is
+ * stalled. They run on one daemon thread per space. It is started on demand and ends {@value #IDLE_SECONDS} seconds
+ * after the last delay, or with the space.
  *
- * <p><b>Threads.</b> Any thread. A continuation of {@code toCompletableFuture()} runs on the thread of the timers: one
- * that blocks delays the others of its space. <b>Cost.</b> Setting and taking back take time in the logarithm of the
- * number of delays.
+ * <p><b>Threads.</b> Any thread. A continuation of {@code toCompletableFuture()} runs on the timer thread: one that
+ * blocks delays the others of its space. <b>Cost.</b> Setting and cancelling take time logarithmic in the number of
+ * delays.
  */
 final class OutsideTimers {
     private static final long IDLE_SECONDS = 10;
 
     private final SpaceHome space;
-    private final Set<Delay> pending = ConcurrentHashMap.newKeySet(); // whoever removes a delay deals with it
+    private final Set<Delay> pending = ConcurrentHashMap.newKeySet(); // the thread that removes a delay runs it
     private @Nullable ScheduledThreadPoolExecutor executor; // guarded by this
     private volatile boolean closed;
 
@@ -32,7 +32,7 @@ final class OutsideTimers {
     /**
      * Runs the task of an expiry after a delay.
      *
-     * @return takes it back
+     * @return cancels it
      */
     Runnable schedule(long delayNanos, Expiry expiry) {
         var delay = new Delay(expiry);
@@ -62,7 +62,7 @@ final class OutsideTimers {
                             .inheritInheritableThreadLocals(false)
                             .name(space + "-timers")
                             .factory());
-            executor.setRemoveOnCancelPolicy(true); // a promise that is settled keeps nothing here
+            executor.setRemoveOnCancelPolicy(true); // a settled promise must not be retained here
             executor.setKeepAliveTime(IDLE_SECONDS, TimeUnit.SECONDS);
             executor.allowCoreThreadTimeOut(true);
         }
@@ -73,7 +73,7 @@ final class OutsideTimers {
         return pending.size();
     }
 
-    /** The space is closed: runs what was to be done in that case; answers how many delays were not over. */
+    /** Called when the space is closed: runs the alternative tasks, and returns the number of pending delays. */
     int close() {
         synchronized (this) {
             closed = true;
@@ -88,7 +88,7 @@ final class OutsideTimers {
         return count;
     }
 
-    /** One delay; its identity counts. */
+    /** One delay, compared by identity. */
     private final class Delay implements Runnable {
         private final Expiry expiry;
 
@@ -103,7 +103,7 @@ final class OutsideTimers {
             }
         }
 
-        /** False if it is over, or was taken back. */
+        /** Runs the alternative task; false if the delay has expired or was cancelled. */
         boolean runIfClosed() {
             boolean mine = pending.remove(this);
             if (mine) {

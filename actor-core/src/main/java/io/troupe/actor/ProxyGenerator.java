@@ -10,10 +10,10 @@ import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Type;
 
 /**
- * Writes the classes of one actor type, into its own package: for each message a class whose typed fields are the
- * arguments, and the proxy, whose methods make them.
+ * Generates the classes of one actor type in its own package: for each message a class whose typed fields are the
+ * arguments, and the proxy, whose methods create and send these messages.
  *
- * <p>For {@code interface Greeter { Promise<String> greet(String name); }} it writes what this would compile to:
+ * <p>For {@code interface Greeter { Promise<String> greet(String name); }} it generates what this would compile to:
  *
  * {@snippet lang = "text":
  * final class Greeter$$greet$0 extends Request<String> {
@@ -67,7 +67,7 @@ final class ProxyGenerator {
         }
     }
 
-    /** The number tells overloads apart, and any message from the proxy itself. */
+    /** The number distinguishes overloads, and every message class from the proxy class. */
     private String messageName(int index) {
         return typeName + "$$" + messages.get(index).getName() + "$" + index;
     }
@@ -118,7 +118,7 @@ final class ProxyGenerator {
         finish(code);
     }
 
-    /** {@code new Message(cell, arguments)}, send, return it if it is a request. */
+    /** Generates {@code new Message(cell, arguments)}, the send, and for a request its return. */
     private void send(ClassWriter writer, Method method, String messageName) {
         boolean oneWay = method.getReturnType() == void.class;
         MethodVisitor code =
@@ -149,7 +149,7 @@ final class ProxyGenerator {
         code.visitMethodInsn(
                 INVOKESPECIAL, messageName, "<init>", descriptor.append(")V").toString(), false);
         if (!oneWay) {
-            code.visitInsn(DUP_X1); // message, cell, message
+            code.visitInsn(DUP_X1); // the stack is now: message, cell, message
         }
         Class<?> parent = oneWay ? Message.class : Request.class;
         code.visitMethodInsn(INVOKEVIRTUAL, CELL_TYPE, "send", "(" + Type.getDescriptor(parent) + ")V", false);

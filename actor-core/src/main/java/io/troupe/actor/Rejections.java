@@ -7,9 +7,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 
-/**
- * Promises that were rejected while nobody listened, until it is fair to say that nobody does. On the space's thread.
- */
+/** The promises that were rejected without a listener, until they are reported. On the space's thread. */
 final class Rejections {
     private record Lost(Promise<?> promise, Throwable error) {}
 
@@ -29,7 +27,7 @@ final class Rejections {
         lost.add(new Lost(promise, error));
     }
 
-    /** Keeps one for a while whose asker, on another thread, may be just about to listen. */
+    /** Keeps a rejection for a while, because its caller on another thread may be about to register a listener. */
     void hold(Promise<?> promise, Throwable error) {
         held.put(promise, error);
         timers.set(() -> release(promise), GRACE_NANOS, 0);
@@ -46,7 +44,7 @@ final class Rejections {
         List.copyOf(held.keySet()).forEach(this::release);
     }
 
-    /** Reports those that still have no listener. */
+    /** Reports the promises that still have no listener. */
     void report() {
         if (lost.isEmpty()) {
             return;

@@ -5,7 +5,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.LongAdder;
 import org.jspecify.annotations.Nullable;
 
-/** Where a space tells of what nobody else could be told, and how often it had to. Any thread. */
+/** Reports and counts a space's unhandled errors and dead letters. Any thread. */
 final class Reports {
     private static final System.Logger LOG = System.getLogger(ActorSpace.class.getName());
 
@@ -28,11 +28,11 @@ final class Reports {
     }
 
     /**
-     * To the actor's handler if it has one, else to the space's. Throws nothing, whatever the error is and whatever
-     * handlers throw: the thread of the space depends on it. If there is no memory even for the log, the count is all
-     * that is left.
+     * Reports an error to the actor's handler if it has one, else to the space's. Never throws, whatever the error is
+     * and whatever handlers throw, because the thread of the space depends on it. If there is no memory even for the
+     * log, the error is only counted.
      *
-     * @param what went wrong, in words that end before the name of {@code whose}
+     * @param what what failed, in words that end before the name of {@code whose}
      */
     void error(String what, Object whose, Throwable error, @Nullable ErrorHandler first) {
         try {
@@ -50,7 +50,7 @@ final class Reports {
 
     private void logBrokenHandler(String what, Throwable error, Throwable broken) {
         try {
-            if (broken != error) { // a handler may throw what it was given
+            if (broken != error) { // a handler may throw the error that it received
                 broken.addSuppressed(error);
             }
             LOG.log(
@@ -58,7 +58,7 @@ final class Reports {
                     "the error handler of space " + settings.name() + " threw about " + what,
                     broken);
         } catch (Throwable again) {
-            // the log fails too, or there is no memory: it was counted
+            // the log fails too, or there is no memory: the error was counted
         }
     }
 
@@ -70,16 +70,13 @@ final class Reports {
             } finally {
                 space.asItself(() -> settings.onDeadLetter().accept(letter));
             }
-        } catch (Throwable broken) { // an AssertionError in a test, say
+        } catch (Throwable broken) { // for example an AssertionError in a test
             error("the dead-letter handler of space " + settings.name() + ", about", letter, broken, null);
         }
     }
 
-    /**
-     * Turns away a call that no actor will handle: its sender, and whoever listens to a callback among its arguments,
-     * hear of it.
-     */
-    void turnAway(Node call, ActorCell cell, String reason, ActorException error) {
+    /** Rejects a call that no actor will handle: notifies its sender, and the callbacks among its arguments. */
+    void rejectCall(Node call, ActorCell cell, String reason, ActorException error) {
         if (call instanceof Request<?> request) {
             try {
                 request.reject(error);
@@ -92,7 +89,7 @@ final class Reports {
         }
     }
 
-    /** A request was cancelled before it began. */
+    /** Ends the callbacks of a request that was cancelled before it began. */
     void skip(Request<?> request) {
         endCallbacks(request.arguments(), new CancellationException(request + " was cancelled before it began"));
     }

@@ -6,16 +6,16 @@ import io.troupe.actor.promise.Promise;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A call that answers, on its way, and at once the promise of the answer. For generated code: each method of an actor
- * type that returns a promise has its subclass, whose fields are the arguments.
+ * A message that returns a result; also the promise of that result. For generated code: each method of an actor type
+ * that returns a promise has a subclass whose fields are the arguments.
  *
  * @hidden
  */
 public abstract class Request<T extends @Nullable Object> extends Promise<T> {
-    private static final int COUNTED = 1_000; // a time-out behind a long queue must not cost its length
+    private static final int COUNTED = 1_000; // bounds the cost of a time-out behind a long queue
 
     private final ActorCell cell;
-    private boolean askedInside;
+    private boolean calledInside;
 
     protected Request(ActorCell cell) {
         this.cell = cell;
@@ -27,10 +27,10 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     /** The method's name and parameter types. */
     protected abstract String method();
 
-    /** The arguments, for messages about this request. */
+    /** The arguments, for log and error messages. */
     protected abstract Object[] arguments();
 
-    /** Repeated in each generated class, to keep its call of {@code invoke} monomorphic. */
+    /** Repeated in each generated class, to keep its call site of {@code invoke} monomorphic. */
     @Override
     protected @Nullable Node serve() throws Throwable {
         Object target = target();
@@ -48,12 +48,12 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         }
     }
 
-    /** Who is to handle it now; null if that has been done another way. */
+    /** The target to invoke, or null if the request was already handled or rejected. */
     protected final @Nullable Object target() {
         return cell.target(this);
     }
 
-    /** What an actor throws is its answer; an error of the virtual machine itself is reported besides. */
+    /** An exception of the actor rejects the promise; an error of the virtual machine is reported in addition. */
     @Override
     protected final void threw(Throwable thrown) {
         reject(thrown);
@@ -65,7 +65,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected final boolean isMail() {
+    protected final boolean isMessage() {
         return true;
     }
 
@@ -78,18 +78,18 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return cell;
     }
 
-    final void noteAsker(boolean inside) {
-        askedInside = inside;
+    final void noteCaller(boolean inside) {
+        calledInside = inside;
     }
 
     @Override
     protected final boolean isLocal() {
-        return askedInside;
+        return calledInside;
     }
 
     @Override
     protected final boolean madeOutside() {
-        return !askedInside;
+        return !calledInside;
     }
 
     @Override
@@ -99,7 +99,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
             return "";
         }
         int inMailbox = cell.placeInMailbox(this, COUNTED);
-        int before = inMailbox >= 0 ? inMailbox : space.dispatcher.mailsBefore(this, COUNTED);
+        int before = inMailbox >= 0 ? inMailbox : space.dispatcher.messagesBefore(this, COUNTED);
         if (before >= 0) {
             return ", which has not begun it: " + before + " calls come first";
         }
@@ -109,9 +109,9 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     /**
-     * Passes the outcome of the method on.
+     * Settles this request with the outcome of the promise that the method returned.
      *
-     * @return the listener that must be served next and is in no queue, or null
+     * @return the listener that must be run next and is in no queue, or null
      */
     protected final @Nullable Node answer(@Nullable Promise<? extends T> answer) {
         if (answer == null) {
@@ -121,14 +121,14 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return followAtHome(answer);
     }
 
-    /** As {@link #serve} of an implementation that has been looked up already. */
+    /** Like {@link #serve}, for a target that has already been looked up. */
     final void serveWith(Object target) throws Throwable {
         enqueue(answer(invoke(target)));
     }
 
     /**
-     * An answer that comes later is rejected with the instance that began the request. The request of another call is
-     * not: that one's actor settles it, or the end of that actor does.
+     * Follows a promise that is still pending: if the instance that began this request ends first, this request is
+     * rejected. The request of another call is an exception: its actor settles it, or the end of that actor does.
      */
     @Override
     protected final void followPending(Promise<? extends T> answer) {
@@ -139,7 +139,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         }
     }
 
-    /** False if it was settled before. */
+    /** Rejects this request; false if it was already settled. */
     final boolean reject(Throwable error) {
         return settleError(error);
     }

@@ -5,30 +5,27 @@ import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.jspecify.annotations.Nullable;
 
-/** A callback on its way through a proxy: what the actor sends becomes entries of the caller's callback queue. */
+/** A callback argument as the actor sees it: what the actor sends becomes entries of the caller's callback queue. */
 final class ReturningCallback<T extends @Nullable Object> implements Callback<T> {
     private final Callback<T> reader;
     private final ActorSpace home;
-    private final @Nullable Life owner;
+    private final @Nullable Incarnation owner;
     private volatile boolean ended;
     private volatile boolean readerGone;
     private volatile @Nullable Queue<Delivery> line;
 
-    private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Life owner) {
+    private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Incarnation owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
     }
 
-    /** The callback as the actor gets it; one that has come through a proxy before keeps its first reader. */
+    /** Wraps a callback argument; one that was wrapped before keeps its first reader. */
     static <T extends @Nullable Object> @Nullable Callback<T> wrap(@Nullable Callback<T> callback, ActorSpace callee) {
         return callback == null ? null : to(callback, callee);
     }
 
-    /**
-     * To a reader on the space that is calling, on behalf of the actor that is; from outside every space, on another
-     * one.
-     */
+    /** Wraps a callback for the calling space and actor; for a caller outside every space, for the given space. */
     static <T extends @Nullable Object> ReturningCallback<T> to(Callback<T> reader, ActorSpace ifOutside) {
         if (reader instanceof ReturningCallback<T> before) {
             return before;
@@ -36,27 +33,28 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         ActorSpace caller = ActorSpace.current();
         return caller == null
                 ? new ReturningCallback<>(reader, ifOutside, null)
-                : new ReturningCallback<>(reader, caller, caller.currentOwner() instanceof Life life ? life : null);
+                : new ReturningCallback<>(
+                        reader, caller, caller.currentOwner() instanceof Incarnation life ? life : null);
     }
 
-    /** Whether nothing can come through any more. */
+    /** True if no more results can arrive. */
     boolean isOver() {
         return ended || isCancelled();
     }
 
-    /** Sends one result to a reader that is known to listen. */
+    /** Sends one result to a reader that was checked before. */
     void sendTo(T result) {
         queue(() -> reader.accept(result, null), false);
     }
 
-    /** Ends, unless it has ended. */
+    /** Ends the callback, unless it has ended. */
     void endOnce(@Nullable Throwable error) {
         if (end()) {
             queue(error == null ? reader::finish : () -> reader.fail(error), false);
         }
     }
 
-    /** What goes wrong on the sender's side though it is the reader's. */
+    /** Reports an error of the reader that occurred on the sender's side. */
     void report(String what, Object whose, Throwable error) {
         home.reports().error(what, whose, error, null);
     }
@@ -83,7 +81,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         send(() -> reader.fail(error));
     }
 
-    /** Nobody will ever send anything: ends it, unless it has ended. */
+    /** Ends the callback, unless it has ended, because no results will be sent. */
     void abandon(Throwable error) {
         if (end()) {
             send(() -> reader.fail(error), true);
@@ -107,7 +105,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
     }
 
-    /** False if it has ended before. */
+    /** Marks the callback as ended; false if it was ended before. */
     private synchronized boolean end() {
         boolean first = !ended;
         ended = true;
@@ -147,9 +145,9 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     /**
-     * The turn of whichever result comes first. What the space's own thread sends would overtake what another thread
-     * has put into the inbox before; so as soon as another thread sends, results wait in a line of their own, and only
-     * tickets are queued.
+     * The turn of the next queued result. Results sent by the space's own thread would overtake those that another
+     * thread put into the inbox before. So as soon as another thread sends, results wait in a separate queue, and only
+     * tickets are queued in the space.
      */
     private static final class Ticket extends Node {
         private final Queue<? extends ReturningCallback<?>.Delivery> waiting;
@@ -169,8 +167,10 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         private final boolean evenIfClosed;
 
         /**
-         * @param evenIfClosed whether the reader hears of it though its space is closed, on the thread that turns away
-         *     what is left
+         * Creates a delivery.
+         *
+         * @param evenIfClosed true if it is delivered even when the space is closed, on the thread that rejects the
+         *     remaining entries
          */
         Delivery(Runnable delivery, boolean evenIfClosed) {
             this.delivery = delivery;
@@ -180,11 +180,11 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         @Override
         protected void run() {
             if (home.hasEnded() && !evenIfClosed) {
-                readerGone = true; // and the sender's thread turns away what is left there
+                readerGone = true; // the sender's thread is rejecting what is left in the queues
             } else if (owner == null) {
                 home.runGuarded(delivery);
             } else if (!owner.run("a listener", delivery)) {
-                readerGone = true; // the actor that listened has stopped
+                readerGone = true; // the receiving actor has stopped
             }
         }
     }

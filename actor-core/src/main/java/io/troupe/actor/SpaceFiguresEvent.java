@@ -9,7 +9,7 @@ import jdk.jfr.StackTrace;
 import jdk.jfr.Timespan;
 import org.jspecify.annotations.Nullable;
 
-/** For the flight recorder: the figures of a space, now and then. */
+/** Flight recorder event: the metrics of a space, recorded periodically. */
 @Name("io.troupe.SpaceFigures")
 @Label("Actor Space Figures")
 @Category("Troupe")

@@ -14,19 +14,19 @@ import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A space as the rest of this library sees it: the home of promises, the way into the queues of its thread, and on
- * whose behalf that thread runs. Users see it as an {@link ActorSpace}. What it is made of is put together here.
+ * The internal side of an {@link ActorSpace}: the home of promises, the queues of its thread, and the owner on whose
+ * behalf the thread runs. The parts of a space are created here.
  *
- * <p><b>Threads.</b> Queueing, and asking for its state, from any thread; turns on the space's.
+ * <p><b>Threads.</b> Queueing and reading the state from any thread; turns on the space's thread.
  */
 abstract sealed class SpaceHome extends Home permits ActorSpace {
-    // the space's own and not a part's, because every call from outside and every answer reads them
+    // fields of the space itself, because every call from another thread and every answer reads them
     private final NodeQueue inbox = new NodeQueue();
     private final NodeQueue callbackInbox = new NodeQueue();
     private final NodeRing callbacks = new NodeRing();
-    private final NodeRing mails = new NodeRing();
-    private final Lifeline lifeline = new Lifeline();
-    private @Nullable Thread thread; // the one that serves now; a thread finds itself here only while it has the baton
+    private final NodeRing messages = new NodeRing();
+    private final IdleStrategy idle = new IdleStrategy();
+    private @Nullable Thread thread; // the thread that has control now; only that thread finds itself here
 
     final SpaceSettings settings;
     final Dispatcher dispatcher;
@@ -35,28 +35,28 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     private final Reports reports;
     private final Rejections rejections;
     private final SpaceTimers timers;
-    private final Probing figures;
-    private final Sequences sequences = new Sequences(this);
+    private final ProbedMetrics figures;
+    private final SequentialBodies sequences = new SequentialBodies(this);
     private final ActorList actors = new ActorList();
 
     SpaceHome(SpaceSettings settings) {
         this.settings = settings;
         var wheel = new TimerWheel(settings.clock(), this::isCurrent);
         reports = new Reports(this, settings);
-        dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, mails, wheel, settings.clock());
+        dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, messages, wheel, settings.clock());
         timers = new SpaceTimers(this, settings.clock(), wheel);
         rejections = new Rejections(wheel, reports);
-        figures = new Probing(this, dispatcher, reports);
-        closing = new Closing(
-                this, dispatcher, lifeline, rejections, settings.clock().onMove(lifeline::wake));
-        loop = new SpaceLoop(this, settings, dispatcher, lifeline, rejections, closing);
+        figures = new ProbedMetrics(this, dispatcher, reports);
+        closing =
+                new Closing(this, dispatcher, idle, rejections, settings.clock().onMove(idle::wake));
+        loop = new SpaceLoop(this, settings, dispatcher, idle, rejections, closing);
     }
 
     final void startThread() {
-        new SpaceThread(this, callbacks, mails, loop).start();
+        new SpaceThread(this, callbacks, messages, loop).start();
     }
 
-    // ---- the way into the queues
+    // ---- queueing
 
     /** @hidden */
     @Override
@@ -80,7 +80,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     /** @hidden */
     @Override
-    protected final void enqueueFromAfar(Node node) {
+    protected final void enqueueAsRemote(Node node) {
         offer(node, callbackInbox);
     }
 
@@ -100,31 +100,31 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return callbacks.isEmpty() && !callbackInbox.isReady();
     }
 
-    final void enqueueMail(Node node) {
+    final void enqueueMessage(Node node) {
         if (isCurrent()) {
-            mails.add(node);
+            messages.add(node);
         } else {
             offer(node, inbox);
         }
     }
 
-    /** If this throws, nothing was queued. */
+    /** Queues a node of another thread; if this throws, nothing was queued. */
     private void offer(Node node, NodeQueue queue) {
-        if (lifeline.phase == Lifeline.CLOSED) {
-            closing.checkStack(); // for this caller has to turn the node away itself
+        if (idle.phase == IdleStrategy.CLOSED) {
+            closing.checkStack(); // because this caller must reject the node itself
         }
         queue.offer(node);
         try {
-            if (!lifeline.wake()) {
-                closing.refuseLeftovers();
+            if (!idle.wake()) {
+                closing.rejectLeftovers();
             }
         } catch (StackOverflowError endOfTheCallersStack) {
-            // it is queued: the space looks at its queues by itself within a second; if it is closed, the next caller
+            // it is queued: the space checks its queues by itself within a second; if it is closed, the next caller
             // does
         }
     }
 
-    // ---- what promises ask of their home
+    // ---- services for promises
 
     /** @hidden */
     @Override
@@ -135,11 +135,11 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     /** @hidden */
     @Override
     protected final void rejected(Promise<?> promise, Throwable error) {
-        if (lifeline.isClosed() && (isMadeOutside(promise) || error instanceof ActorStoppedException)) {
-            return; // a late asker has the refusal in its hands, and the others are counted
+        if (idle.isClosed() && (isMadeOutside(promise) || error instanceof ActorStoppedException)) {
+            return; // a late caller gets the rejection, and the other requests are counted
         }
         if (!isCurrent()) {
-            enqueueMail(new Entry(() -> rejected(promise, error), () -> rejected(promise, error)));
+            enqueueMessage(new Entry(() -> rejected(promise, error), () -> rejected(promise, error)));
         } else if (isStopping() && error instanceof ActorStoppedException) {
             return; // counted among the leftovers
         } else if (isMadeOutside(promise)) {
@@ -152,9 +152,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     /** @hidden */
     @Override
     protected final void rejectedTooLate(Promise<?> promise, Throwable error) {
-        if (!(error
-                instanceof
-                ActorStoppedException)) { // a caller that waits no longer need not know that no answer will come
+        if (!(error instanceof ActorStoppedException)) { // a caller that has timed out does not need this error
             rejected(promise, error);
         }
     }
@@ -165,10 +163,10 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         sequences.await(promise);
     }
 
-    // ---- its thread
+    // ---- thread
 
     /**
-     * The calling thread is this space's from now on.
+     * Makes the calling thread this space's thread.
      *
      * @return for {@link #leave}
      */
@@ -186,22 +184,22 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         leaveThread(before);
     }
 
-    /** The one that holds the baton now; a moment later it may be another. */
+    /** The thread that has control now; this may change at any time. */
     final @Nullable Thread servingThread() {
         return thread;
     }
 
-    /** The calling thread has the baton. */
+    /** Makes the calling thread the one that has control. */
     final void takeThread() {
         thread = Thread.currentThread();
     }
 
-    /** The calling thread, which has the baton, is about to pass it to that one. */
+    /** Passes control from the calling thread to another one. */
     final void handThreadTo(@Nullable Thread next) {
         thread = next;
     }
 
-    /** Runs something on a thread that holds the baton. */
+    /** Runs a body on a thread that has control. */
     final void runOnLoan(Runnable body) {
         Home before = enterThread();
         try {
@@ -211,7 +209,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    // ---- turns, on its thread
+    // ---- turns, on the space's thread
 
     final void beginTurnOf(Owner owner) {
         begin(owner);
@@ -226,12 +224,12 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return owner();
     }
 
-    /** Runs an action when the entry that is being served has returned, before anything else. */
+    /** Runs an action when the current entry has returned, before anything else. */
     final void afterTurn(Runnable action) {
         dispatcher.afterTurn(action);
     }
 
-    /** On the space's own behalf, in the midst of whatever turn it is; from any thread. */
+    /** Runs an action on the space's own behalf within the current turn; from any thread. */
     final void asItself(Runnable action) {
         if (!isCurrent()) {
             action.run();
@@ -246,7 +244,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    /** On the space's own behalf. */
+    /** Runs a task on the space's own behalf and reports what it throws. */
     final void runGuarded(Runnable task) {
         beginForItself();
         try {
@@ -256,7 +254,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    /** Lets a node deal with what running it has thrown. */
+    /** Passes an exception thrown by a node to the node's handler. */
     final void fail(Node node, Throwable thrown) {
         try {
             threw(node, thrown);
@@ -265,7 +263,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    // ---- its parts and its state
+    // ---- parts and state
 
     final ActorList actors() {
         return actors;
@@ -275,7 +273,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return reports;
     }
 
-    final Sequences sequences() {
+    final SequentialBodies sequences() {
         return sequences;
     }
 
@@ -299,12 +297,12 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         return closing.hasBegun();
     }
 
-    /** Whether it is closed, so that whoever still queues something turns that away himself. */
+    /** True once the space is closed; callers must then reject their own entries. */
     final boolean hasEnded() {
-        return lifeline.isClosed();
+        return idle.isClosed();
     }
 
-    /** Whether it has served what it will ever serve; on its thread. */
+    /** True once the space processes no further entries; on its thread. */
     final boolean isStopping() {
         return loop.isStopping();
     }
@@ -316,14 +314,14 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    // ---- what only a home may ask of nodes and promises, for this room
+    // ---- access to nodes and promises for this package
 
     static @Nullable Node serveNode(Node node) throws Throwable {
         return serve(node);
     }
 
     static boolean goesToMailbox(Node node) {
-        return isMail(node);
+        return isMessage(node);
     }
 
     static long countedNanos(Duration duration) {
@@ -331,7 +329,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     }
 
     static boolean isListenedTo(Promise<?> promise) {
-        return isHeard(promise);
+        return isHandled(promise);
     }
 
     /** See {@link Home#whenSettled}. */

@@ -5,8 +5,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the thread of a space does from the beginning to the end: pass after pass through the queues, or as many as
- * there is work for when it is cranked.
+ * The event loop of a space: pass after pass through the queues, with sleeps; or, when it is cranked, as many passes as
+ * there is work for.
  */
 final class SpaceLoop {
     private static final long SHORTEST_PAUSE_NANOS = 1_000_000;
@@ -15,7 +15,7 @@ final class SpaceLoop {
     private final SpaceHome space;
     private final SpaceSettings settings;
     private final Dispatcher dispatcher;
-    private final Lifeline lifeline;
+    private final IdleStrategy idle;
     private final Rejections rejections;
     private final Closing closing;
     private boolean stopping;
@@ -25,19 +25,19 @@ final class SpaceLoop {
             SpaceHome space,
             SpaceSettings settings,
             Dispatcher dispatcher,
-            Lifeline lifeline,
+            IdleStrategy idle,
             Rejections rejections,
             Closing closing) {
         this.space = space;
         this.settings = settings;
         this.dispatcher = dispatcher;
-        this.lifeline = lifeline;
+        this.idle = idle;
         this.rejections = rejections;
         this.closing = closing;
     }
 
-    /** What the thread does until the space is closed. */
-    void live() {
+    /** The run method of the thread, until the space is closed. */
+    void run() {
         @Nullable Home before = null;
         @Nullable Runnable watch = null;
         try {
@@ -55,10 +55,10 @@ final class SpaceLoop {
         }
     }
 
-    /** Without a thread for the watchdog the space goes on unwatched. */
+    /** Starts the watchdog; if there is no thread for it, the space runs without. */
     private @Nullable Runnable watch() {
         try {
-            return Watchdog.watch(space, settings, lifeline, dispatcher);
+            return Watchdog.watch(space, settings, idle, dispatcher);
         } catch (Throwable noThread) {
             space.reports().error("the watchdog of space", space, noThread, null);
             return null;
@@ -66,17 +66,18 @@ final class SpaceLoop {
     }
 
     /**
-     * Entries, handlers and listeners cannot throw as far as here. What can is the space's own bookkeeping when memory
-     * is short; it has lost nothing by then, so it goes on, but not at full speed: memory may stay short for a while.
+     * Runs one pass and sleeps if there was nothing to do. Entries, handlers and listeners cannot throw up to here.
+     * Only the space's own code can, when memory is short. It has lost nothing then, so the loop continues, with pauses
+     * because memory may stay short for a while.
      */
     private void passAndSleep() {
         try {
             if (!dispatcher.pass() & !settle()) {
-                lifeline.sleep(dispatcher, settings.clock());
+                idle.sleep(dispatcher, settings.clock());
             }
             pauseNanos = 0;
         } catch (Throwable broken) {
-            if (pauseNanos == 0) { // else it is the same trouble still
+            if (pauseNanos == 0) { // else it is the same problem
                 space.reports().error("the loop of space", space, broken, null);
             }
             pauseNanos = Math.min(LONGEST_PAUSE_NANOS, Math.max(SHORTEST_PAUSE_NANOS, 2 * pauseNanos));
@@ -91,7 +92,7 @@ final class SpaceLoop {
                     "space " + space + " has a thread of its own and cannot be cranked by hand");
         }
         if (closing.isOver()) {
-            return; // whoever still calls it is turned away at once
+            return; // later callers are rejected immediately
         }
         Thread serving = space.servingThread();
         if (serving != null) {
@@ -107,26 +108,26 @@ final class SpaceLoop {
                 shut();
             }
         } finally {
-            if (!closing.isOver()) { // after the end another thread may be acting for the space already
+            if (!closing.isOver()) { // after the end another thread may already be acting for the space
                 space.giveUpThread();
             }
             SpaceHome.leave(before);
         }
     }
 
-    /** Between two passes: lost rejections, then, if all is quiet, those who waited for that. */
+    /** Between two passes: reports unhandled rejections, then runs the idle actions if the space is idle. */
     private boolean settle() {
         rejections.report();
         return stopping || !dispatcher.isQuiet() || dispatcher.runIdleActions();
     }
 
-    /** Serves nothing more after the present turn. */
+    /** Processes nothing more after the current turn. */
     void stop() {
         stopping = true;
         dispatcher.halt();
     }
 
-    /** Whether it has served what it will ever serve. */
+    /** True once the space processes no further entries. */
     boolean isStopping() {
         return stopping;
     }

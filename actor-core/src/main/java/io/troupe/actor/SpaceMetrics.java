@@ -3,26 +3,29 @@ package io.troupe.actor;
 import java.time.Duration;
 
 /**
- * How much a space has done and how far it is behind.
+ * Counters of the work that a space has done, and of its backlog.
  *
  * {@snippet :
  * SpaceMetrics metrics = space.metrics();
  * String line = metrics.actors() + " actors, " + metrics.waiting() + " waiting, behind by " + metrics.latency();
  * }
  *
- * <p><b>Threads.</b> Any thread. <b>Cost.</b> Constant, and nothing while nobody asks: how far the space is behind is
- * found out by a probe that waits its turn in the queue like a message. Each look at {@link #waiting} or
- * {@link #latency} sends one unless one is on its way, and answers what the last one found; so look regularly, as a
- * monitor does. In a space cranked by hand no probe is sent: the queues themselves are counted, exactly between cranks.
+ * <p><b>Threads.</b> Any thread. <b>Cost.</b> Constant, and none while no method is called. The backlog is measured by
+ * a probe that is queued like a message. Each call of {@link #waiting} or {@link #latency} sends a probe unless one is
+ * queued, and returns the result of the last one. So call them periodically, as a monitor does. In a space cranked by
+ * hand no probe is sent: the entries in the queues are counted, which is exact between cranks.
  */
 public interface SpaceMetrics {
-    /** Messages, requests, callbacks, timers and tasks served since the space was made. */
+    /** Messages, requests, callbacks, timers and tasks processed since the space was created. */
     long served();
 
-    /** Entries that waited in front of the last probe. */
+    /** Entries that were processed before the last probe. */
     long waiting();
 
-    /** How long the last probe waited, or, if that is more, how long the one on its way has; by the machine's clock. */
+    /**
+     * How long the last probe was queued or, if that is more, how long the current one has been; by the machine's
+     * clock.
+     */
     Duration latency();
 
     /** Actors that have started and not stopped. */
@@ -31,9 +34,9 @@ public interface SpaceMetrics {
     /** Timers that are set. */
     int timers();
 
-    /** What was reported to error handlers. */
+    /** Errors reported to error handlers. */
     long errors();
 
-    /** Messages that reached nobody. */
+    /** Messages that were not delivered. */
     long deadLetters();
 }

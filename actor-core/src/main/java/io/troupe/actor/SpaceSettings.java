@@ -6,7 +6,7 @@ import java.util.Objects;
 import java.util.function.Consumer;
 
 /**
- * How an actor space is made; immutable.
+ * Settings of an actor space; immutable.
  *
  * {@snippet :
  * SpaceSettings settings = SpaceSettings.named("shop")
@@ -17,14 +17,14 @@ import java.util.function.Consumer;
  * }
  *
  * @param name of the space and its thread
- * @param clock by which timers run
- * @param onError is told what nobody else could be told
- * @param onDeadLetter is told of messages that reached nobody, on whichever thread found out
- * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = none is, nor in a space
- *     cranked by hand
- * @param onStall is told of such a message, on a helper thread that it may keep as long as it likes
- * @param offloadLimit how many pieces of blocking work {@link ActorSpace#offload} does at a time
- * @param handCranked true for a space without a thread of its own, which only {@link ActorSpace#crank} moves
+ * @param clock the clock of its timers
+ * @param onError receives errors that have no caller
+ * @param onDeadLetter receives messages that were not delivered, on the thread that detected this
+ * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = off. A space cranked by
+ *     hand reports none
+ * @param onStall receives such a report, on a helper thread that it may block
+ * @param offloadLimit the number of concurrent runs of {@link ActorSpace#offload}
+ * @param handCranked true for a space without a thread, which runs only in {@link ActorSpace#crank}
  */
 public record SpaceSettings(
         String name,
@@ -52,7 +52,8 @@ public record SpaceSettings(
     }
 
     /**
-     * A daemon thread on the machine's clock that logs what goes wrong, and messages that take longer than a second.
+     * Default settings: a daemon thread on the machine's clock that logs errors, dead letters, and messages that take
+     * longer than a second.
      */
     public static SpaceSettings named(String name) {
         return new SpaceSettings(
@@ -92,7 +93,7 @@ public record SpaceSettings(
 }
 
 /**
- * Where a space reports by default. Methods, not lambdas: the name of the method is what a log line gives as its
+ * The default handlers, which write to the log. Methods, not lambdas: a log line gives the name of the method as its
  * source.
  */
 final class SpaceLog {

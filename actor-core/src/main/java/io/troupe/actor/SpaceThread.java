@@ -1,24 +1,24 @@
 package io.troupe.actor;
 
 /**
- * The thread of a space that is not cranked by hand. It knows the rings of its space.
+ * The thread of a space that is not cranked by hand. It holds references to the rings of its space.
  *
- * <p>That is for speed: the processor can begin to serve one message while it is still at work on the one before, but
- * not if where the next one is to be stored depends on a long way through the objects of this one. From the thread the
- * way is short, and the same for all messages.
+ * <p>This is for speed. The processor can begin with one message while it is still executing the one before, unless the
+ * address for the next entry depends on a long chain of loads through the current message. From the thread the chain is
+ * short, and the same for all messages.
  */
 final class SpaceThread extends Thread {
     private final SpaceHome space;
     private final NodeRing callbacks;
-    private final NodeRing mails;
+    private final NodeRing messages;
     private final SpaceLoop loop;
 
-    SpaceThread(SpaceHome space, NodeRing callbacks, NodeRing mails, SpaceLoop loop) {
+    SpaceThread(SpaceHome space, NodeRing callbacks, NodeRing messages, SpaceLoop loop) {
         super(null, null, space.toString(), 0, false);
         this.space = space;
         this.loop = loop;
         this.callbacks = callbacks;
-        this.mails = mails;
+        this.messages = messages;
         setDaemon(true);
     }
 
@@ -30,12 +30,12 @@ final class SpaceThread extends Thread {
         return callbacks;
     }
 
-    NodeRing mails() {
-        return mails;
+    NodeRing messages() {
+        return messages;
     }
 
     @Override
     public void run() {
-        loop.live();
+        loop.run();
     }
 }

@@ -7,7 +7,7 @@ import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
 import java.util.Objects;
 
-/** Sets what waits on the wheel of a space: for its actors, and for promises from any thread. */
+/** Sets the timers of a space: for its actors, and for promises from any thread. */
 final class SpaceTimers {
     private final SpaceHome space;
     private final Clock clock;
@@ -21,12 +21,12 @@ final class SpaceTimers {
         this.outside = new OutsideTimers(space);
     }
 
-    /** One that ends with the present instance of an actor; on the space's thread. */
+    /** Sets a timer that ends with the current incarnation of an actor; on the space's thread. */
     Timer set(ActorCell cell, Duration delay, Duration period, Schedule schedule, Runnable task) {
         Objects.requireNonNull(delay, "delay");
         Objects.requireNonNull(period, "period");
         Objects.requireNonNull(task, "task");
-        Life life = cell.life();
+        Incarnation life = cell.life();
         Timer timer = wheel.set(
                 () -> life.run("a timer", task),
                 SpaceHome.countedNanos(delay),
@@ -40,23 +40,23 @@ final class SpaceTimers {
     Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
         var expiry = new Expiry(task, ifClosed);
         if (!space.isCurrent()) {
-            return clock.runsByItself() // else time passes only when the clock is moved, and then the space is woken
+            return clock.runsByItself() // otherwise time passes only when the clock is moved, which wakes the space
                     ? outside.schedule(delayNanos, expiry)
-                    : scheduleFromAfar(delayNanos, expiry);
+                    : scheduleRemotely(delayNanos, expiry);
         }
         if (space.hasEnded()) {
-            ifClosed.run(); // nobody looks at the timers any more
+            ifClosed.run(); // the timers are no longer checked
             return () -> {};
         }
         Timer timer = wheel.set(expiry, delayNanos, 0);
         return () -> onThread(timer::cancel);
     }
 
-    private Runnable scheduleFromAfar(long delayNanos, Expiry expiry) {
-        var pending = new Timer[1]; // both touched on the space's thread only
+    private Runnable scheduleRemotely(long delayNanos, Expiry expiry) {
+        var pending = new Timer[1]; // both accessed on the space's thread only
         var withdrawn = new boolean[1];
         long deadline = clock.nanos() + delayNanos;
-        space.enqueueMail(new Entry(
+        space.enqueueMessage(new Entry(
                 () -> {
                     if (!withdrawn[0]) {
                         pending[0] = wheel.set(expiry, deadline - clock.nanos(), 0);
@@ -71,12 +71,12 @@ final class SpaceTimers {
         });
     }
 
-    /** How many wait, those that were asked for by other threads included. */
+    /** The number of timers, including those set by other threads. */
     int size() {
         return wheel.size() + outside.size();
     }
 
-    /** The space is closed: nothing that other threads have asked for waits any longer; answers how many did. */
+    /** Called when the space is closed: ends the delays set by other threads, and returns their number. */
     int closeOutside() {
         return outside.close();
     }
@@ -85,7 +85,7 @@ final class SpaceTimers {
         if (space.isCurrent()) {
             task.run();
         } else {
-            space.enqueueMail(new Entry(task, () -> {}));
+            space.enqueueMessage(new Entry(task, () -> {}));
         }
     }
 }

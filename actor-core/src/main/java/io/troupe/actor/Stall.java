@@ -5,16 +5,16 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * One message has held a space's thread for too long; everybody else in the space waits meanwhile.
+ * One message has occupied a space's thread for too long, and blocks all other actors of the space.
  *
  * {@snippet :
  * Consumer<Stall> onStall = stall -> log.add(stall.space() + ": " + stall.atLeast());
  * SpaceSettings settings = SpaceSettings.named("shop").withOnStall(Duration.ofMillis(200), onStall);
  * }
  *
- * @param space its name
- * @param atLeast how long it has taken so far
- * @param stack where the thread is now, innermost call first
+ * @param space the name of the space
+ * @param atLeast the duration so far
+ * @param stack the current stack of the thread, innermost call first
  */
 public record Stall(String space, Duration atLeast, List<StackTraceElement> stack) {
     public Stall {

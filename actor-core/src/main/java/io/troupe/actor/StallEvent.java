@@ -9,7 +9,7 @@ import jdk.jfr.Name;
 import jdk.jfr.StackTrace;
 import jdk.jfr.Timespan;
 
-/** For the flight recorder: one message has held a space's thread for too long. */
+/** Flight recorder event: one message has occupied a space's thread for too long. */
 @Name("io.troupe.Stall")
 @Label("Actor Space Stall")
 @Category("Troupe")

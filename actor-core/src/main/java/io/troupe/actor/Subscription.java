@@ -3,11 +3,11 @@ package io.troupe.actor;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One reader of a topic.
+ * One subscriber of a topic.
  *
- * <p><b>Threads.</b> The topic's lock guards all methods; entries run on the reader's space.
+ * <p><b>Threads.</b> The topic's lock guards all methods; entries run on the subscriber's space.
  *
- * <p><b>Order.</b> As sent, whichever threads they were sent from.
+ * <p><b>Order.</b> As sent, from whichever threads.
  */
 final class Subscription<T> {
     private final Object topic;
@@ -18,7 +18,7 @@ final class Subscription<T> {
         this.reader = reader;
     }
 
-    /** Sends a value; false, and nothing is done, if nobody listens any more. */
+    /** Sends a value; false, without effect, if the subscriber is gone. */
     boolean send(T value) {
         if (isGone()) {
             return false;
@@ -32,8 +32,8 @@ final class Subscription<T> {
     }
 
     /**
-     * Whether nobody listens any more. A callback of somebody's own making may throw when asked: its fault, and its
-     * end.
+     * True if the subscriber is gone. A user's {@code isCancelled} may throw: this is reported, and ends the
+     * subscription.
      */
     boolean isGone() {
         try {

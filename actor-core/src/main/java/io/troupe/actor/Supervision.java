@@ -3,9 +3,9 @@ package io.troupe.actor;
 import java.time.Duration;
 
 /**
- * What becomes of an actor when a one-way message, a timer, a reader of its callbacks, or {@link Actor#started()}
- * throws. (What a request throws is an answer to its asker; what a listener throws rejects the promise that
- * {@code then} answered.) The error is reported in any case.
+ * What happens to an actor when a one-way message, a timer, a {@link Callback} that it passed to another actor, or
+ * {@link Actor#started()} throws. (An exception of a request rejects the caller's promise; an exception of a listener
+ * rejects the promise that {@code then} returned.) The error is always reported.
  *
  * {@snippet :
  * ActorSettings settings =
@@ -16,32 +16,32 @@ import java.time.Duration;
  * counter.add(-1); // the third failure within ten seconds: the actor stops
  * }
  *
- * @param directive what to do
- * @param limit so many failures within {@code window} are answered by the directive; one more stops the actor, and so
- *     does one more failed start in a row, within the window or not
- * @param window by the space's clock
+ * @param directive the action
+ * @param limit the number of failures within {@code window} that are handled by the directive. One more stops the
+ *     actor, and so does one more failed start in a row, within the window or not
+ * @param window measured by the space's clock
  */
 public record Supervision(Directive directive, int limit, Duration window) {
-    /** What to do with an actor that has failed. */
+    /** The action after a failure of an actor. */
     public enum Directive {
-        /** Go on with the next message: the actor keeps its state. */
+        /** Continue with the next message: the actor keeps its state. */
         RESUME,
         /**
-         * Make a fresh instance behind the same proxy; timers and listeners of the old one are forgotten, the mailbox
-         * is kept. A factory that throws stops the actor. If {@link Actor#started()} throws, the first try after that
-         * follows at once, further ones after pauses of 10 ms, 20 ms, 40 ms and so on, at most 10 s, by the space's
-         * clock, until one succeeds or the limit is reached; the actor's calls wait meanwhile.
+         * Create a new instance behind the same proxy. Timers and listeners of the old instance are dropped, the
+         * mailbox is kept. A factory that throws stops the actor. If {@link Actor#started()} throws, the first retry
+         * follows immediately. Further retries follow after pauses of 10 ms, 20 ms, 40 ms and so on, at most 10 s, by
+         * the space's clock, until one succeeds or the limit is reached. Calls of the actor are held back meanwhile.
          */
         RESTART,
-        /** End it. */
+        /** Stop the actor. */
         STOP
     }
 
-    /** Go on, however often it fails; the default. */
+    /** Continue after every failure; the default. */
     public static final Supervision RESUME =
             new Supervision(Directive.RESUME, Integer.MAX_VALUE, Duration.ofSeconds(1));
 
-    /** End it at the first failure. */
+    /** Stop the actor at the first failure. */
     public static final Supervision STOP = new Supervision(Directive.STOP, Integer.MAX_VALUE, Duration.ofSeconds(1));
 
     public Supervision {
@@ -53,7 +53,7 @@ public record Supervision(Directive directive, int limit, Duration window) {
         }
     }
 
-    /** Make a fresh instance, up to so many times within a window; one more failure ends the actor. */
+    /** Create a new instance, up to {@code limit} times within a window; one more failure stops the actor. */
     public static Supervision restart(int limit, Duration window) {
         return new Supervision(Directive.RESTART, limit, window);
     }

@@ -8,11 +8,11 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A subject on which anybody publishes and to which anybody subscribes, inside one process.
+ * A publish/subscribe topic inside one process.
  *
- * <p><b>Role.</b> For senders and receivers that need not know each other: one sensor, many readers. Made by
- * {@link #of}, or by {@link #latest} when whoever subscribes late shall hear the last value. Ends with {@link #finish}
- * or {@link #fail}; whoever subscribes then hears of the end only.
+ * <p><b>Role.</b> For publishers and subscribers that need not know each other, such as one sensor and many readers.
+ * Created by {@link #of}, or by {@link #latest} if late subscribers shall receive the last value. Ended by
+ * {@link #finish} or {@link #fail}; a later subscriber is only notified of the end.
  *
  * {@snippet :
  * Topic<Integer> colours = Topic.latest(space, "colours");
@@ -21,27 +21,28 @@ import org.jspecify.annotations.Nullable;
  * colours.publish(0x00FF00); // returns 1: the number of subscribers
  * }
  *
- * <p><b>Threads.</b> Every method from any thread. What a subscriber hears runs on the space that subscribed, as
- * entries of its callback queue, on behalf of the actor that subscribed; if that was no actor space, on the space of
- * the topic. A callback that an actor was handed keeps its first reader. Publishing runs none of a subscriber's code
- * but {@link Callback#isCancelled}, so a slow or broken one holds up nobody else.
+ * <p><b>Threads.</b> Every method from any thread. A subscriber's callback runs on the space that subscribed, as
+ * entries of its callback queue, on behalf of the actor that subscribed. For a thread outside every space it runs on
+ * the space of the topic. A callback that an actor received as an argument still runs for its first caller. Publishing
+ * calls no code of a subscriber except {@link Callback#isCancelled}, so a slow or broken subscriber does not delay
+ * others.
  *
  * <p><b>Order.</b> Values reach each subscriber in the order in which they were published; values of several publishers
- * reach all subscribers in the same order. After the end, after a cancellation, and after the subscribing actor has
- * stopped or restarted, nothing arrives any more.
+ * reach all subscribers in the same order. No values arrive after the end, after a cancellation, or after the
+ * subscribing actor has stopped or restarted.
  *
- * <p><b>Cost.</b> Publishing takes a lock for as long as it takes to queue one entry for each subscriber. Nothing
- * bounds these entries: a subscriber that is slower than its publishers for long gathers them. A subscriber that is
- * gone is forgotten with the next call of any method.
+ * <p><b>Cost.</b> Publishing holds a lock while it queues one entry for each subscriber. The number of these entries is
+ * not bounded: they accumulate if a subscriber is slower than its publishers for long. A subscriber that is gone is
+ * removed by the next call of any method.
  *
- * <p><b>Errors.</b> A value that nobody has subscribed to, or that comes after the end, reaches nobody:
- * {@link #publish} answers 0. What a subscriber throws is its own failure.
+ * <p><b>Errors.</b> A value without subscribers, or after the end, is not delivered: {@link #publish} returns 0. An
+ * exception of a subscriber is a failure of that subscriber.
  */
 public final class Topic<T> {
     private final ActorSpace space;
     private final String name;
     private final boolean remembers;
-    private final Object lock = new Object(); // guards all below
+    private final Object lock = new Object(); // guards all fields below
     private final List<Subscription<? super T>> readers = new ArrayList<>();
     private @Nullable T last;
     private boolean ended;
@@ -54,16 +55,18 @@ public final class Topic<T> {
     }
 
     /**
-     * A topic whose subscribers hear what is published after they have subscribed.
+     * Creates a topic whose subscribers receive the values published after they have subscribed.
      *
-     * @param space where those hear it who subscribe from outside every space
-     * @param name for messages about it
+     * @param space the space where subscribers from outside every space run
+     * @param name used in log and error messages
      */
     public static <T> Topic<T> of(ActorSpace space, String name) {
         return new Topic<>(space, name, false);
     }
 
-    /** A topic that remembers the last value: whoever subscribes hears that first, if there is one. See {@link #of}. */
+    /**
+     * Creates a topic that stores the last value: a new subscriber receives it first, if there is one. See {@link #of}.
+     */
     public static <T> Topic<T> latest(ActorSpace space, String name) {
         return new Topic<>(space, name, true);
     }
@@ -71,7 +74,7 @@ public final class Topic<T> {
     /**
      * Sends a value to all subscribers.
      *
-     * @return to how many it was sent; some may be gone before it arrives
+     * @return the number of subscribers it was sent to; some may be gone before it arrives
      */
     public int publish(T value) {
         Objects.requireNonNull(value, "value");
@@ -88,7 +91,7 @@ public final class Topic<T> {
     }
 
     /**
-     * Subscribes to the values. The failure of the topic is then a failure of the subscriber, so that it does not get
+     * Subscribes to the values. A failure of the topic then counts as a failure of the subscriber, so that it is not
      * lost.
      *
      * @return the subscription, to be cancelled from any thread
@@ -101,10 +104,10 @@ public final class Topic<T> {
 
     /**
      * Subscribes to the values and to the end. To cancel, pass a {@link Callback.Stream}; one that is subscribed twice
-     * gets every value twice.
+     * receives every value twice.
      *
-     * @param more of them; there is a variable number so that {@code subscribe(list::add)}, which would fit both
-     *     methods, means the one for values
+     * @param more further callbacks; the parameter is variable so that {@code subscribe(list::add)}, which would fit
+     *     both methods, means the one for values
      */
     @SafeVarargs
     public final void subscribe(Callback<? super T> callback, Callback<? super T>... more) {
@@ -130,7 +133,7 @@ public final class Topic<T> {
         }
     }
 
-    /** How many subscribers there are, so that a publisher may save itself the work for nobody. */
+    /** The number of subscribers; a publisher may skip work if it is zero. */
     public int subscribers() {
         synchronized (lock) {
             readers.removeIf(Subscription::isGone);
@@ -138,19 +141,19 @@ public final class Topic<T> {
         }
     }
 
-    /** How many subscriptions are held, those that are gone and not yet forgotten too. */
+    /** The number of stored subscriptions, including those that are gone and not yet removed. */
     int remembered() {
         synchronized (lock) {
             return readers.size();
         }
     }
 
-    /** Ends all subscriptions with success; false if the topic has ended before. */
+    /** Ends all subscriptions without an error; false if the topic has already ended. */
     public boolean finish() {
         return end(null);
     }
 
-    /** Ends all subscriptions with an error; false, and nobody hears of this one, if the topic has ended before. */
+    /** Ends all subscriptions with an error; false, without effect, if the topic has already ended. */
     public boolean fail(Throwable error) {
         return end(Objects.requireNonNull(error, "error"));
     }

@@ -15,8 +15,7 @@ import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What the type variables of a type's supertypes stand for: {@code put(T)} of a {@code Box<String>} is
- * {@code put(String)}.
+ * Resolves the type variables of a type's supertypes: {@code put(T)} of a {@code Box<String>} is {@code put(String)}.
  */
 final class TypeArguments {
     private final Map<TypeVariable<?>, Type> arguments = new HashMap<>();
@@ -51,7 +50,7 @@ final class TypeArguments {
         }
     }
 
-    /** The classes of a method's parameters as the type sees them. */
+    /** The classes of a method's parameters, with type variables resolved. */
     List<? extends Class<?>> parameters(Method method) {
         return Arrays.stream(method.getGenericParameterTypes()).map(this::erase).toList();
     }
@@ -71,14 +70,17 @@ final class TypeArguments {
         };
     }
 
-    /** Whether the class, or a subtype of it, occurs in the type: itself, as an element or argument, or as a bound. */
+    /**
+     * True if the class, or a subtype of it, occurs in the type: as the type itself, as an element or argument, or as a
+     * bound.
+     */
     boolean mentions(Type type, Class<?> wanted) {
         return mentions(type, wanted, new HashSet<>());
     }
 
     private boolean mentions(Type type, Class<?> wanted, Set<Type> seen) {
         if (!seen.add(type)) {
-            return false; // as in T extends Comparable<T>
+            return false; // a recursive bound, as in T extends Comparable<T>
         }
         return switch (type) {
             case Class<?> array when array.isArray() -> mentions(array.getComponentType(), wanted, seen);

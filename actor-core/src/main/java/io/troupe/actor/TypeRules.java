@@ -4,14 +4,11 @@ import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 
-/**
- * What a type must be like to be an actor type, apart from its methods; whoever breaks a rule is told what to do
- * instead.
- */
+/** The requirements on an actor type, apart from its methods; the error for a violation names the alternative. */
 final class TypeRules {
     private TypeRules() {}
 
-    /** Access to the type's package, if it can be an actor type. */
+    /** Checks a type and returns access to its package. */
     static MethodHandles.Lookup check(Class<?> type) {
         checkShape(type);
         if (!type.isInterface()) {
@@ -46,8 +43,8 @@ final class TypeRules {
     }
 
     /**
-     * The proxy has the same fields, which are never set: whoever reads one there gets nothing, and what is written
-     * there the actor does not see.
+     * The proxy has the same fields, which are never set. Code that reads a field of the proxy gets a default value,
+     * and the actor does not see what is written there.
      */
     private static void checkFields(Class<?> type) {
         for (Class<?> each = type; each != null && each != Actor.class; each = each.getSuperclass()) {
@@ -64,8 +61,8 @@ final class TypeRules {
     }
 
     /**
-     * The proxy is linked by the type's loader and module, which might not know this library, or know another copy of
-     * it.
+     * The proxy is linked by the type's class loader and module, which might not see this library, or see another copy
+     * of it.
      */
     private static void checkSeesActors(Class<?> type) {
         Module home = Message.class.getModule();

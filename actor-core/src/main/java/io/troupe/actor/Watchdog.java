@@ -9,11 +9,10 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Looks from aside whether a space gets on. The space pays one plain store for each entry it serves.
+ * Detects stalled spaces from a separate thread. It costs the space one plain store for each entry.
  *
- * <p><b>Threads.</b> One platform thread looks at all spaces that are watched; it begins with the first and ends soon
- * after the last. What a look leads to that takes time, the listener and the flight recorder, runs on one of the
- * {@link HelperThreads}.
+ * <p><b>Threads.</b> One platform thread checks all watched spaces; it starts with the first and ends soon after the
+ * last. What takes time, the stall listener and the flight recorder, runs on one of the {@link HelperThreads}.
  */
 final class Watchdog {
     private static final int LOOKS_PER_LIMIT = 4;
@@ -24,7 +23,7 @@ final class Watchdog {
     private static final boolean CAN_RECORD = loadEvents();
 
     private final SpaceHome space;
-    private final Lifeline lifeline;
+    private final IdleStrategy idle;
     private final Dispatcher dispatcher;
     private final long limitNanos;
     private final Consumer<Stall> listener;
@@ -36,9 +35,9 @@ final class Watchdog {
     private volatile boolean recording = CAN_RECORD;
 
     private Watchdog(
-            SpaceHome space, Lifeline lifeline, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
+            SpaceHome space, IdleStrategy idle, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
         this.space = space;
-        this.lifeline = lifeline;
+        this.idle = idle;
         this.dispatcher = dispatcher;
         this.limitNanos = SpaceHome.countedNanos(limit);
         this.listener = listener;
@@ -54,11 +53,11 @@ final class Watchdog {
                         .factory());
         looks.setRemoveOnCancelPolicy(true);
         looks.setKeepAliveTime(IDLE_SECONDS, TimeUnit.SECONDS);
-        looks.allowCoreThreadTimeOut(true); // not while a look is due some time
+        looks.allowCoreThreadTimeOut(true); // not while a check is scheduled
         return looks;
     }
 
-    /** Before the first look, not when memory is short. */
+    /** Loads the event classes before the first check, not when memory is short. */
     private static boolean loadEvents() {
         try {
             new SpaceFiguresEvent();
@@ -73,24 +72,24 @@ final class Watchdog {
     /**
      * Watches a space.
      *
-     * @return ends that, or null if the space is not to be watched
+     * @return ends the watch; null if the space is not to be watched
      */
-    static @Nullable Runnable watch(SpaceHome space, SpaceSettings settings, Lifeline lifeline, Dispatcher dispatcher) {
+    static @Nullable Runnable watch(SpaceHome space, SpaceSettings settings, IdleStrategy idle, Dispatcher dispatcher) {
         if (settings.stallLimit().isZero()) {
             return null;
         }
-        var watchdog = new Watchdog(space, lifeline, dispatcher, settings.stallLimit(), settings.onStall());
+        var watchdog = new Watchdog(space, idle, dispatcher, settings.stallLimit(), settings.onStall());
         long period = Math.max(1, watchdog.limitNanos / LOOKS_PER_LIMIT);
         var looks = LOOKS.scheduleWithFixedDelay(watchdog::look, period, period, TimeUnit.NANOSECONDS);
         return () -> looks.cancel(false);
     }
 
-    /** Throws nothing: that would end the watch. */
+    /** Checks the space; throws nothing, because that would end the schedule. */
     private void look() {
         try {
             long served = dispatcher.served();
             long now = clock.nanos();
-            if (served != seen || lifeline.isAsleep()) {
+            if (served != seen || idle.isAsleep()) {
                 seen = served;
                 since = now;
                 reported = false;
@@ -98,7 +97,7 @@ final class Watchdog {
                 report(served, now - since);
             }
             failed = false;
-        } catch (Throwable broken) { // no memory, say: the next look may do better
+        } catch (Throwable broken) { // for example no memory: the next check may succeed
             if (!failed) {
                 failed = true;
                 log("the watchdog of space " + space + " failed", broken);
@@ -121,15 +120,18 @@ final class Watchdog {
             return;
         }
         var stack = List.of(busy.getStackTrace());
-        if (served != dispatcher.served() || lifeline.isAsleep() || !isInATurn(stack)) {
-            return; // it was just about to go on, or it waits for a processor, which is nobody's fault here
+        if (served != dispatcher.served() || idle.isAsleep() || !isInATurn(stack)) {
+            return; // the space was about to continue, or it waits for a processor, which is not a stall
         }
         var stall = new Stall(space.toString(), Duration.ofNanos(nanos), stack);
-        HelperThreads.run(space + "-stall", () -> tell(stall)); // which may take its time, others are watched too
-        reported = true; // once for each message
+        HelperThreads.run(
+                space + "-stall",
+                () -> notifyListener(
+                        stall)); // on another thread, because the listener may block and other spaces are watched too
+        reported = true; // once per message
     }
 
-    private void tell(Stall stall) {
+    private void notifyListener(Stall stall) {
         if (recording) {
             record(() -> new StallEvent(stall).commit());
         }
@@ -140,10 +142,7 @@ final class Watchdog {
         }
     }
 
-    /**
-     * Whether what the thread does is the work of an entry or of a handler, and not the loop of the space itself, or
-     * sleep.
-     */
+    /** True if the stack is that of an entry or a handler, not of the space's own loop or of its sleep. */
     static boolean isInATurn(List<StackTraceElement> stack) {
         return stack.stream().anyMatch(Watchdog::isATurn);
     }
@@ -153,11 +152,11 @@ final class Watchdog {
         return type.equals(Dispatcher.class.getName())
                         && (frame.getMethodName().equals("serveOne")
                                 || frame.getMethodName().equals("runTask"))
-                || type.equals(Sequence.class.getName())
+                || type.equals(SequentialBody.class.getName())
                 || type.equals(Reports.class.getName());
     }
 
-    /** For the flight recorder, if it is on. */
+    /** Records the metrics if the flight recorder is on. */
     private void startRecording() {
         if (recording) {
             record(() -> {
@@ -174,7 +173,10 @@ final class Watchdog {
         event.commit();
     }
 
-    /** The watch does not depend on the recorder: after an error nothing of this space is recorded any more. */
+    /**
+     * Runs a recording step. The watch does not depend on the recorder: after an error nothing more is recorded for
+     * this space.
+     */
     private void record(Runnable step) {
         try {
             step.run();

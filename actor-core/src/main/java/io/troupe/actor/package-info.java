@@ -1,4 +1,4 @@
-/** Actors whose methods are messages, all on the one thread of their space. */
+/** Actors whose methods are messages, all on the single thread of their space. */
 @NullMarked
 package io.troupe.actor;
 

@@ -103,7 +103,7 @@ class ActorSpaceTest {
     }
 
     @Test
-    void crank_ofASpaceWithAThread_isRefused() {
+    void crank_ofASpaceWithAThread_isRejected() {
         try (var space = ActorSpace.create(SpaceSettings.named("threaded"))) {
             assertThatThrownBy(space::crank)
                     .isInstanceOf(IllegalStateException.class)

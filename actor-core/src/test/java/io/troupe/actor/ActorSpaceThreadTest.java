@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** On real threads: latches only, generous waits. */
+/** Tests on real threads: with latches only, and long time limits. */
 @Tag("threads")
 @Timeout(60)
 class ActorSpaceThreadTest {
@@ -114,7 +114,7 @@ class ActorSpaceThreadTest {
     }
 
     @Test
-    void get_thatTakesTooLong_saysWhatItWaitedFor() {
+    void get_thatTakesTooLong_reportsWhatItWaitedFor() {
         interface Silent {
             Promise<String> ask(String what);
         }

@@ -120,7 +120,7 @@ class ActorTypeTest {
     }
 
     @Test
-    void methodReturningInt_isRefusedAtSpawn_withWhatToDo() {
+    void methodReturningInt_isRejectedAtSpawn_withWhatToDo() {
         assertThatThrownBy(() -> test.space().spawn(Thermometer.class, () -> () -> 20))
                 .isInstanceOf(ActorTypeException.class)
                 .hasMessageContaining("Thermometer.degrees()")
@@ -133,7 +133,7 @@ class ActorTypeTest {
     }
 
     @Test
-    void finalMethodOfAClassActor_isRefusedAtSpawn() {
+    void finalMethodOfAClassActor_isRejectedAtSpawn() {
         assertThatThrownBy(() -> test.space().spawn(WithFinalMethod.class, () -> new WithFinalMethod() {}))
                 .isInstanceOf(ActorTypeException.class)
                 .hasMessageContaining("WithFinalMethod.fixed()")
@@ -141,7 +141,7 @@ class ActorTypeTest {
     }
 
     @Test
-    void typesThatCannotHaveAProxy_areRefusedWithAReason() {
+    void typesThatCannotHaveAProxy_areRejectedWithAReason() {
         record Data(int x) {}
         assertThatThrownBy(() -> test.space().spawn(Data.class, () -> new Data(1)))
                 .hasMessageContaining("does not extend io.troupe.actor.Actor");
@@ -165,7 +165,7 @@ class ActorTypeTest {
     }
 
     @Test
-    void overloads_areToldApart() {
+    void overloads_areDistinguished() {
         Overloaded proxy = test.spawn(Overloaded.class, () -> new Overloaded() {
             @Override
             public Promise<String> show(int value) {
@@ -231,7 +231,8 @@ class ActorTypeTest {
     void classActor_callsItselfThroughItsProxy_andItsConstructorRunsOnce() {
         Demo3 demo = test.spawn(Demo3.class, () -> new Demo3("red"));
         demo.live();
-        assertThat(test.get(demo.lives())).isEqualTo(2); // asked behind the first call, which had queued the second
+        assertThat(test.get(demo.lives()))
+                .isEqualTo(2); // this request is queued behind the first call, which has queued the second
         assertThat(test.get(demo.lives())).isEqualTo(3);
         test.space().stop(demo);
         test.crank();
@@ -288,7 +289,7 @@ class ActorTypeTest {
         public void step() {
             steps++;
             stop();
-            steps++; // the message goes on to its end
+            steps++; // the message is processed to its end
         }
 
         @Override

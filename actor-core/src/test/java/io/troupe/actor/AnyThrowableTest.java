@@ -17,7 +17,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
-/** Whatever one actor, handler or listener throws, the space serves all others, and what was thrown is reported. */
+/** Whatever one actor, handler or listener throws, the space runs all others, and the error is reported. */
 @Tag("threads")
 @Timeout(60)
 class AnyThrowableTest {
@@ -125,8 +125,8 @@ class AnyThrowableTest {
             space.crank();
             assertThat(answer.getNow()).isEqualTo(1);
         }
-        // started, timer, listener, message, task, idle action, stopped; an error of the machine itself a second time
-        // where a promise has it too
+        // started, timer, listener, message, task, idle action, stopped; an error of the virtual machine a second time
+        // where it also rejects a promise
         assertThat(reported).hasSizeGreaterThanOrEqualTo(7).allMatch(kind.make().getClass()::isInstance);
     }
 
@@ -146,7 +146,7 @@ class AnyThrowableTest {
             failing.fail();
             space.stop(failing);
             failing.fail(); // a dead letter
-            new Deferred<Integer>(space).reject(kind.make()); // nobody listens
+            new Deferred<Integer>(space).reject(kind.make()); // without a listener
             Worker steady = space.spawn(Worker.class, Steady::new);
             assertThat(steady.answer().get(LONG)).isEqualTo(1);
             assertThat(space.metrics().errors()).isPositive();
@@ -154,7 +154,7 @@ class AnyThrowableTest {
         assertThat(reported).isNotEmpty();
     }
 
-    /** Its registration cannot be taken back. */
+    /** Its registration cannot be removed. */
     private record StickyClock() implements Clock {
         @Override
         public long nanos() {

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Virtual threads that compute keep all carriers busy; spaces do not depend on these. */
+/** Virtual threads that compute occupy all carriers; spaces do not depend on these. */
 @Tag("threads")
 @Timeout(120)
 class BusyCarriersTest {
@@ -119,7 +119,7 @@ class BusyCarriersTest {
             for (int number = 0; number < BODIES; number++) {
                 bodies.add(space.sequential(gate::await));
             }
-            space.execute(() -> gate.resolve(1)); // behind the beginnings of all bodies
+            space.execute(() -> gate.resolve(1)); // queued behind the starts of all bodies
             assertThat(Promise.all(bodies).get(LONG)).hasSize(BODIES).containsOnly(1);
         }
     }

@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** In which order calls and callbacks of one space are served. */
+/** The order in which calls and callbacks of one space run. */
 class CallOrderTest {
     private final TestSpace test = new TestSpace();
 
@@ -64,7 +64,7 @@ class CallOrderTest {
     }
 
     @Test
-    void callback_comesBeforeTheMailsThatWait() {
+    void callback_comesBeforeQueuedMessages() {
         var log = new ArrayList<String>();
         interface Worker {
             Promise<String> work();

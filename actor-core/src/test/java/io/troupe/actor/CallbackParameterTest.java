@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** A callback is wrapped only where the parameter is one, so nothing else may hold one. */
+/** A callback is wrapped only where the parameter is one, so no other argument may contain one. */
 class CallbackParameterTest {
     interface Colours extends Callback<Integer> {}
 
@@ -67,7 +67,7 @@ class CallbackParameterTest {
         public void wander(String where, List<Callback<Integer>> colours) {}
     }
 
-    /** The compiler's bridge to the method above says nothing of the list's elements. */
+    /** The compiler's bridge to the method above does not include the type of the list's elements. */
     public static class Seen extends Unseen {}
 
     abstract static class Wanderer<T> extends Actor {
@@ -93,7 +93,7 @@ class CallbackParameterTest {
         void wander(String where, Callback<Integer> colours);
     }
 
-    /** The descriptor with Object comes from here a second time, and no compiler has put a bridge in between. */
+    /** The descriptor with Object is inherited here a second time, and the compiler has generated no bridge. */
     interface Twice extends Follower<Callback<Integer>>, Walking {}
 
     interface Walking {
@@ -128,7 +128,7 @@ class CallbackParameterTest {
                 OfAClass.class,
                 Seen.class
             })
-    void callbackInAnotherType_isRefusedAtSpawn(Class<?> type) {
+    void callbackInAnotherType_isRejectedAtSpawn(Class<?> type) {
         assertThatThrownBy(() -> test.space().spawn(type, () -> null))
                 .isInstanceOf(ActorTypeException.class)
                 .hasMessageContaining(".wander(String, ")
@@ -138,7 +138,7 @@ class CallbackParameterTest {
     }
 
     @Test
-    void promiseOfACallback_isRefusedAtSpawn() {
+    void promiseOfACallback_isRejectedAtSpawn() {
         assertThatThrownBy(() -> test.space().spawn(Answering.class, () -> null))
                 .isInstanceOf(ActorTypeException.class)
                 .hasMessageContaining("Answering.listener()")
@@ -146,7 +146,7 @@ class CallbackParameterTest {
     }
 
     @Test
-    void otherGenericParameters_areNotRefused() {
+    void otherGenericParameters_areNotRejected() {
         Harmless<?> proxy = test.spawn(Harmless.class, () -> null);
         assertThat(proxy).hasToString("Harmless#1");
         assertThat(test.takeProblems()).hasSize(1); // the factory

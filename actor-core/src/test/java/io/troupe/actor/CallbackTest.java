@@ -71,7 +71,7 @@ class CallbackTest {
     }
 
     @Test
-    void results_arriveInOrder_inTheCallersCallbackQueue_beforeItsMails() {
+    void results_arriveInOrder_inTheCallersCallbackQueue_beforeItsMessages() {
         Reader reader = test.spawn(Reader.class, () -> new Reader(source, log));
         reader.read();
         test.crank();
@@ -87,7 +87,7 @@ class CallbackTest {
     }
 
     @Test
-    void stream_hearsOfItsEnd() {
+    void stream_isNotifiedOfItsEnd() {
         source.finishWith(
                 new Callback.Stream<>(result -> log.add("next " + result), end -> log.add("end " + end)), null);
         test.crank();

@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Nothing but a message may run on the proxy of a class actor, whose fields are unset. */
+/** Only messages may run on the proxy of a class actor, whose fields are unset. */
 class ClassActorTest {
     interface Lamp {
         void set(boolean on);
@@ -78,7 +78,7 @@ class ClassActorTest {
     public abstract static class Shelf extends Actor implements Comparable<Shelf> {}
 
     @Test
-    void interfaceMethodThatAnswersAtOnce_isRefusedAtSpawn() {
+    void interfaceMethodThatAnswersAtOnce_isRejectedAtSpawn() {
         refused(Jar.class, "Labelled.label()", "returns String", "make it static, or spawn the actor by an interface");
         refused(Shelf.class, "Comparable.compareTo(", "returns int");
     }
@@ -134,7 +134,7 @@ class ClassActorTest {
     }
 
     @Test
-    void fieldsThatOthersCanReach_areRefusedAtSpawn() {
+    void fieldsThatOthersCanReach_areRejectedAtSpawn() {
         refused(PublicField.class, "the field PublicField.count", "make it private", "Promise");
         refused(InheritedField.class, "the field ProtectedField.shared", "make it private");
         refused(PackageField.class, "the field PackageField.total", "make it private");
@@ -173,7 +173,7 @@ class ClassActorTest {
     }
 
     @Test
-    void methodsThatAProxyCannotOverride_areRefusedAtSpawn() {
+    void methodsThatAProxyCannotOverride_areRejectedAtSpawn() {
         refused(FinalHelper.class, "FinalHelper.help()", "is final", "remove final", "or make it private");
         refused(FinalPackageHelper.class, "FinalPackageHelper.help(int)", "or make it private");
         refused(FinalStart.class, "FinalStart.started()", "is final");
@@ -290,7 +290,7 @@ class ClassActorTest {
         test.crank();
     }
 
-    /** Public methods of a class that is not: the compiler lets a public subclass bridge to them. */
+    /** Public methods of a class that is not public: the compiler generates bridges to them in a public subclass. */
     abstract static class Unseen extends Actor {
         private int count;
 

@@ -16,7 +16,7 @@ import javax.tools.JavaFileObject;
 import javax.tools.SimpleJavaFileObject;
 import javax.tools.ToolProvider;
 
-/** Java sources that a test compiles while it runs, because the test's own module or package would not do. */
+/** Java sources that a test compiles at run time, because the test's own module or package does not suit. */
 final class Compiled {
     private final List<JavaFileObject> sources = new ArrayList<>();
     private final Path classes;
@@ -41,7 +41,7 @@ final class Compiled {
         return this;
     }
 
-    /** Compiles, against the test's class path unless the options say otherwise. */
+    /** Compiles, against the test's class path unless the options set another one. */
     void compile(String... options) throws IOException {
         Files.createDirectories(classes);
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
@@ -53,7 +53,7 @@ final class Compiled {
         assertThat(done).as("the compiler says: %s", output).isTrue();
     }
 
-    /** Compiles, and loads below the test's own loader. */
+    /** Compiles, and loads the classes in a child of the test's class loader. */
     URLClassLoader load() throws IOException {
         compile();
         return new URLClassLoader(new URL[] {classes.toUri().toURL()}, Compiled.class.getClassLoader());

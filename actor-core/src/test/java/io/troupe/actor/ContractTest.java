@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Points of the contract that no other test is about; {@code docs/contract-actor-core.md} has them all. */
+/** Points of the contract that have no other test; {@code docs/contract-actor-core.md} lists them all. */
 class ContractTest {
     interface Desk {
         void note(List<String> where);
@@ -50,12 +50,12 @@ class ContractTest {
         }
     }
 
-    /** Says who called it. */
+    /** Reports the caller of a method. */
     interface Witness {
         Promise<List<String>> callers();
     }
 
-    /** Knows nothing of this library. */
+    /** Does not know this library. */
     interface Door {
         void open(String who);
     }
@@ -68,7 +68,7 @@ class ContractTest {
         test.close();
     }
 
-    /** In a loader of its own, so that no other test can have used the global space before. */
+    /** In a separate class loader, so that no other test can have used the global space before. */
     @Test
     @Tag("threads")
     @Timeout(60)
@@ -155,7 +155,7 @@ class ContractTest {
     }
 
     @Test
-    void callbacks_runAtMost256InARow_beforeAMail() {
+    void callbacks_runAtMost256InARow_beforeAMessage() {
         Desk desk = test.spawn(Desk.class, PlainDesk::new);
         test.run(() -> {
             desk.note(log);
@@ -170,7 +170,7 @@ class ContractTest {
     }
 
     @Test
-    void endlessMails_doNotStarveTheCallbacks() {
+    void endlessMessages_doNotStarveTheCallbacks() {
         var spins = new int[1];
         var spinner = new Door[1];
         var answered = new Deferred<Integer>();
@@ -279,7 +279,7 @@ class ContractTest {
     }
 
     @Test
-    void asker_hearsOfAnException_beforeAnyTimeHasPassed() {
+    void caller_receivesAnException_beforeAnyTimeHasPassed() {
         Desk desk = test.spawn(Desk.class, PlainDesk::new);
         Throwable error = test.error(desk.ask(-1, "no such number").orTimeout(Duration.ofSeconds(30)));
         assertThat(error).isExactlyInstanceOf(IllegalArgumentException.class).hasMessage("no such number");

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A mailbox that drops the oldest call, under several senders and a receiver at once. */
+/** A mailbox that drops the oldest call, with several senders and a receiver running concurrently. */
 @Tag("threads")
 @Timeout(60)
 class DropOldestTest {

@@ -17,7 +17,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Corners of the contract. */
+/** Corner cases of the contract. */
 @Timeout(30)
 class EdgesTest {
     private final List<String> log = new ArrayList<>();
@@ -59,7 +59,7 @@ class EdgesTest {
     }
 
     @Test
-    void timeout_ofARequestThatTookTheOldestOnesPlace_saysThatItHasNotBegun() {
+    void timeout_ofARequestThatTookTheOldestOnesPlace_reportsThatItHasNotBegun() {
         var test = new TestSpace();
         var error = new AtomicReference<Throwable>();
         Worker worker = test.space()
@@ -67,7 +67,7 @@ class EdgesTest {
         test.crank();
         test.run(() -> {
             for (int before = 0; before < 600; before++) {
-                test.space().execute(() -> {}); // more than one pass serves
+                test.space().execute(() -> {}); // more than one pass runs
             }
             worker.ask(1).exceptionally(dropped -> 0);
             worker.ask(2).orTimeout(Duration.ZERO).exceptionally(late -> {
@@ -117,7 +117,7 @@ class EdgesTest {
         test.close();
     }
 
-    /** Knows itself. */
+    /** Has a field that refers to itself. */
     public static class Selfish extends Actor {
         public Promise<String> name() {
             return Promise.of(self().toString());
@@ -129,7 +129,7 @@ class EdgesTest {
         var test = new TestSpace();
         var one = new Selfish();
         Selfish first = test.spawn(Selfish.class, () -> one);
-        test.spawn(Selfish.class, () -> one); // refusing it would do as well
+        test.spawn(Selfish.class, () -> one); // rejecting it would also be correct
         test.takeProblems();
         assertThat(test.get(first.name())).isEqualTo(first.toString());
         test.close();

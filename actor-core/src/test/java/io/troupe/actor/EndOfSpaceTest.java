@@ -14,7 +14,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The last things a space does, and what its own bookkeeping may still lead to then. */
+/** What a closing space still does, and what its own steps may lead to. */
 @Timeout(20)
 class EndOfSpaceTest {
     private final List<String> log = new ArrayList<>();
@@ -26,7 +26,7 @@ class EndOfSpaceTest {
             .withOnError((where, error) -> log.add(where))
             .withHandCrank();
 
-    /** Takes and answers. */
+    /** Takes messages and answers requests. */
     public interface Worker {
         void take(String text);
 
@@ -57,10 +57,10 @@ class EndOfSpaceTest {
     }
 
     @Test
-    void close_callBeforeItsActorHasStarted_isTurnedAway() {
+    void close_callBeforeItsActorHasStarted_isRejected() {
         var space = ActorSpace.create(settings);
         space.execute(() -> {
-            Worker worker = spawnElsewhere(space); // its start is on its way through the inbox
+            Worker worker = spawnElsewhere(space); // the entry that starts it is in the inbox
             space.close();
             worker.take("a call");
         });
@@ -107,7 +107,7 @@ class EndOfSpaceTest {
         assertThat(letters).hasSize(1);
     }
 
-    /** Its end goes wrong where nobody listens. */
+    /** Fails in {@code stopped()}, in a promise without listeners. */
     public static class Loser extends Actor {
         @Override
         protected void stopped() {
@@ -172,7 +172,7 @@ class EndOfSpaceTest {
     }
 
     @Test
-    void stop_timersOfTheActor_areForgotten() {
+    void stop_timersOfTheActor_areRemoved() {
         var space = ActorSpace.create(settings);
         Clocked clocked = space.spawn(Clocked.class, Clocked::new);
         space.crank();

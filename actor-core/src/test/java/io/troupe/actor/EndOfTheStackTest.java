@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A caller whose stack ends somewhere within a call, as that of an error logger may, costs the space nothing. */
+/** A caller whose stack overflows within a call, as that of an error logger may, does not harm the space. */
 @Tag("threads")
 @Timeout(120)
 class EndOfTheStackTest {
@@ -40,7 +40,7 @@ class EndOfTheStackTest {
         }
     }
 
-    /** Calls, at the end of its stack and then from each frame further up, until a call gets through. */
+    /** Calls where its stack is exhausted, and then from each frame further up until a call succeeds. */
     private static final class Deep {
         private final Runnable call;
         private boolean done;
@@ -89,7 +89,7 @@ class EndOfTheStackTest {
     private static void callWhileItSleeps(ActorSpace space, Counter counter, int rounds) throws Exception {
         Thread served = threadOf(space);
         space.execute(
-                () -> { // what is used for the first time at the end of a stack, the machine never links
+                () -> { // the virtual machine never links what is first used where the stack is exhausted
                     for (int call = 0; call < 3; call++) {
                         counter.add();
                     }
@@ -139,7 +139,7 @@ class EndOfTheStackTest {
                     deep.recurse();
                     return deep.done;
                 });
-                space.execute(() -> gate.resolve(1)); // when the body has given the space back
+                space.execute(() -> gate.resolve(1)); // when the body has returned control to the space
                 assertThat(body.get(LONG)).isTrue();
                 assertThat(space.sequential(() -> 7).get(LONG)).isEqualTo(7);
             }
@@ -180,18 +180,18 @@ class EndOfTheStackTest {
         var entries = IntStream.range(0, most)
                 .mapToObj(number -> new Entry(() -> {}, () -> refusals[number]++))
                 .toArray(Entry[]::new);
-        space.enqueueMail(entries[0]);
+        space.enqueueMessage(entries[0]);
         assertThat(refusals[0]).isEqualTo(1);
         var attempts = new int[] {1};
         var deep = new Deep(() -> {
             int attempt = attempts[0]++;
-            space.enqueueMail(entries[attempt]);
+            space.enqueueMessage(entries[attempt]);
             returned[attempt] = true;
         });
         onASmallStack(deep::recurse);
         assertThat(deep.done).isTrue();
-        assertThat(attempts[0]).isGreaterThan(2); // else the stack did not end within a call
-        space.enqueueMail(new Entry(() -> {}, () -> {})); // finds what was left
+        assertThat(attempts[0]).isGreaterThan(2); // else the stack did not overflow within a call
+        space.enqueueMessage(new Entry(() -> {}, () -> {})); // finds what was left
         for (int attempt = 1; attempt < attempts[0]; attempt++) {
             assertThat(refusals[attempt]).as("attempt %s", attempt).isEqualTo(returned[attempt] ? 1 : 0);
         }

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What becomes of things whose actor or space ends before they do: nothing is lost, nobody waits for ever. */
+/** Promises, callbacks and calls whose actor or space ends first: none is lost, and no caller waits for ever. */
 class EndOfThingsTest {
     private final TestSpace test = new TestSpace();
     private final List<String> log = new ArrayList<>();
@@ -30,7 +30,7 @@ class EndOfThingsTest {
         test.close();
     }
 
-    /** Does a bit of everything. */
+    /** Has a method for every kind of call. */
     public static class Worker extends Actor {
         private final EndOfThingsTest outer;
 
@@ -148,14 +148,15 @@ class EndOfThingsTest {
     }
 
     @Test
-    void callback_ofACallThatAFullMailboxTurnsAwayOrACancelSkips_isFailed() {
+    void callback_ofACallThatAFullMailboxRejectsOrACancelSkips_isFailed() {
         Worker worker = spawn(ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT));
         Promise<Integer> taken = worker.streamAndAnswer((result, error) -> log.add("first: " + error));
         worker.stream((result, error) -> log.add("second: " + error));
         taken.cancel();
         test.crank();
         assertThat(log).hasSize(3);
-        assertThat(log.get(1)).contains("second: ", "MailboxFullException"); // a callback: it waits for no mail
+        assertThat(log.get(1))
+                .contains("second: ", "MailboxFullException"); // a callback: it does not wait for messages
         assertThat(log.get(2)).contains("first: ", "CancellationException", "before it began");
         assertThat(test.takeDeadLetters()).hasSize(1);
     }
@@ -177,7 +178,7 @@ class EndOfThingsTest {
     }
 
     @Test
-    void close_saysWhatWasStillQueued() {
+    void close_reportsWhatWasStillQueued() {
         var letters = new ArrayList<DeadLetter>();
         var space = ActorSpace.create(SpaceSettings.named("left")
                 .withOnDeadLetter(letters::add)
@@ -187,7 +188,7 @@ class EndOfThingsTest {
         var request = new ArrayList<Promise<Integer>>();
         space.crank();
         space.execute(() -> {
-            space.close(); // the calls below come behind it
+            space.close(); // the calls below are queued behind it
             worker.end();
             request.add(worker.streamAndAnswer((result, error) -> {}));
         });
@@ -206,7 +207,7 @@ class EndOfThingsTest {
     @Test
     @Tag("threads")
     @Timeout(60)
-    void close_ofASpaceThatIsBusy_saysWithWhat() throws Exception {
+    void close_ofASpaceThatIsBusy_reportsWithWhat() throws Exception {
         var begun = new CountDownLatch(1);
         var goOn = new CountDownLatch(1);
         var space = ActorSpace.create(SpaceSettings.named("busy").withOnStall(Duration.ZERO, stall -> {}));
@@ -238,7 +239,7 @@ class EndOfThingsTest {
     }
 
     @Test
-    void timer_cancelledOnAnotherThread_throwsAndSaysWhere() {
+    void timer_cancelledOnAnotherThread_throwsAndNamesTheThread() {
         Worker worker = spawn(ActorSettings.DEFAULT);
         var timer = test.get(worker.setTimer());
         assertThatThrownBy(timer::cancel)
@@ -271,7 +272,7 @@ class EndOfThingsTest {
             worker.stream((result, error) -> {});
         }
         assertThat(test.takeDeadLetters()).hasSize(997);
-        assertThat(test.space().metrics().waiting() - 997).isEqualTo(3); // and 997 failed callbacks on their way back
+        assertThat(test.space().metrics().waiting() - 997).isEqualTo(3); // and 997 queued callbacks of rejected calls
         test.crank();
     }
 }

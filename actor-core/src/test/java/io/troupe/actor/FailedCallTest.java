@@ -10,7 +10,7 @@ import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What becomes of a call that fails, or that nobody handles. */
+/** Calls that fail, or that no actor handles. */
 class FailedCallTest {
     interface Counter {
         Promise<Integer> add(int amount);
@@ -91,7 +91,7 @@ class FailedCallTest {
     }
 
     @Test
-    void rejection_nobodyListensTo_isReported() {
+    void rejection_withoutAListener_isReported() {
         Counter counter = test.spawn(Counter.class, FailingCounter::new);
         test.run(() -> counter.failing("unheard"));
         assertThat(test.takeProblems()).singleElement().satisfies(problem -> {
@@ -122,7 +122,7 @@ class FailedCallTest {
     }
 
     @Test
-    void stoppedActor_refusesRequestsAndMakesDeadLettersOfMessages() {
+    void stoppedActor_rejectsRequestsAndMakesDeadLettersOfMessages() {
         Counter counter = test.spawn(Counter.class, FailingCounter::new);
         test.space().stop(counter);
         Throwable error = test.error(counter.add(1));

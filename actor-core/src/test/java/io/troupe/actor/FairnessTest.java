@@ -12,7 +12,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Callbacks come first, but nobody starves. */
+/** Callbacks run first, but messages and timers do not starve. */
 class FairnessTest {
     private final TestSpace test = new TestSpace();
     private final List<String> log = new ArrayList<>();
@@ -23,7 +23,7 @@ class FairnessTest {
         test.close();
     }
 
-    /** Sends a message to itself, and hears of others. */
+    /** Sends a message to itself, and records the results of promises. */
     public static class Worker extends Actor {
         private final FairnessTest outer;
 
@@ -81,7 +81,7 @@ class FairnessTest {
         assertThat(callbacks).isLessThanOrEqualTo(10 + 256);
     }
 
-    /** Callback after callback, until somebody else has had a turn; the tenth runs an action. */
+    /** Queues callback after callback until other work has run; the tenth runs an action. */
     private void callbacksWithoutEnd(Runnable atTheTenth) {
         Promise.done().thenRun(() -> {
             if (++callbacks == 10) {
@@ -93,7 +93,7 @@ class FairnessTest {
         });
     }
 
-    /** Runs by itself, as the space sees it; moved by the test. */
+    /** Runs by itself from the space's point of view; moved by the test. */
     private static final class SteppedClock implements Clock {
         private long nanos;
 
@@ -118,7 +118,7 @@ class FairnessTest {
     }
 
     @Test
-    void timer_thatFallsDueAmongManyMails_waitsForSixteenAtMost() {
+    void timer_thatFallsDueAmongManyMessages_waitsForSixteenAtMost() {
         var clock = new SteppedClock();
         try (var space = spaceOn(clock)) {
             var served = new int[1];
@@ -142,7 +142,7 @@ class FairnessTest {
     }
 
     @Test
-    void timer_amongMailsThatTakeLong_waitsForOneMail() {
+    void timer_amongMessagesThatTakeLong_waitsForOneMessage() {
         var clock = new SteppedClock();
         try (var space = spaceOn(clock)) {
             var servedBefore = new ArrayList<Integer>();
@@ -156,7 +156,7 @@ class FairnessTest {
             for (int mail = 0; mail < 200; mail++) {
                 space.execute(() -> {
                     served[0]++;
-                    clock.nanos += 2_000_000; // so long does each take
+                    clock.nanos += 2_000_000; // the duration of each
                 });
             }
             space.crank();
@@ -177,20 +177,20 @@ class FairnessTest {
     }
 
     @Test
-    void answerOfAnotherThread_waitsForNoMailFromOutside() {
+    void answerOfAnotherThread_waitsForNoMessageFromOutside() {
         var answer = new Deferred<Integer>(test.space());
         test.run(() -> answer.then(value -> log.add("answer")));
         Worker worker = test.spawn(Worker.class, () -> new Worker(this));
         for (int mail = 0; mail < 200; mail++) {
             worker.poke();
         }
-        answer.resolve(1); // behind 200 mails in the inbox
+        answer.resolve(1); // queued behind 200 messages in the inbox
         test.crank();
         assertThat(log).hasSize(201).startsWith("answer");
     }
 
     @Test
-    void answerOfAnotherThread_comesBeforeTheNextMailFromInside() {
+    void answerOfAnotherThread_comesBeforeTheNextMessageFromInside() {
         var answer = new Deferred<Integer>(test.space());
         test.run(() -> {
             answer.then(value -> log.add("answer"));
@@ -209,10 +209,10 @@ class FairnessTest {
     }
 
     @Test
-    void mailOfAnotherThread_doesNotOvertakeTheCallbackThatThreadQueuedBefore() {
+    void messageOfAnotherThread_doesNotOvertakeTheCallbackThatThreadQueuedBefore() {
         var answer = new Deferred<Integer>(test.space());
         Worker worker = test.spawn(Worker.class, () -> new Worker(this));
-        worker.poke(); // from the inbox too, so that the space is in the midst of it
+        worker.poke(); // also from the inbox, so that the space is in the middle of it
         test.run(() -> answer.then(value -> log.add("answer")));
         log.clear();
         test.space()
@@ -225,7 +225,7 @@ class FairnessTest {
     }
 
     @Test
-    void mailOfAnotherThread_doesNotOvertakeMoreCallbacksOfThatThreadThanRunInARow() {
+    void messageOfAnotherThread_doesNotOvertakeMoreCallbacksOfThatThreadThanRunInARow() {
         Worker worker = test.spawn(Worker.class, () -> new Worker(this));
         var answers = new ArrayList<Deferred<Integer>>();
         for (int count = 0; count < 2_000; count++) {
@@ -245,7 +245,7 @@ class FairnessTest {
     }
 
     @Test
-    void mailsOfAnotherThread_amongItsCallbacks_runWhenThoseBeforeThemHaveRun() {
+    void messagesOfAnotherThread_amongItsCallbacks_runWhenThoseBeforeThemHaveRun() {
         Worker worker = test.spawn(Worker.class, () -> new Worker(this));
         var answers = new ArrayList<Deferred<Integer>>();
         for (int count = 0; count < 400; count++) {
@@ -253,7 +253,7 @@ class FairnessTest {
         }
         test.run(() -> answers.forEach(answer -> answer.then(value -> {
             callbacks++;
-            if (callbacks < 300) { // while it runs, more come
+            if (callbacks < 300) { // more arrive while it runs
                 Promise.done().thenRun(() -> callbacks++);
             }
         })));
@@ -270,7 +270,7 @@ class FairnessTest {
     }
 
     @Test
-    void timeOut_amongManyMails_saysThatTheRequestBehindThemHasNotBegun() {
+    void timeOut_amongManyMessages_reportsThatTheRequestBehindThemHasNotBegun() {
         var clock = new SteppedClock();
         try (var space = spaceOn(clock)) {
             Desk desk = space.spawn(Desk.class, () -> () -> Promise.of(1));
@@ -294,7 +294,7 @@ class FairnessTest {
         }
     }
 
-    /** Answers at once. */
+    /** Answers immediately. */
     public interface Desk {
         Promise<Integer> ask();
     }

@@ -16,7 +16,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
-/** Types that come from elsewhere: other packages, other class loaders, nowhere. */
+/** Types from other packages, from other class loaders, and hidden types. */
 class ForeignTypeTest {
     @TempDir
     private Path folder;
@@ -29,7 +29,7 @@ class ForeignTypeTest {
     }
 
     @Test
-    void methodWithTooManyArguments_isRefusedAtSpawn() throws Exception {
+    void methodWithTooManyArguments_isRejectedAtSpawn() throws Exception {
         var sources = new Compiled(folder);
         sources.add("many.Fits", "package many; public interface Fits { void go(" + parameters(126) + ", int last); }");
         sources.add("many.Longs", "package many; public interface Longs { void go(" + parameters(127) + "); }");
@@ -52,7 +52,7 @@ class ForeignTypeTest {
     }
 
     @Test
-    void packagePrivateMethodOfAnotherPackage_isRefusedAtSpawn_unlessOverriddenThere() throws Exception {
+    void packagePrivateMethodOfAnotherPackage_isRejectedAtSpawn_unlessOverriddenThere() throws Exception {
         var sources = new Compiled(folder);
         sources.add("one.Base", "package one; public class Base extends io.troupe.actor.Actor { void help() {} }");
         sources.add("one.Open", "package one; public class Open extends Base { @Override public void help() {} }");
@@ -104,7 +104,7 @@ class ForeignTypeTest {
     }
 
     @Test
-    void typeWhoseLoaderDoesNotSeeThisLibrary_isRefusedAtSpawn() throws Exception {
+    void typeWhoseLoaderDoesNotSeeThisLibrary_isRejectedAtSpawn() throws Exception {
         var sources = new Compiled(folder);
         sources.add("far.Plain", "package far; public interface Plain { void go(); }");
         sources.load().close();
@@ -114,7 +114,7 @@ class ForeignTypeTest {
     }
 
     @Test
-    void typeThatSeesAnotherCopyOfThisLibrary_isRefusedAtSpawn() throws Exception {
+    void typeThatSeesAnotherCopyOfThisLibrary_isRejectedAtSpawn() throws Exception {
         URL own = ActorSpace.class.getProtectionDomain().getCodeSource().getLocation();
         var sources = new Compiled(folder);
         sources.add(
@@ -131,7 +131,7 @@ class ForeignTypeTest {
     }
 
     @Test
-    void hiddenInterface_isRefusedAtSpawn() throws Exception {
+    void hiddenInterface_isRejectedAtSpawn() throws Exception {
         Class<?> hidden = MethodHandles.lookup()
                 .defineHiddenClass(bytes(ToHide.class), false)
                 .lookupClass();
@@ -153,7 +153,7 @@ class ForeignTypeTest {
     static class Taken$$Proxy {}
 
     @Test
-    void typeWhoseProxysNameIsTaken_isRefusedAtSpawn_andAgain() {
+    void typeWhoseProxysNameIsTaken_isRejectedAtSpawn_andAgain() {
         refused(Taken.class, "cannot be defined in its package");
         refused(Taken.class, "cannot be defined in its package");
     }

@@ -13,7 +13,7 @@ import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What the space's own bookkeeping calls may throw too: handlers, hooks, and the texts of arguments and errors. */
+/** User code that the space itself calls may throw: handlers, hooks, and {@code toString} of arguments and errors. */
 @Timeout(20)
 class HandlersThatThrowTest {
     private final List<String> log = new ArrayList<>();
@@ -22,7 +22,7 @@ class HandlersThatThrowTest {
         return SpaceSettings.named("handlers").withClock(new ManualClock()).withHandCrank();
     }
 
-    /** Fails, or takes anything. */
+    /** Has methods that fail, and methods that take any argument. */
     public interface Worker {
         void fail(RuntimeException error);
 
@@ -124,7 +124,7 @@ class HandlersThatThrowTest {
         space.close();
     }
 
-    /** Its first instance cannot stop. */
+    /** Its first instance throws in {@code stopped()}. */
     public static class Clumsy extends Actor {
         private final int number;
 

@@ -20,7 +20,7 @@ class InterfaceTypeTest {
         Promise<String> value();
     }
 
-    /** Both methods are abstract here, and no compiler has put a bridge between them. */
+    /** Both methods are abstract here, and the compiler has generated no bridge between them. */
     interface Both extends Asked, Source {}
 
     interface AlsoAsked {
@@ -181,7 +181,7 @@ class InterfaceTypeTest {
     }
 
     @Test
-    void typesThatAreNoInterfaces_areRefusedWithAReason() {
+    void typesThatAreNoInterfaces_areRejectedWithAReason() {
         refused(Colour.class, "does not extend io.troupe.actor.Actor");
         refused(Only.class, "does not extend io.troupe.actor.Actor");
         refused(int.class, "does not extend io.troupe.actor.Actor");

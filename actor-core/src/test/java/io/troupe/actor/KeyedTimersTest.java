@@ -18,7 +18,7 @@ class KeyedTimersTest {
     private final List<String> log = new ArrayList<>();
     private final List<Clockwork> instances = new ArrayList<>();
 
-    /** Does what the test tells it to, on the space's thread. */
+    /** Runs the tasks of the test on the space's thread. */
     public static class Clockwork extends Actor {
         public void then(Runnable task) {
             task.run();
@@ -52,7 +52,7 @@ class KeyedTimersTest {
                         ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
     }
 
-    /** On behalf of the one instance there is. */
+    /** On behalf of the current instance. */
     private void run(Clockwork proxy, Runnable task) {
         proxy.then(task);
         test.crank();
@@ -157,7 +157,7 @@ class KeyedTimersTest {
     }
 
     @Test
-    void cancelTimer_saysWhetherOneWasGoingToRun() {
+    void cancelTimer_returnsWhetherOneWasGoingToRun() {
         Clockwork proxy = spawn();
         run(proxy, () -> {
             log.add("unknown: " + me().forget("key"));
@@ -240,7 +240,7 @@ class KeyedTimersTest {
     }
 
     @Test
-    void misuse_isRefused_andLeavesTheTimerThatWaits() {
+    void misuse_isRejected_andLeavesTheTimerThatWaits() {
         Clockwork proxy = spawn();
         run(proxy, () -> {
             me().later("key", SECOND, () -> log.add("kept"));

@@ -15,9 +15,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/**
- * Kotlin's interfaces, classes and lambdas need nothing special. The Kotlin code is src/test/kotlin/greeter/Greeter.kt.
- */
+/** Kotlin's interfaces, classes and lambdas work unchanged. The Kotlin code is src/test/kotlin/greeter/Greeter.kt. */
 class KotlinTest {
     private final TestSpace test = new TestSpace();
 
@@ -71,7 +69,7 @@ class KotlinTest {
     }
 
     @Test
-    void finalClassesAndFunctions_areRefusedWithTheWordThatKotlinHasForIt() throws Exception {
+    void finalClassesAndFunctions_areRejectedWithTheWordThatKotlinHasForIt() throws Exception {
         refused("Closed", "greeter.Closed cannot be an actor type", "in Kotlin, make it open");
         refused("HalfClosed", "HalfClosed.fixed() of actor type greeter.HalfClosed", "in Kotlin, make it open");
         refused("ManyCallbacks", "ManyCallbacks.listen(Callback[])", "declare the parameter as Callback<T>");

@@ -59,7 +59,7 @@ class MailboxBoundTest {
     }
 
     @Test
-    void reject_turnsAwayTheNewest() {
+    void reject_rejectsTheNewest() {
         Sink sink = spawn(Overflow.REJECT);
         takeFive(sink);
         assertThat(test.error(sink.taken()))
@@ -86,7 +86,7 @@ class MailboxBoundTest {
     void block_onAnActorSpaceOrWithoutAThread_rejectsInstead() {
         Sink sink = spawn(Overflow.BLOCK);
         test.run(() -> takeFive(sink));
-        takeFive(sink); // from outside, where waiting for the crank would be for ever
+        takeFive(sink); // from outside, where it would wait for the crank for ever
         test.crank();
         assertThat(test.get(sink.taken())).containsExactly(1, 2, 3, 1, 2, 3);
         assertThat(test.takeDeadLetters()).hasSize(4);
@@ -123,7 +123,7 @@ class MailboxBoundTest {
     @Test
     @Tag("threads")
     @Timeout(60)
-    void block_interruptedCaller_isRefused_andStaysInterrupted() throws Exception {
+    void block_interruptedCaller_isRejected_andStaysInterrupted() throws Exception {
         var letters = new LinkedBlockingQueue<DeadLetter>();
         try (var space = ActorSpace.create(SpaceSettings.named("bounded").withOnDeadLetter(letters::add))) {
             var gate = new CountDownLatch(1);
@@ -167,7 +167,7 @@ class MailboxBoundTest {
     }
 
     @Test
-    void capacityBelowOne_isRefused() {
+    void capacityBelowOne_isRejected() {
         assertThatThrownBy(() -> ActorSettings.DEFAULT.withMailbox(0, Overflow.REJECT))
                 .hasMessage("capacity is 0, expected 1 or more");
     }

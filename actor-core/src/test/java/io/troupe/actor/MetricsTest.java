@@ -91,7 +91,7 @@ class MetricsTest {
             var compiled = new CountDownLatch(LOOKS_UNTIL_COMPILED);
             var gone = new CountDownLatch(1);
             Thread.ofPlatform().daemon().start(() -> {
-                while (compiled.getCount() > 0) { // each time a loop of its own, so that the compiler gets to know it
+                while (compiled.getCount() > 0) { // a new loop each time, so that the compiler optimises it
                     lookUntil(metrics, 1);
                     compiled.countDown();
                 }
@@ -111,7 +111,7 @@ class MetricsTest {
     @Test
     @Tag("threads")
     @Timeout(60)
-    void figures_ofASpaceThatIsBehind_sayHowFar() throws Exception {
+    void figures_ofASpaceThatIsBehind_reportHowFar() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("behind").withOnStall(Duration.ZERO, stall -> {}))) {
             Worker worker = space.spawn(Worker.class, Working::new);
             var latch = new CountDownLatch(1);

@@ -13,12 +13,13 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * A space lives though what only watches it cannot be loaded, as when memory or file handles are short at that moment.
+ * A space runs even if a class that only monitors it cannot be loaded, as when memory or file handles are short at that
+ * moment.
  */
 @Tag("threads")
 @Timeout(60)
 class MissingClassTest {
-    /** Loads actor-core anew, all but one class. */
+    /** Loads actor-core again, except one class. */
     private static final class Without extends ClassLoader {
         private final String missing;
 
@@ -79,7 +80,7 @@ class MissingClassTest {
         }
     }
 
-    /** Whether a space serves, and reports one error. */
+    /** Whether a space works, and reports one error. */
     public static final class Serving implements Callable<Boolean> {
         @Override
         public Boolean call() throws Exception {

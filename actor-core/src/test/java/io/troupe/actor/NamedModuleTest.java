@@ -23,11 +23,11 @@ import org.junit.jupiter.api.io.TempDir;
 import org.objectweb.asm.ClassWriter;
 import org.objenesis.Objenesis;
 
-/** Actor types in named modules, with this library as the module that its jar is. */
+/** Actor types in named modules, with this library as the automatic module of its jar. */
 class NamedModuleTest {
     /**
-     * Modules that nobody requires, because an automatic module requires none by name: on a command line they are
-     * --add-modules.
+     * Modules that no module requires, because an automatic module requires none by name; on a command line they are
+     * passed to --add-modules.
      */
     private static final Set<String> LIBRARIES = Set.of("org.objectweb.asm", "org.objenesis");
 
@@ -131,7 +131,7 @@ class NamedModuleTest {
                                 path.stream().map(Path::toString).toList()));
     }
 
-    /** The library as it is published: a jar with its module's name; a folder of classes is no automatic module. */
+    /** The library as it is published: a jar with its module name. A folder of classes is not an automatic module. */
     private Path library() throws Exception {
         Path classes = location(ActorSpace.class);
         if (!Files.isDirectory(classes)) {

@@ -14,7 +14,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Requests that have begun, and whose answers are not settled when the instance that began them ends. */
+/** Requests that have begun and are not answered when the instance that began them ends. */
 class OpenRequestsTest {
     private final TestSpace test = new TestSpace();
     private final List<Deferred<String>> drivers = new ArrayList<>();
@@ -102,7 +102,7 @@ class OpenRequestsTest {
     }
 
     @Test
-    void stop_rejectsRequestsThatHaveBegun_inTheOrderInWhichTheyBegan_beforeWatchersHear() {
+    void stop_rejectsRequestsThatHaveBegun_inTheOrderInWhichTheyBegan_beforeWatchersAreNotified() {
         Desk desk = spawn("desk", Supervision.RESUME);
         desk.later("a").handle((value, error) -> log.add("first"));
         desk.later("b").handle((value, error) -> log.add("second"));
@@ -278,7 +278,7 @@ class OpenRequestsTest {
             answer.cancel();
         }
         test.crank();
-        drivers.clear(); // the actor has forgotten them: only the list of open requests could keep them
+        drivers.clear(); // the actor no longer refers to them: only the list of open requests could retain them
         System.gc();
         assertThat(settled.get()).isNull();
         assertThat(cancelled.stream().filter(each -> each.get() != null).count())

@@ -11,7 +11,10 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Order where one thing comes from another thread, and the next from the space's own, a moment later. */
+/**
+ * Order of two entries when the first comes from another thread, and the second from the space's own thread a moment
+ * later.
+ */
 class OrderAcrossThreadsTest {
     private final TestSpace test = new TestSpace();
     private final List<String> log = new ArrayList<>();
@@ -21,7 +24,7 @@ class OrderAcrossThreadsTest {
         test.close();
     }
 
-    /** Sends results from wherever it is told to. */
+    /** Sends results from the thread that the test chooses. */
     public interface Source {
         void send(Callback<Integer> results);
     }

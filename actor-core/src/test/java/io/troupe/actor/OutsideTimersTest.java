@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Delays and time limits that threads outside every space ask for. */
+/** Delays and time limits set by threads outside every space. */
 @Tag("threads")
 @Timeout(60)
 class OutsideTimersTest {
@@ -23,7 +23,7 @@ class OutsideTimersTest {
     private static final Duration LONG = Duration.ofHours(1);
     private static final Duration PATIENCE = Duration.ofSeconds(50);
 
-    /** Answers when it may. */
+    /** Answers when the test allows it. */
     public interface Sleeper {
         Promise<String> ask();
     }

@@ -9,14 +9,14 @@ import java.util.Collections;
 import java.util.IdentityHashMap;
 import java.util.Set;
 
-/** What an object keeps alive, as far as it leads through objects of this library, lambdas, arrays and collections. */
+/** The objects reachable from an object through objects of this library, lambdas, arrays and collections. */
 public final class Reachable {
     private final Set<Object> seen = Collections.newSetFromMap(new IdentityHashMap<>());
     private final ArrayDeque<Object> waiting = new ArrayDeque<>();
 
     private Reachable() {}
 
-    /** All objects that one keeps alive, itself included. */
+    /** All objects reachable from one, including itself. */
     public static Set<Object> from(Object root) {
         var walk = new Reachable();
         walk.add(root);

@@ -26,7 +26,7 @@ class SequentialTest {
         test.close();
     }
 
-    /** Asks somebody twice, in a row, and can do other things meanwhile. */
+    /** Makes two requests in a row, and can do other work meanwhile. */
     public static class Asker extends Actor {
         private final List<String> log;
         private final List<Deferred<String>> questions = new ArrayList<>();
@@ -183,7 +183,7 @@ class SequentialTest {
     @Timeout(60)
     void bodies_ofASpaceWithAThread_neverRunTwoAtATime() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("sequential"))) {
-            var counter = new int[1]; // no lock: that is the point
+            var counter = new int[1]; // without a lock on purpose
             var ends = new ArrayList<Promise<Integer>>();
             for (int body = 0; body < 50; body++) {
                 ends.add(space.sequential(() -> {
@@ -205,9 +205,9 @@ class SequentialTest {
     void threadOfABody_thatHasEnded_isNotTheSpacesAnyMore() throws Exception {
         SpaceHome space = test.space();
         var end = new Deferred<Boolean>();
-        new Sequence<>(space, space.currentOwner(), space::isCurrent, end).live();
+        new SequentialBody<>(space, space.currentOwner(), space::isCurrent, end).run();
         assertThat(end.get(Duration.ofSeconds(50))).isTrue();
-        assertThat(space.isCurrent()).isFalse(); // though no other thread has taken it
+        assertThat(space.isCurrent()).isFalse(); // though no other thread has taken control
     }
 
     @Test

@@ -10,7 +10,7 @@ import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
 
-/** What a space logs by itself, as java.util.logging prints it by default. */
+/** What a space logs by default, as java.util.logging prints it. */
 class SpaceLogTest {
     private static final class Kept extends Handler {
         private final List<String> sources = new ArrayList<>();

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What a space does for its actors besides serving them: waiting, trying again, blocking work. */
+/** The services of a space: delays, retries, blocking work. */
 class SpaceServicesTest {
     private final TestSpace test = new TestSpace();
     private final List<String> log = new ArrayList<>();
@@ -87,8 +87,8 @@ class SpaceServicesTest {
     }
 
     @Test
-    @SuppressWarnings("NullAway") // that is the point
-    void nullArgument_isRefusedAtOnce_byName() {
+    @SuppressWarnings("NullAway") // passes null on purpose
+    void nullArgument_isRejectedAtOnce_byName() {
         ActorSpace space = test.space();
         assertThatThrownBy(() -> space.delay(null)).hasMessage("duration");
         assertThatThrownBy(() -> space.retry(1, null, () -> Promise.of(1))).hasMessage("pause");

@@ -21,7 +21,7 @@ class SupervisionTest {
     private int instances;
     private boolean refuses;
 
-    /** Counts, and fails when told to. */
+    /** Counts, and fails on demand. */
     public static class Fragile extends Actor {
         private final SupervisionTest outer;
         private final int instance;
@@ -86,7 +86,7 @@ class SupervisionTest {
     }
 
     @Test
-    void restart_makesAFreshInstanceBehindTheSameProxy_andKeepsTheMailbox() {
+    void restart_makesANewInstanceBehindTheSameProxy_andKeepsTheMailbox() {
         Fragile fragile = spawn(Supervision.restart(3, Duration.ofSeconds(10)));
         test.get(fragile.count());
         fragile.fail();
@@ -109,7 +109,7 @@ class SupervisionTest {
     }
 
     @Test
-    void moreFailuresThanTheLimit_stopTheActor_andItsWatchersHear() {
+    void moreFailuresThanTheLimit_stopTheActor_andItsWatchersAreNotified() {
         Fragile fragile = spawn(Supervision.restart(2, Duration.ofSeconds(10)));
         Promise<Void> stopped = test.space().whenStopped(fragile);
         for (int i = 0; i < 3; i++) {
@@ -123,7 +123,7 @@ class SupervisionTest {
         assertThat(instances).isEqualTo(3);
     }
 
-    /** Starts only when it is allowed to. */
+    /** Starts only when the test allows it. */
     public static class Stubborn extends Actor {
         private final SupervisionTest outer;
 
@@ -155,7 +155,7 @@ class SupervisionTest {
                         Stubborn.class,
                         () -> new Stubborn(this),
                         settings.withSupervision(Supervision.restart(Integer.MAX_VALUE, Duration.ofSeconds(10))));
-        test.crank(); // did not return when there were no pauses
+        test.crank(); // would not return without pauses
         return stubborn;
     }
 
@@ -197,7 +197,7 @@ class SupervisionTest {
             for (int number = 4; number <= 6; number++) {
                 stubborn.note(number);
             }
-            test.clock().advance(Duration.ofMillis(10)); // due while these wait in the mailbox
+            test.clock().advance(Duration.ofMillis(10)); // due while these are in the mailbox
         });
         assertThat(log).containsExactly("note 1", "note 2", "note 3", "note 4", "note 5", "note 6");
         stubborn.note(7);
@@ -210,7 +210,7 @@ class SupervisionTest {
 
     @Test
     @Timeout(30)
-    void callsOfAnActorThatWaitsForItsRestart_areTurnedAway_whenItStops() {
+    void callsOfAnActorThatWaitsForItsRestart_areRejected_whenItStops() {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
         stubborn.note(1);
         stubborn.note(2);
@@ -261,7 +261,7 @@ class SupervisionTest {
     }
 
     @Test
-    void settingsThatMakeNoSense_areRefused() {
+    void settingsThatMakeNoSense_areRejected() {
         assertThatThrownBy(() -> Supervision.restart(-1, Duration.ofSeconds(1))).hasMessageContaining("limit is -1");
         assertThatThrownBy(() -> Supervision.restart(1, Duration.ZERO)).hasMessageContaining("window is PT0S");
     }
@@ -287,7 +287,7 @@ class SupervisionTest {
         test.crank();
         refuses = false;
         test.run(() -> test.space().delay(Duration.ofMillis(10)).thenRun(() -> {
-            test.space().stop(stubborn); // has its turn after 256 callbacks
+            test.space().stop(stubborn); // runs after 256 callbacks
             stubborn.note(401);
         }));
         test.advance(Duration.ofMillis(10));
@@ -309,7 +309,7 @@ class SupervisionTest {
         var stopped = test.space().whenStopped(stubborn);
         test.run(() -> test.space().delay(Duration.ofMillis(10)).thenRun(() -> {
             refuses = true;
-            test.space().stop(stubborn); // has its turn after 256 callbacks
+            test.space().stop(stubborn); // runs after 256 callbacks
         }));
         test.advance(Duration.ofMillis(10));
         assertThat(stopped.isDone()).isTrue();
@@ -334,7 +334,8 @@ class SupervisionTest {
     }
 
     /**
-     * Spawned on another thread within a turn, so that the caller's call comes before the entry that starts the actor.
+     * Spawned on another thread within a turn, so that the caller's call is queued before the entry that starts the
+     * actor.
      */
     private void callBeforeTheSpawnEntry(Supervision supervision) {
         refuses = true;

@@ -46,7 +46,7 @@ class TopicEndTest {
     }
 
     @Test
-    void subscriberAfterTheEnd_hearsOfTheEndOnly() {
+    void subscriberAfterTheEnd_isNotifiedOfTheEndOnly() {
         latest.publish(1);
         latest.finish();
         var unplugged = new IllegalStateException("unplugged");

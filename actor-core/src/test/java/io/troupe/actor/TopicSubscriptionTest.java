@@ -12,14 +12,14 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Who subscribes to a topic, and when it forgets them. */
+/** Subscribing to a topic, and when subscriptions are removed. */
 class TopicSubscriptionTest {
     private final TestSpace test = new TestSpace();
     private final TestSpace elsewhere = new TestSpace();
     private final Topic<Integer> topic = Topic.of(test.space(), "range");
     private final List<String> log = new ArrayList<>();
 
-    /** Hands its readers on to a topic. */
+    /** Passes its callbacks on to a topic. */
     interface Sensor {
         void readings(Callback<Integer> readings);
     }
@@ -44,7 +44,7 @@ class TopicSubscriptionTest {
     }
 
     @Test
-    void cancelledSubscription_hearsNothingMore_notEvenWhatWasSent() {
+    void cancelledSubscription_receivesNothingMore_notEvenWhatWasSent() {
         var subscription = topic.subscribe(value -> log.add("heard " + value));
         topic.publish(1);
         subscription.cancel();
@@ -55,7 +55,7 @@ class TopicSubscriptionTest {
     }
 
     @Test
-    void cancelledSubscriptions_areForgotten_withoutAPublisher() {
+    void cancelledSubscriptions_areRemoved_withoutAPublisher() {
         for (int i = 0; i < 1_000; i++) {
             topic.subscribe(value -> log.add("heard " + value)).cancel();
         }
@@ -96,7 +96,7 @@ class TopicSubscriptionTest {
     }
 
     @Test
-    void restartedActor_subscribesAnew_andHearsOnce() {
+    void restartedActor_subscribesAnew_andReceivesOnce() {
         var settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofSeconds(10)));
         Robot robot = test.space()
                 .spawn(
@@ -126,7 +126,7 @@ class TopicSubscriptionTest {
     }
 
     @Test
-    void callbackThatAnActorWasHanded_hearsWhereItsReaderIs_andIsForgottenWithIt() {
+    void callbackThatAnActorWasHanded_runsWhereItsReaderIs_andIsForgottenWithIt() {
         Sensor sensor = test.spawn(Sensor.class, () -> topic::subscribe);
         Robot robot = robotThat(elsewhere, () -> sensor.readings((value, error) -> log.add(value + " in " + here())));
         crankBoth();
@@ -141,7 +141,7 @@ class TopicSubscriptionTest {
     }
 
     @Test
-    void callbackThatSomebodyElseHasEnded_isNoErrorOfThePublisher() {
+    void callbackThatAnotherSenderHasEnded_isNoErrorOfThePublisher() {
         var kept = new ArrayList<Callback<Integer>>();
         Sensor sensor = test.spawn(Sensor.class, () -> readings -> {
             kept.add(readings);

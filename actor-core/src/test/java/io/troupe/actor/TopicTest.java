@@ -18,7 +18,7 @@ class TopicTest {
     private final Topic<Integer> latest = Topic.latest(test.space(), "last range");
     private final List<String> log = new ArrayList<>();
 
-    /** Does what the test tells it to, as an actor. */
+    /** Runs the tasks of the test as an actor. */
     public static class Robot extends Actor {
         private final @Nullable Runnable first;
 
@@ -64,7 +64,7 @@ class TopicTest {
     }
 
     @Test
-    void subscriber_hearsOnItsOwnSpace_inTheCallbackQueue_neverOnThePublishersStack() {
+    void subscriber_receivesOnItsSpace_inTheCallbackQueue_neverOnThePublishersStack() {
         Robot robot = robotThat(elsewhere, () -> {});
         robot.act(() -> {
             topic.subscribe(value -> log.add(value + " in " + here()));
@@ -82,7 +82,7 @@ class TopicTest {
     }
 
     @Test
-    void spaces_hearEachOnItsOwn_andASlowOneHoldsUpNobody() {
+    void spaces_receiveEachOnItsThread_andASlowOneHoldsUpNobody() {
         robotThat(test, () -> topic.subscribe(value -> log.add("here " + value)));
         robotThat(elsewhere, () -> topic.subscribe(value -> log.add("there " + value)));
         assertThat(topic.publish(1) + topic.publish(2)).isEqualTo(4);
@@ -93,7 +93,7 @@ class TopicTest {
     }
 
     @Test
-    void value_nobodySubscribesTo_isSentToNobody() {
+    void value_withoutSubscribers_isNotSent() {
         assertThat(topic.publish(1)).isZero();
         topic.subscribe(value -> log.add("heard " + value));
         test.crank();
@@ -101,7 +101,7 @@ class TopicTest {
     }
 
     @Test
-    void lateSubscriber_ofALatestTopic_hearsTheLastValueFirst() {
+    void lateSubscriber_ofALatestTopic_receivesTheLastValueFirst() {
         latest.subscribe(value -> log.add("early " + value));
         latest.publish(1);
         latest.publish(2);
@@ -120,7 +120,7 @@ class TopicTest {
     }
 
     @Test
-    void subscriber_maySubscribeAndCancelAndPublish_whileItHears() {
+    void subscriber_maySubscribeAndCancelAndPublish_whileItReceives() {
         var subscription = new ArrayList<Callback.Stream<Integer>>();
         subscription.add(topic.subscribe(value -> {
             log.add("first " + value);
@@ -135,8 +135,8 @@ class TopicTest {
     }
 
     /**
-     * A space serves what its own thread has queued before what others have queued a moment earlier: a topic keeps its
-     * order nevertheless.
+     * A space runs what its own thread has queued before what other threads queued a moment earlier; a topic keeps its
+     * order all the same.
      */
     @Test
     void valuesAndEnd_fromTheSubscribersOwnThread_doNotOvertakeThoseFromAnother() {
@@ -170,7 +170,7 @@ class TopicTest {
     }
 
     @Test
-    void null_isRefused() {
+    void null_isRejected() {
         assertThatThrownBy(() -> topic.publish(null))
                 .isInstanceOf(NullPointerException.class)
                 .hasMessage("value");

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** On real threads: latches only, generous waits. */
+/** Tests on real threads: with latches only, and long time limits. */
 @Tag("threads")
 @Timeout(60)
 class TopicThreadTest {
@@ -107,7 +107,7 @@ class TopicThreadTest {
     }
 
     @Test
-    void lateSubscriber_ofALatestTopic_missesNothingAndHearsNothingTwice() throws Exception {
+    void lateSubscriber_ofALatestTopic_missesNothingAndReceivesNothingTwice() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("late"))) {
             Topic<Integer> topic = Topic.latest(space, "count");
             var subscribing = new CountDownLatch(1);

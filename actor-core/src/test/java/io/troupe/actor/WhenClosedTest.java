@@ -22,7 +22,7 @@ class WhenClosedTest {
             .withOnDeadLetter(deadLetters::add)
             .withOnError((where, error) -> log.add(where + ": " + error)));
 
-    /** Says when it ends. */
+    /** Records its end. */
     public static class Resident extends Actor {
         private final List<String> log;
 
@@ -59,7 +59,7 @@ class WhenClosedTest {
     }
 
     @Test
-    void whenClosed_canBeCancelledByOneWatcher_andTheOthersStillHear() {
+    void whenClosed_canBeCancelledByOneWatcher_andTheOthersAreStillNotified() {
         Promise<@Nullable Void> mine = space.whenClosed();
         Promise<@Nullable Void> others = space.whenClosed();
         mine.cancel();
@@ -85,7 +85,7 @@ class WhenClosedTest {
         right.whenClosed().get(LONG);
     }
 
-    /** Both threads are held until both have called; each would wait for the other. */
+    /** Both threads are blocked until both have called close(); waiting would deadlock them. */
     private static void closeWhileTheOtherCloses(CyclicBarrier bothHold, ActorSpace other, Deferred<String> told) {
         try {
             bothHold.await();
@@ -102,7 +102,7 @@ class WhenClosedTest {
     }
 
     @Test
-    void whoeverWatches_mayCallActorsThatAreGone_andIsTurnedAway() {
+    void watcher_mayCallStoppedActors_andIsTurnedAway() {
         var other = new Resident(log);
         var resident = space.spawn(Resident.class, () -> other);
         space.whenClosed().thenRun(() -> {

@@ -9,7 +9,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.ZII_Result;
 
-/** A request that is cancelled while its actor begins it ends once: cancelled, or with the answer. */
+/** A request that is cancelled while its actor begins it is settled once: cancelled, or with the result. */
 @JCStressTest
 @Outcome(id = "true, 0, -1", expect = Expect.ACCEPTABLE, desc = "Cancelled in time: never begun.")
 @Outcome(id = "true, 1, -1", expect = Expect.ACCEPTABLE, desc = "Cancelled when it had begun: the answer is ignored.")

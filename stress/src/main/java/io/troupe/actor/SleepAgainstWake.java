@@ -12,7 +12,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.ZZ_Result;
 
-/** A space that goes to sleep while somebody queues a message sees the message, or is woken. */
+/** A space that goes to sleep while another thread queues a message sees the message, or is woken. */
 @JCStressTest
 @Outcome(
         id = {"false, true", "false, false"},
@@ -30,7 +30,7 @@ public class SleepAgainstWake {
         protected void run() {}
     }
 
-    /** No timer is ever set here, so that all states may share it. */
+    /** No timer is set here, so all states may share this wheel. */
     private static final TimerWheel NO_TIMERS = new TimerWheel(Clock.system());
 
     private static final SpaceSettings SETTINGS = SpaceSettings.named("law").withHandCrank();
@@ -38,7 +38,7 @@ public class SleepAgainstWake {
 
     private final Dispatcher dispatcher = new Dispatcher(
             SPACE, new NodeQueue(), new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS, Clock.system());
-    private final Lifeline lifeline = new Lifeline();
+    private final IdleStrategy lifeline = new IdleStrategy();
 
     @Actor
     public void sleep(ZZ_Result result) {

@@ -6,9 +6,9 @@ import org.jspecify.annotations.Nullable;
 /**
  * A promise that is settled by hand.
  *
- * <p><b>Role.</b> For whoever answers later than the call returns: hand out the promise, keep the deferred. Until it is
- * settled, the actor keeps the request with its arguments; if the actor ends first, the request is rejected, and
- * settling the deferred has no effect on it.
+ * <p><b>Role.</b> Answers a request later than the call returns: return the promise, keep the deferred. Until it is
+ * settled, the actor retains the request with its arguments. If the actor ends first, the request is rejected, and
+ * settling the deferred then has no effect on the request.
  *
  * {@snippet :
  * public Promise<Boolean> waitForCoin() {
@@ -23,23 +23,26 @@ import org.jspecify.annotations.Nullable;
  * }
  * }
  *
- * <p><b>Threads.</b> Any thread may settle it; the first one wins.
+ * <p><b>Threads.</b> Any thread may settle it; the first call wins.
  *
- * <p><b>Errors.</b> A rejection that nobody listens to is reported to the error handler of the space it belongs to. One
- * that was made outside every space belongs to none, and its rejection is not reported: pass the space to the
- * constructor, or listen.
+ * <p><b>Errors.</b> A rejection without a listener is reported to the error handler of the promise's space. A deferred
+ * made outside every space belongs to none, and its rejection is not reported: pass the space to the constructor, or
+ * register a listener.
  */
 public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     private final @Nullable Home home;
     private final boolean madeOutside;
     private final @Nullable Runnable ifCancelled;
 
-    /** Belongs to the actor space whose thread is calling, if any. */
+    /** Creates a deferred of the actor space whose thread is calling, if any. */
     public Deferred() {
         this(Home.current());
     }
 
-    /** Belongs to that home: its listeners from outside run there, and a rejection nobody hears is reported there. */
+    /**
+     * Creates a deferred of a given home: listeners registered outside every space run there, and a rejection without a
+     * listener is reported there.
+     */
     public Deferred(@Nullable Home home) {
         this(home, null);
     }
@@ -64,17 +67,17 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
         return madeOutside;
     }
 
-    /** Fulfils the promise; false if it was settled before. */
+    /** Fulfils the promise; false if it was already settled. */
     public boolean resolve(T value) {
         return settleValue(value);
     }
 
-    /** Rejects the promise; false if it was settled before. */
+    /** Rejects the promise; false if it was already settled. */
     public boolean reject(Throwable error) {
         return settleError(error);
     }
 
-    /** Settles the promise as the other one is, as soon as it is. */
+    /** Settles this promise with the outcome of another one, as soon as that is settled. */
     public void resolveFrom(Promise<? extends T> other) {
         follow(Objects.requireNonNull(other, "other"));
     }

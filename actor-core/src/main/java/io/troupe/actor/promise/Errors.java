@@ -2,7 +2,7 @@ package io.troupe.actor.promise;
 
 import java.util.concurrent.CompletionException;
 
-/** Small rules about throwables. */
+/** Utilities for throwables. */
 final class Errors {
     private Errors() {}
 
@@ -10,7 +10,10 @@ final class Errors {
         return error instanceof CompletionException && error.getCause() != null ? error.getCause() : error;
     }
 
-    /** An error of the virtual machine itself is reported, though it rejects a promise too. */
+    /**
+     * Rethrows an error of the virtual machine, except a stack overflow or an out-of-memory error: it is reported
+     * although it also rejects a promise.
+     */
     static void rethrowIfOfTheMachine(Throwable error) {
         if (error instanceof VirtualMachineError broken
                 && !(error instanceof StackOverflowError)
@@ -19,7 +22,7 @@ final class Errors {
         }
     }
 
-    /** Throws the error as it is; the answer's type lets the caller write {@code throw}. */
+    /** Throws the error unchanged; the return type lets the caller write {@code throw}. */
     static RuntimeException rethrow(Throwable error) {
         return Errors.<RuntimeException>sneak(error);
     }

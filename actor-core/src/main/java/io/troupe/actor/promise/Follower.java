@@ -1,6 +1,6 @@
 package io.troupe.actor.promise;
 
-/** Listens so that one promise ends as another one does. */
+/** A listener that settles one promise with the outcome of another. */
 class Follower extends Node {
     final Settleable<?> promise;
 
@@ -8,7 +8,7 @@ class Follower extends Node {
         this.promise = promise;
     }
 
-    /** The leader is settled; the promise is about to be. */
+    /** Called when the source is settled, before the following promise is. */
     void beforeSettling() {}
 
     @Override

@@ -5,27 +5,27 @@ import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The one thread something belongs to.
+ * An event loop: the single thread that owns actors, promises and listeners.
  *
- * <p><b>Role.</b> Promises run their listeners at home; {@code ActorSpace} is the home of actors. For the rooms of this
- * library.
+ * <p><b>Role.</b> Promises run their listeners on their home's thread; {@code ActorSpace} is the home of actors.
+ * Internal to this library.
  *
  * <p><b>Threads.</b> {@link #enqueue}, {@link #schedule} and {@link #rejected} from any thread, the rest on the home's
- * own thread.
+ * thread.
  */
 public abstract class Home {
     private static final ThreadLocal<@Nullable Home> CURRENT = new ThreadLocal<>();
 
     final Owner outsider;
     private final Owner self;
-    private Turn turn;
+    private CurrentOwner turn;
 
     /** @hidden */
-    @SuppressWarnings("this-escape") // owners keep the home, and ask it nothing before there is something to run
+    @SuppressWarnings("this-escape") // owners only store the reference, and do not use it before the first node runs
     protected Home() {
         outsider = new Owner(this, true);
         self = new Owner(this);
-        turn = new Turn(self);
+        turn = new CurrentOwner(self);
     }
 
     /** The home whose thread is calling, or null. */
@@ -34,9 +34,9 @@ public abstract class Home {
     }
 
     /**
-     * Declares the calling thread to be this home's until {@link #leaveThread}.
+     * Makes the calling thread this home's thread until {@link #leaveThread}.
      *
-     * @return whose it was before
+     * @return the home to which the thread belonged before, or null
      * @hidden
      */
     protected final @Nullable Home enterThread() {
@@ -46,8 +46,9 @@ public abstract class Home {
     }
 
     /**
-     * Declares the calling thread to be what it was before.
+     * Restores the home to which the calling thread belonged before.
      *
+     * @param before what {@link #enterThread} returned
      * @hidden
      */
     protected static void leaveThread(@Nullable Home before) {
@@ -59,7 +60,7 @@ public abstract class Home {
     }
 
     /**
-     * Whether the calling thread is this home's.
+     * True on this home's thread.
      *
      * @hidden
      */
@@ -73,38 +74,40 @@ public abstract class Home {
     protected abstract void enqueue(Node node);
 
     /**
-     * As {@link #enqueue} from another thread, whoever calls: behind what other threads have queued.
+     * Like {@link #enqueue} from another thread, even if called on this home's thread: the node goes behind those that
+     * other threads have queued.
      *
      * @hidden
      */
-    protected abstract void enqueueFromAfar(Node node);
+    protected abstract void enqueueAsRemote(Node node);
 
     /**
-     * As {@link #enqueue}, on this home's thread.
+     * Like {@link #enqueue}, called on this home's thread.
      *
      * @hidden
      */
     protected abstract void enqueueAtHome(Node node);
 
     /**
-     * Runs a task after a delay, or, if the home is closed before, the other one; on this home's thread if that is
-     * calling, else on one that does not wait for the home, unless the home's clock is moved by hand.
+     * Runs a task after a delay, or the other one if the home is closed first. If called on this home's thread, the
+     * task runs there. Otherwise it runs on a separate thread that does not depend on the home, unless the home uses a
+     * manual clock.
      *
-     * @return takes it back, from any thread
+     * @return cancels the task, from any thread
      * @hidden
      */
     protected abstract Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed);
 
     /**
-     * A promise was rejected while nobody listened; the home looks again a little later and reports it if that is still
-     * so.
+     * Called when a promise without listeners was rejected. The home checks again a little later and reports the
+     * rejection if there is still no listener.
      *
      * @hidden
      */
     protected abstract void rejected(Promise<?> promise, Throwable error);
 
     /**
-     * A promise was rejected after all its listeners had been given up because of time limits.
+     * Called when a promise was rejected after every listener had timed out.
      *
      * @hidden
      */
@@ -113,26 +116,27 @@ public abstract class Home {
     }
 
     /**
-     * Lets others run until the promise is settled, if the caller is a sequential body; else throws.
+     * Suspends a sequential body until the promise is settled, and runs other work meanwhile; throws for any other
+     * caller.
      *
      * @hidden
      */
     protected abstract void await(Promise<?> promise);
 
     /**
-     * From now on this home's thread runs on behalf of that owner.
+     * Sets the owner on whose behalf this home's thread now runs.
      *
      * @hidden
      */
     protected final void begin(Owner owner) {
-        Turn now = turn;
+        CurrentOwner now = turn;
         if (now.owner != owner) {
             now.owner = owner;
         }
     }
 
     /**
-     * From now on this home's thread runs on its own behalf.
+     * Sets this home itself as the owner on whose behalf its thread now runs.
      *
      * @hidden
      */
@@ -141,7 +145,7 @@ public abstract class Home {
     }
 
     /**
-     * On whose behalf this home's thread is running.
+     * The owner on whose behalf this home's thread is running.
      *
      * @hidden
      */
@@ -150,7 +154,7 @@ public abstract class Home {
     }
 
     /**
-     * The owner of what runs on this home's own behalf.
+     * The owner for work of the home itself.
      *
      * @hidden
      */
@@ -159,16 +163,16 @@ public abstract class Home {
     }
 
     /**
-     * To be called now and then, see {@link Turn}.
+     * Replaces the holder of the current owner; called periodically, see {@link CurrentOwner}.
      *
      * @hidden
      */
     protected final void renewTurn() {
-        turn = new Turn(turn.owner);
+        turn = new CurrentOwner(turn.owner);
     }
 
     /**
-     * A duration in nanoseconds, or as many as can be counted: some 292 years.
+     * A duration in nanoseconds, saturated at the range of a long (about 292 years).
      *
      * @hidden
      */
@@ -180,10 +184,10 @@ public abstract class Home {
         }
     }
 
-    // ---- what homes may do with nodes and promises
+    // ---- access to nodes and promises for subclasses
 
     /**
-     * Whether a callback that is queued now, on this home's thread, comes before everything else.
+     * True if a callback that is queued now, on this home's thread, would run before everything else.
      *
      * @hidden
      */
@@ -192,7 +196,7 @@ public abstract class Home {
     }
 
     /**
-     * Serves a node; see {@link Node#serve}.
+     * Runs a queued node; see {@link Node#serve}.
      *
      * @hidden
      */
@@ -201,7 +205,7 @@ public abstract class Home {
     }
 
     /**
-     * Lets a node deal with what running it has thrown.
+     * Passes an exception thrown by a node to the node's handler.
      *
      * @hidden
      */
@@ -210,16 +214,16 @@ public abstract class Home {
     }
 
     /**
-     * Whether a node goes to a mailbox.
+     * True if a node goes to a mailbox.
      *
      * @hidden
      */
-    protected static boolean isMail(Node node) {
-        return node.isMail();
+    protected static boolean isMessage(Node node) {
+        return node.isMessage();
     }
 
     /**
-     * Whether a thread outside made the promise and may be just about to listen to it.
+     * True if the promise was made by a thread outside the home, which may be about to register a listener.
      *
      * @hidden
      */
@@ -228,26 +232,27 @@ public abstract class Home {
     }
 
     /**
-     * Whether anybody was or will be told how the promise ends.
+     * True if the promise has, or had, a listener that receives its outcome.
      *
      * @hidden
      */
-    protected static boolean isHeard(Promise<?> promise) {
-        return promise.isHeard();
+    protected static boolean isHandled(Promise<?> promise) {
+        return promise.isHandled();
     }
 
     /**
-     * Runs an action when the promise is settled, on whichever thread does that.
+     * Runs an action when the promise is settled, on the thread that settles it.
      *
-     * @param isOver whether the action need not be run any more, so that the promise may forget it; asked by any thread
+     * @param isOver true once the action is no longer needed, so that the promise may drop it; called by any thread
      * @hidden
      */
     protected static void whenSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
-        promise.register(new Relay(action, isOver));
+        promise.register(new InlineListener(action, isOver));
     }
 
     /**
-     * A promise of that home that is settled by hand; the action runs, on the calling thread, when it is cancelled.
+     * Creates a promise of a given home that is settled by hand. The action runs on the calling thread when the promise
+     * is cancelled.
      *
      * @hidden
      */

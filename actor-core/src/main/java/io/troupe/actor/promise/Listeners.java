@@ -5,10 +5,10 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The listeners of a pending promise that has more than a few. Listeners that have given up are dropped whenever the
- * number has doubled, so that a promise that lives long keeps at most about as many of them as there are others.
+ * The listeners of a pending promise that has more than a few. When their number has doubled, listeners that are no
+ * longer needed are removed. So a long-lived promise keeps at most about twice as many as are needed.
  *
- * <p><b>Threads.</b> Guarded by itself. <b>Cost.</b> Constant time for each listener, averaged over many.
+ * <p><b>Threads.</b> Guarded by its own monitor. <b>Cost.</b> Amortized constant time per listener.
  */
 final class Listeners extends Node {
     private static final int FEW = 8;
@@ -18,8 +18,8 @@ final class Listeners extends Node {
     private boolean closed;
 
     /**
-     * Takes over a linked list that {@link #isMany}, and one more. Changes no link, for the list may be settled by
-     * another thread meanwhile.
+     * Takes over a linked list for which {@link #isMany} holds, and adds one listener. Does not change the links,
+     * because another thread may be settling the list.
      */
     Listeners(@Nullable Node newest, Node more) {
         Node node = newest;
@@ -30,7 +30,7 @@ final class Listeners extends Node {
         nodes.add(more);
     }
 
-    /** Whether a linked list is so long that listeners should be counted. */
+    /** True if a linked list is long enough to be replaced by this class. */
     static boolean isMany(@Nullable Node newest) {
         Node node = newest;
         int count = 0;
@@ -42,12 +42,14 @@ final class Listeners extends Node {
     }
 
     /**
-     * Whether no listener of a linked list that is not yet {@link #isMany} needs the outcome; of use only if the list
-     * was not settled meanwhile.
+     * True if no listener of a short linked list (not {@link #isMany}) needs the outcome. The result is valid only if
+     * the list was not settled meanwhile.
      */
     static boolean areGivenUp(Node newest) {
         Node node = newest;
-        for (int count = 0; count < FEW && node != null; count++) { // a list that is being settled may lead elsewhere
+        for (int count = 0;
+                count < FEW && node != null;
+                count++) { // bounded: the links of a list that is being settled may change
             if (!isGivenUp(node)) {
                 return false;
             }
@@ -56,17 +58,17 @@ final class Listeners extends Node {
         return true;
     }
 
-    /** A thread whose wait is over may wait again. */
+    /** A thread whose wait timed out may wait again, so it does not count as gone. */
     private static boolean isGivenUp(Node listener) {
         return listener.isIdle() && !(listener instanceof Waiter);
     }
 
-    /** Whether no listener needs the outcome, or the promise has been settled. */
+    /** True if no listener needs the outcome, or if the promise has been settled. */
     synchronized boolean areGivenUp() {
         return closed || nodes.stream().allMatch(Listeners::isGivenUp);
     }
 
-    /** False if the promise has been settled. */
+    /** Adds a listener; false if the promise has been settled. */
     synchronized boolean add(Node listener) {
         if (closed) {
             return false;
@@ -82,7 +84,7 @@ final class Listeners extends Node {
         return true;
     }
 
-    /** Links the listeners; answers the newest. */
+    /** Links the listeners; returns the newest. */
     synchronized Node link() {
         Node newest = nodes.getFirst();
         newest.next = null;
@@ -97,7 +99,7 @@ final class Listeners extends Node {
         return closed;
     }
 
-    /** Takes no more listeners. */
+    /** Rejects further listeners. */
     synchronized void close() {
         closed = true;
     }

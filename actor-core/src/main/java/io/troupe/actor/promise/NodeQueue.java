@@ -6,15 +6,15 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Keeps the producers' end and the consumer's end of a queue on different cache lines: fields of a superclass come
- * first.
+ * Padding that keeps the producers' end and the consumer's end of a queue on different cache lines: superclass fields
+ * are laid out first.
  */
 @SuppressWarnings("unused")
 abstract class QueuePadding {
     private long p00, p01, p02, p03, p04, p05, p06, p07, p08, p09, p10, p11, p12, p13, p14, p15;
 }
 
-/** Written by the consumer. */
+/** The field written by the consumer. */
 abstract class QueueHead extends QueuePadding {
     Node head = new Stub();
 
@@ -26,13 +26,13 @@ abstract class QueueHead extends QueuePadding {
     }
 }
 
-/** More of it. */
+/** Padding between the consumer's field and the producers' field. */
 @SuppressWarnings("unused")
 abstract class QueueHeadPadding extends QueueHead {
     private long q00, q01, q02, q03, q04, q05, q06, q07, q08, q09, q10, q11, q12, q13, q14, q15;
 }
 
-/** Written by producers. */
+/** The field written by producers. */
 abstract class QueueTail extends QueueHeadPadding {
     volatile Node tail = head;
 }
@@ -40,10 +40,10 @@ abstract class QueueTail extends QueueHeadPadding {
 /**
  * An unbounded queue of nodes, from many threads to one.
  *
- * <p><b>Role.</b> A space's inbox; for the rooms of this library.
+ * <p><b>Role.</b> A space's inbox; internal to this library.
  *
  * <p><b>Threads.</b> {@link #offer} from any thread; {@link #poll}, {@link #isEmpty} and the batch methods from one
- * thread at a time. What a thread did before {@code offer} is visible to the thread that is given the node.
+ * thread at a time. What a thread did before {@code offer} is visible to the thread that takes the node.
  *
  * <p><b>Order.</b> First in, first out per offering thread; between threads, the order of their atomic exchanges.
  *
@@ -54,15 +54,14 @@ abstract class QueueTail extends QueueHeadPadding {
 @SuppressWarnings("unused")
 public final class NodeQueue extends QueueTail {
     /*
-     * A linked queue whose links are the nodes themselves. The node returned last stays in the queue as its stub, so it
-     * must not be linked into anything else while it is; its own link is cleared when the next one is taken, so that a
-     * kept node keeps nothing alive.
+     * A linked queue whose links are the nodes themselves. The node returned last stays in the queue as its stub, and
+     * must not be linked into anything else meanwhile. Its own link is cleared when the next node is taken, so that a
+     * retained node retains no other.
      */
     private static final VarHandle TAIL;
     private static final VarHandle NEXT;
 
-    private final Node idleStub =
-            head; // as it was at first: nothing offers it, and it is in use only while it is the head
+    private final Node idleStub = head; // the first stub: never offered, and used only while it is the head
 
     private long r00, r01, r02, r03, r04, r05, r06, r07, r08, r09, r10, r11, r12, r13, r14, r15;
 
@@ -77,20 +76,19 @@ public final class NodeQueue extends QueueTail {
     }
 
     /**
-     * Appends a node that is in no queue. The exchange orders it before whatever the caller reads next. If this throws,
-     * at the end of the caller's stack, the node was not appended.
+     * Appends a node that is in no queue. The atomic exchange is ordered before the caller's next read. If this throws
+     * (a stack overflow), the node was not appended.
      */
     public void offer(Node node) {
         node.next = null;
-        VarHandle.releaseFence(); // what the node holds is written before the link below
+        VarHandle.releaseFence(); // publishes the node's fields before the link below
         var before = (Node) TAIL.getAndSet(this, node);
-        before.next =
-                node; // no call: between the exchange and this store the stack must not overflow, or the link were lost
+        before.next = node; // no call here: a stack overflow between the exchange and this store would lose the link
     }
 
     /**
-     * Takes the oldest node, or null if there is none, or if its offer has not quite returned; only {@link #isEmpty}
-     * tells which.
+     * Takes the oldest node. Returns null if there is none, or if its offer has not yet completed; {@link #isEmpty}
+     * distinguishes the two cases.
      */
     public @Nullable Node poll() {
         if (!isReadyAfter(head)) {
@@ -101,7 +99,7 @@ public final class NodeQueue extends QueueTail {
         return first;
     }
 
-    /** Whether nothing has been offered that was not taken. */
+    /** True if every node that was offered has been taken. */
     public boolean isEmpty() {
         return head == tail;
     }
@@ -112,12 +110,14 @@ public final class NodeQueue extends QueueTail {
         return last == head ? null : last;
     }
 
-    /** Whether {@link #poll} would answer a node; unlike {@link #isEmpty} it does not look where producers write. */
+    /**
+     * True if {@link #poll} would return a node; unlike {@link #isEmpty} it does not read the producers' cache line.
+     */
     public boolean isReady() {
         return NEXT.getAcquire(head) != null;
     }
 
-    /** How many nodes wait; takes time in their number, and counts only those that were there when it was called. */
+    /** The number of queued nodes, without those offered during the call. Takes time proportional to the number. */
     public int size() {
         int size = 0;
         Node last = tail;
@@ -128,8 +128,8 @@ public final class NodeQueue extends QueueTail {
     }
 
     /**
-     * How many nodes would be taken before this one, or -1 if it is not among the first so many. Takes time in the
-     * limit.
+     * The number of nodes ahead of this one, or -1 if it is not among the first {@code limit}. Takes time proportional
+     * to the limit.
      */
     public int indexOf(Node wanted, int limit) {
         var node = (Node) NEXT.getAcquire(head);
@@ -142,7 +142,7 @@ public final class NodeQueue extends QueueTail {
         return -1;
     }
 
-    /** Whether more nodes than that wait. Takes time in the limit. */
+    /** True if more than {@code limit} nodes are queued. Takes time proportional to the limit. */
     public boolean isLongerThan(int limit) {
         int size = 0;
         for (var node = (Node) NEXT.getAcquire(head); node != null; node = (Node) NEXT.getAcquire(node)) {
@@ -154,19 +154,19 @@ public final class NodeQueue extends QueueTail {
     }
 
     /**
-     * Where a batch begins: the node taken last. A batch is {@link #takeAfter} again and again, each time after the
-     * node it answered last, and {@link #endBatch} with that node; it saves a store for every node.
+     * Begins a batch and returns the node taken last. A batch is a sequence of {@link #takeAfter} calls, each with the
+     * node that the call before returned, and one {@link #endBatch} with the last of them. It saves one store per node.
      */
     public Node beginBatch() {
         return head;
     }
 
-    /** Whether there is a node behind the one taken last. */
+    /** True if there is a node behind the one taken last. */
     public boolean isReadyAfter(Node last) {
         return NEXT.getAcquire(last) != null;
     }
 
-    /** Takes the node behind the one taken last; to be called if {@link #isReadyAfter} says that there is one. */
+    /** Takes the node behind the one taken last; requires {@link #isReadyAfter}. */
     public Node takeAfter(Node last) {
         Node first = Objects.requireNonNull(last.next);
         last.next = null;
@@ -179,11 +179,11 @@ public final class NodeQueue extends QueueTail {
         }
     }
 
-    /** Lets go of the node that was taken last, if nothing waits behind it; to be called when the consumer is idle. */
+    /** Releases the node that was taken last, if the queue is empty; called when the consumer is idle. */
     public void forgetLast() {
         Node last = head;
         if (last != idleStub && last == tail && TAIL.compareAndSet(this, last, idleStub)) {
-            head = idleStub; // whose link is empty: the node behind it was taken
+            head = idleStub; // its link is null: the node behind it was taken
         }
     }
 }

@@ -5,10 +5,10 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * On whose behalf something runs in a home: one life of an actor, or the home itself.
+ * Identifies on whose behalf code runs in a home: one incarnation of an actor, or the home itself.
  *
- * <p><b>Role.</b> For the rooms of this library. <b>Threads.</b> {@link #end} on the home's thread, {@link #isOver} on
- * any.
+ * <p><b>Role.</b> Internal to this library. <b>Threads.</b> {@link #end} on the home's thread, {@link #isOver} on any
+ * thread.
  *
  * @hidden
  */
@@ -18,8 +18,8 @@ public class Owner {
     private final Home home;
     private final boolean outside;
     private volatile boolean over;
-    private @Nullable OpenAnswer oldest; // this list is guarded by this
-    private @Nullable OpenAnswer newest;
+    private @Nullable OpenRequest oldest; // guarded by this, as is the rest of the list
+    private @Nullable OpenRequest newest;
     private int openAnswers;
     private int sweepAt = FEW;
 
@@ -36,12 +36,12 @@ public class Owner {
         return home;
     }
 
-    /** Whether it stands for threads that are no home at all, and whose listeners this home runs for them. */
+    /** True for the owner that stands for threads outside every home; their listeners run on this home. */
     final boolean isOutside() {
         return outside;
     }
 
-    /** Takes no callbacks any more: its listeners are cancelled. */
+    /** Ends this owner: its listeners are cancelled, and no callback runs for it any more. */
     protected void end() {
         over = true;
     }
@@ -51,13 +51,12 @@ public class Owner {
     }
 
     /**
-     * Notes a request that has begun and is not settled. Those that were cancelled are swept out whenever the number
-     * has doubled.
+     * Adds a request that has begun and is not settled. Cancelled requests are removed whenever the number has doubled.
      */
-    final synchronized void open(OpenAnswer answer) {
+    final synchronized void open(OpenRequest answer) {
         if (openAnswers >= sweepAt) {
-            OpenAnswer next;
-            for (OpenAnswer each = oldest; each != null; each = next) {
+            OpenRequest next;
+            for (OpenRequest each = oldest; each != null; each = next) {
                 next = each.after;
                 if (each.isIdle()) {
                     unlink(each);
@@ -76,16 +75,16 @@ public class Owner {
         openAnswers++;
     }
 
-    /** A request is about to be settled; any thread. */
-    final synchronized void close(OpenAnswer answer) {
+    /** Called before a request is settled; any thread. */
+    final synchronized void close(OpenRequest answer) {
         if (answer.listed) {
             unlink(answer);
         }
     }
 
-    private void unlink(OpenAnswer answer) {
-        OpenAnswer before = answer.before;
-        OpenAnswer after = answer.after;
+    private void unlink(OpenRequest answer) {
+        OpenRequest before = answer.before;
+        OpenRequest after = answer.after;
         if (before == null) {
             oldest = after;
         } else {
@@ -102,7 +101,7 @@ public class Owner {
         openAnswers--;
     }
 
-    /** Takes out the requests that have begun and are not settled, in the order in which they began. */
+    /** Removes and returns the requests that have begun and are not settled, in the order in which they began. */
     protected final synchronized List<Promise<?>> takeOpenRequests() {
         var requests = new ArrayList<Promise<?>>(openAnswers);
         while (oldest != null) {

@@ -17,8 +17,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A value that arrives later, or the error that came instead.
  *
- * <p><b>Role.</b> What a request to an actor answers at once. Settled exactly once: fulfilled with a value or rejected
- * with an error. Made by calling an actor, by {@link Deferred}, or by {@link #of}.
+ * <p><b>Role.</b> A request to an actor returns one immediately. It is settled exactly once: fulfilled with a value or
+ * rejected with an error. Created by calling an actor, by {@link Deferred}, or by {@link #of}.
  *
  * {@snippet :
  * Promise<String> receipt = shop.price("lamp")
@@ -27,17 +27,18 @@ import org.jspecify.annotations.Nullable;
  *         .exceptionally(error -> "not bought: " + error.getMessage());
  * }
  *
- * <p><b>Threads.</b> Any thread. A listener runs on the thread of the actor space in which it was registered;
- * registered elsewhere, on the space the promise comes from, or, if there is none, on the thread that settles it (or
- * registers, if that is later). In a space it is an entry of the callback queue, never a call on the stack of whoever
- * settles the promise.
+ * <p><b>Threads.</b> Any thread. A listener runs on the thread of the actor space in which it was registered. A
+ * listener registered outside every space runs in the promise's space. If the promise has none, it runs on the thread
+ * that settles the promise, or on the registering thread if the promise is already settled. In a space it is an entry
+ * of the callback queue, never a call on the stack of the settling thread.
  *
- * <p><b>Order.</b> Listeners of one space run in the order of their registration, any number of them.
+ * <p><b>Order.</b> Listeners of one space run in the order of registration; any number is allowed.
  *
- * <p><b>Cost.</b> A settled promise keeps its outcome, and the promise of a request also the arguments of the call.
+ * <p><b>Cost.</b> A settled promise retains its outcome; the promise of a request also retains the arguments of the
+ * call.
  *
- * <p><b>Errors.</b> Errors travel unwrapped: what a request threw is what {@link #exceptionally} sees. A rejection
- * nobody listens to is reported to the space's error handler.
+ * <p><b>Errors.</b> Errors are not wrapped: {@link #exceptionally} receives the exception that the request threw. A
+ * rejection without a listener is reported to the space's error handler.
  *
  * <p><b>Source.</b> Paper, sections 1 and 3.6; the names are those of {@link CompletableFuture}, and the paper's
  * {@code then}.
@@ -50,22 +51,19 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         super(outcome);
     }
 
-    // ---- made at once
+    // ---- factories of settled promises
 
-    /**
-     * A promise that is already fulfilled; it belongs to no space, so a listener registered outside every space runs at
-     * once.
-     */
+    /** A fulfilled promise. It belongs to no space, so a listener registered outside every space runs immediately. */
     public static <T extends @Nullable Object> Promise<T> of(T value) {
         return new Settled<>(value);
     }
 
-    /** A promise of nothing, already fulfilled. */
+    /** A fulfilled promise without a value. */
     public static Promise<@Nullable Void> done() {
         return Settled.DONE;
     }
 
-    /** A promise that is already rejected. */
+    /** A rejected promise. */
     public static <T extends @Nullable Object> Promise<T> failed(Throwable error) {
         Objects.requireNonNull(error, "error");
         var promise = new Deferred<T>();
@@ -73,7 +71,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return promise;
     }
 
-    /** Follows a {@link CompletionStage}; its {@code CompletionException}s are unwrapped. */
+    /** A promise that follows a {@link CompletionStage}; a {@code CompletionException} is unwrapped. */
     public static <T extends @Nullable Object> Promise<T> from(CompletionStage<? extends T> stage) {
         Objects.requireNonNull(stage, "stage");
         var promise = new Deferred<T>();
@@ -87,7 +85,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return promise;
     }
 
-    // ---- looking at it
+    // ---- state
 
     public final boolean isRejected() {
         return outcomeNow() instanceof Rejection;
@@ -97,7 +95,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return error() instanceof CancellationException;
     }
 
-    /** The value if it is there, else null; a null value looks the same. */
+    /** The value if it is available, else null; a null value looks the same. */
     public final @Nullable T getNow() {
         Object outcome = outcomeNow();
         return outcome == null || outcome instanceof Rejection ? null : valueOf(outcome);
@@ -109,13 +107,13 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     /**
-     * Waits for the value, from outside.
+     * Waits for the value; for threads outside every space.
      *
-     * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too, never in an
-     * {@code ExecutionException}: to catch an {@code IOException}, say, catch {@code Exception} and look. Its stack is
-     * that of the thread where it was thrown, and has no frame of the caller.
+     * <p><b>Errors.</b> Throws the rejection's own error unchanged, even a checked one, never an
+     * {@code ExecutionException}. To catch an {@code IOException}, for example, catch {@code Exception} and test its
+     * type. The stack trace is that of the thread where the error was created, without the caller's frames.
      *
-     * @throws IllegalStateException on the thread of an actor space, which must never wait; use {@code then} or
+     * @throws IllegalStateException on the thread of an actor space, which must never block; use {@code then} or
      *     {@code thenCompose}
      * @throws TimeoutException if it is not settled in time
      */
@@ -125,11 +123,11 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     /**
-     * Waits for the value in the body of {@code ActorSpace.sequential(..)}; the space serves others meanwhile.
+     * Waits for the value in the body of {@code ActorSpace.sequential(..)}; the space runs other work meanwhile.
      *
-     * <p><b>Errors.</b> A rejection's own error is thrown as it is, a checked one too.
+     * <p><b>Errors.</b> Throws the rejection's own error unchanged, even a checked one.
      *
-     * @throws IllegalStateException anywhere else; the text says what to write instead
+     * @throws IllegalStateException anywhere else; the message names the alternative
      * @throws CancellationException if the actor on whose behalf the body runs has stopped meanwhile, or its space has
      *     been closed
      */
@@ -140,7 +138,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
                     "await() belongs in the body of ActorSpace.sequential(..); a thread outside the space waits with get(Duration)");
         }
         if (isDone()) {
-            hear();
+            markHandled();
         } else {
             here.await(this);
         }
@@ -155,18 +153,19 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return valueOf(outcome);
     }
 
-    // ---- what comes next
+    // ---- listeners and derived promises
 
     /**
-     * The paper's {@code then(result -> ..)}: calls the listener with the value; the answer carries the same value on.
+     * Calls the listener with the value, as {@code then(result -> ..)} of the paper; the returned promise has the same
+     * value.
      */
     public final Promise<T> then(Consumer<? super T> listener) {
         return listen(new Stage.Look<>(this, listener));
     }
 
     /**
-     * The paper's {@code then((result, error) -> ..)}: calls the listener either way; the answer carries the same
-     * outcome on.
+     * Calls the listener with the value or the error, as {@code then((result, error) -> ..)} of the paper; the returned
+     * promise has the same outcome.
      */
     public final Promise<T> then(BiConsumer<? super @Nullable T, ? super @Nullable Throwable> listener) {
         return whenComplete(listener);
@@ -202,7 +201,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         Objects.requireNonNull(other, "other");
         Objects.requireNonNull(function, "function");
         Promise<R> both = thenCompose(mine -> other.<R>thenApply(theirs -> function.apply(mine, theirs)));
-        other.register(new Relay(() -> {}, both)); // so that an error of the other is not one that nobody hears
+        other.register(new InlineListener(
+                () -> {}, both)); // a listener, so that an error of the other promise is not reported as unhandled
         return both;
     }
 
@@ -228,25 +228,26 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     /**
-     * Follows this promise, and is rejected with a {@link TimeoutException} when the time is over first.
+     * Returns a promise that follows this one, and is rejected with a {@link TimeoutException} if the time is over
+     * first.
      *
-     * <p><b>Threads.</b> Asked in a space, the limit is one of its timers. Asked outside every space, it needs no turn
-     * of the space that this promise comes from, so it ends in time even if that is stalled, unless its clock is moved
-     * by hand.
+     * <p><b>Threads.</b> Called in a space, the limit is a timer of that space. Called outside every space, it does not
+     * depend on the thread of this promise's space: it expires in time even if that thread is stalled, unless the space
+     * uses a manual clock.
      *
-     * <p><b>Errors.</b> A failure that comes after the time-out is reported to the error handler of this promise's
-     * space, if no other listener is left.
+     * <p><b>Errors.</b> A failure after the time-out is reported to the error handler of this promise's space, if no
+     * other listener is left.
      */
     public final Promise<T> orTimeout(Duration timeout) {
-        return Limited.start(this, Objects.requireNonNull(timeout, "timeout"));
+        return TimeLimitedPromise.start(this, Objects.requireNonNull(timeout, "timeout"));
     }
 
     /**
-     * Rejects this promise with a {@link CancellationException}, unless it is settled. A request that still waits in a
-     * mailbox is then skipped; one that has begun goes on, and its answer is ignored.
+     * Rejects this promise with a {@link CancellationException}, unless it is settled. A request still waiting in a
+     * mailbox is then skipped. One that has begun continues, and its result is ignored.
      *
-     * <p><b>Threads.</b> Any thread. A promise that was made in a space, by asking or listening there, is rejected when
-     * that space gets to it.
+     * <p><b>Threads.</b> Any thread. A promise made on the thread of a space, by a call or as a listener there, is
+     * rejected when that thread processes the cancellation.
      *
      * @return whether it was pending
      */
@@ -259,27 +260,28 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     /**
-     * It was cancelled by hand, on the calling thread. For promises whose work can be saved then.
+     * Called on the cancelling thread after this promise was cancelled. For promises whose work can then be skipped.
      *
      * @hidden
      */
     protected void cancelled() {}
 
     /**
-     * A time limit on this promise has passed, on the thread of its clock; {@link #isGivenUp} says whether anybody else
-     * waits.
+     * Called on the thread of the timer when a time limit on this promise has passed; {@link #isGivenUp} is false if
+     * other listeners remain.
      *
      * @hidden
      */
     protected void timedOut() {}
 
     /**
-     * A {@link CompletableFuture} that follows this promise; cancelling it does not reach back. Its own continuations
-     * run on the thread that settles the promise, a space's or that of its time limits, and must not block it.
+     * Returns a {@link CompletableFuture} that follows this promise; cancelling the future does not cancel the promise.
+     * Dependents of the future run on the thread that settles the promise, a space's or that of its time limits, and
+     * must not block it.
      */
     public final CompletableFuture<T> toCompletableFuture() {
         var future = new CompletableFuture<T>();
-        register(new Relay(
+        register(new InlineListener(
                 () -> {
                     Object outcome = Objects.requireNonNull(outcomeNow());
                     if (outcome instanceof Rejection rejection) {
@@ -292,44 +294,44 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return future;
     }
 
-    // ---- several at once
+    // ---- combinators
 
     /** All values, in the order of the arguments; rejected with the first error. */
     public static <T extends @Nullable Object> Promise<List<T>> all(
             Collection<? extends Promise<? extends T>> promises) {
-        return Gather.all(promises);
+        return Combinators.all(promises);
     }
 
     /** All outcomes, in the order of the arguments; never rejected. */
     public static <T extends @Nullable Object> Promise<List<Outcome<T>>> allSettled(
             Collection<? extends Promise<? extends T>> promises) {
-        return Gather.allSettled(promises);
+        return Combinators.allSettled(promises);
     }
 
     /**
-     * The first value; rejected when all are, with a {@link java.util.NoSuchElementException} that has their errors as
-     * suppressed ones.
+     * The first value. If all promises are rejected, rejected with a {@link java.util.NoSuchElementException} that has
+     * their errors as suppressed exceptions.
      */
     public static <T extends @Nullable Object> Promise<T> any(Collection<? extends Promise<? extends T>> promises) {
-        return Gather.any(promises);
+        return Combinators.any(promises);
     }
 
     /**
-     * The outcome of whichever is settled first; rejected with a {@link java.util.NoSuchElementException} if there is
-     * none.
+     * The outcome of the promise that is settled first; rejected with a {@link java.util.NoSuchElementException} if
+     * there are none.
      */
     public static <T extends @Nullable Object> Promise<T> race(Collection<? extends Promise<? extends T>> promises) {
-        return Gather.race(promises);
+        return Combinators.race(promises);
     }
 
-    /** The promise that this one waits for, while it does. */
+    /** The promise for which this one is waiting, or null. */
     @Nullable
     Promise<?> source() {
         return null;
     }
 
     /**
-     * How far it has come, to be put behind its name in a message: empty, or beginning with a comma.
+     * A progress note for error messages, put behind the promise's name: empty, or beginning with a comma.
      *
      * @hidden
      */

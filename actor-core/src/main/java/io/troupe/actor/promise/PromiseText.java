@@ -3,8 +3,8 @@ package io.troupe.actor.promise;
 import org.jspecify.annotations.Nullable;
 
 /**
- * What a promise is called in messages. Loops, for a chain of promises may be of any length; and stops, for a message
- * may not.
+ * Describes a promise in messages. Iterative, because a chain of promises may have any length; bounded, because a
+ * message must not.
  */
 final class PromiseText {
     private static final int SPELLED_OUT = 8;
@@ -14,8 +14,8 @@ final class PromiseText {
     private PromiseText() {}
 
     /**
-     * The promise that this chain of stages and time limits waits for, if it is not too long, with the words for each
-     * of the last few links.
+     * Describes the promise for which this chain of stages and time limits waits, with the words for the last few
+     * links. A chain that is too long is abbreviated.
      */
     static String describe(Promise<?> last) {
         var before = new StringBuilder();
@@ -26,7 +26,7 @@ final class PromiseText {
             if (before.length() + behind.length() > 0 && ++more >= SPELLED_OUT) {
                 return before + "promise after " + origin(source, more) + behind;
             }
-            if (first instanceof Limited<?> limited) {
+            if (first instanceof TimeLimitedPromise<?> limited) {
                 behind.insert(0, " within " + limited.timeout());
             } else {
                 before.append("promise after ");
@@ -48,7 +48,7 @@ final class PromiseText {
         return links + " others after " + nameOf(first);
     }
 
-    /** How far the promise that this chain waits for has come; see {@link Promise#progress}. */
+    /** The progress of the promise for which this chain waits; see {@link Promise#progress}. */
     static String progress(Promise<?> last) {
         Promise<?> first = last;
         int links = 0;
@@ -66,7 +66,7 @@ final class PromiseText {
         return isNameless ? "promise" : first.toString();
     }
 
-    /** What {@code toString} answers: the name while it is not settled, and then with the value or the error. */
+    /** The result of {@code toString}: the name while pending, afterwards the name with the value or the error. */
     static String withOutcome(String name, Promise<?> promise) {
         Object outcome = promise.outcomeNow();
         if (outcome == null) {
@@ -81,7 +81,7 @@ final class PromiseText {
         String text;
         try {
             text = String.valueOf(what);
-        } catch (RuntimeException | StackOverflowError broken) { // it is the user's toString
+        } catch (RuntimeException | StackOverflowError broken) { // from the user's toString
             text = "what cannot be printed: " + broken.getClass().getName();
         }
         return text.length() <= LONGEST_OUTCOME ? text : text.substring(0, LONGEST_OUTCOME - 3) + "...";

@@ -1,9 +1,9 @@
 package io.troupe.actor.promise;
 
-/** The error of a rejected promise, and whether anybody was told of it. */
-final class Rejection extends Special {
+/** The error of a rejected promise, and whether a listener received it. */
+final class Rejection extends SettledState {
     private final Throwable error;
-    private volatile boolean heard;
+    private volatile boolean handled;
 
     Rejection(Throwable error) {
         this.error = error;
@@ -13,11 +13,11 @@ final class Rejection extends Special {
         return error;
     }
 
-    void hear() {
-        heard = true;
+    void markHandled() {
+        handled = true;
     }
 
-    boolean isHeard() {
-        return heard;
+    boolean isHandled() {
+        return handled;
     }
 }

@@ -9,19 +9,19 @@ import org.jspecify.annotations.Nullable;
 /**
  * The state of a promise: pending with its listeners, or settled.
  *
- * <p><b>Threads.</b> A <i>local</i> promise was made on its home's thread and changes only there, by plain stores; what
- * other threads want of it is posted to its home. A <i>shared</i> one changes on any thread, by compare-and-set. Both
- * may be read anywhere.
+ * <p><b>Threads.</b> A <i>local</i> promise was made on its home's thread and changes only there, by plain stores;
+ * operations of other threads are posted to its home. A <i>shared</i> promise changes on any thread, by
+ * compare-and-set. Both may be read on any thread.
  */
 abstract class Settleable<T extends @Nullable Object> extends Node {
     /*
      * One field holds the whole state, so that one compare-and-set decides between "settle" and "register":
-     *   null           pending, without listeners
-     *   a Node         pending, with listeners: the newest, linked by Node.next to the older ones, or Listeners if
-     *                  there are more than a few
-     *   a Settling     settled by another thread than some listener's, which may still have to be notified
-     *   anything else  settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be mistaken for
-     *                  one of the above)
+     *   null                   pending, without listeners
+     *   a Node                 pending, with listeners: the newest, linked by Node.next to the older ones,
+     *                          or Listeners if there are more than a few
+     *   a PendingNotification  settled by a thread other than that of some listener, which may not have run yet
+     *   anything else          settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be
+     *                          mistaken for one of the above)
      */
     private static final Object NULL = new Object();
     private static final VarHandle STATE;
@@ -38,28 +38,29 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     Settleable() {}
 
-    /** One that is settled already; the fence makes it so for whoever gets hold of it. */
+    /** Creates a settled promise; the fence publishes it safely. */
     Settleable(Object outcome) {
         state = outcome;
         VarHandle.storeStoreFence();
     }
 
     /**
-     * Where listeners from outside every space run, and where a lost rejection is reported; null if nowhere.
+     * The home where listeners from outside every space run, and where an unhandled rejection is reported; null if
+     * there is none.
      *
      * @hidden
      */
     protected abstract @Nullable Home home();
 
     /**
-     * Whether it changes on its home's thread only.
+     * True if it changes on its home's thread only.
      *
      * @hidden
      */
     protected abstract boolean isLocal();
 
     /**
-     * Whether it was made by a thread outside its home, which may need a moment to register a listener.
+     * True if it was made by a thread outside its home, which may need a moment to register a listener.
      *
      * @hidden
      */
@@ -67,7 +68,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return false;
     }
 
-    // ---- looking at it
+    // ---- reading
 
     public final boolean isDone() {
         return isSettled(STATE.getAcquire(this));
@@ -77,18 +78,18 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return state != null && !(state instanceof Node);
     }
 
-    /** How it ended, or null if it has not. */
+    /** The outcome, or null while pending. */
     final @Nullable Object outcomeNow() {
         Object now = STATE.getAcquire(this);
-        return now instanceof Settling settling ? settling.outcome() : isSettled(now) ? now : null;
+        return now instanceof PendingNotification notification ? notification.outcome() : isSettled(now) ? now : null;
     }
 
-    /** How it ended, for a listener that is about to run. */
+    /** The outcome, for a listener that is about to run. */
     final Object outcomeForListener() {
         Object now = STATE.getAcquire(this);
-        if (now instanceof Settling settling) {
-            settling.arrive();
-            return settling.outcome();
+        if (now instanceof PendingNotification notification) {
+            notification.listenerRuns();
+            return notification.outcome();
         }
         return Objects.requireNonNull(now);
     }
@@ -97,10 +98,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (value == null) {
             return NULL;
         }
-        return value instanceof Node || value instanceof Special ? new Special.Boxed(value) : value;
+        return value instanceof Node || value instanceof SettledState ? new SettledState.Boxed(value) : value;
     }
 
-    @SuppressWarnings("unchecked") // only asOutcome puts values in
+    @SuppressWarnings("unchecked") // only asOutcome stores values
     final T valueOf(Object outcome) {
         return (T) Stage.present(plainValue(outcome));
     }
@@ -109,19 +110,19 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (outcome == NULL) {
             return null;
         }
-        return outcome instanceof Special.Boxed boxed ? boxed.value() : outcome;
+        return outcome instanceof SettledState.Boxed boxed ? boxed.value() : outcome;
     }
 
-    /** Whether anybody was or will be told how it ends. */
-    final boolean isHeard() {
+    /** True if a listener has received, or will receive, the outcome. */
+    final boolean isHandled() {
         Object now = STATE.getAcquire(this);
-        Object outcome = now instanceof Settling settling ? settling.outcome() : now;
-        return outcome instanceof Node || outcome instanceof Rejection rejection && rejection.isHeard();
+        Object outcome = now instanceof PendingNotification notification ? notification.outcome() : now;
+        return outcome instanceof Node || outcome instanceof Rejection rejection && rejection.isHandled();
     }
 
     /**
-     * Whether it is settled, or all who have listened so far need its outcome no more; a thread whose wait is over may
-     * wait again. For promises that are not local.
+     * True if it is settled, or if no listener registered so far still needs the outcome; a thread whose wait timed out
+     * counts as a listener, because it may wait again. For promises that are not local.
      *
      * @hidden
      */
@@ -139,29 +140,29 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    /** Somebody has seen how it ended. */
-    final void hear() {
+    /** Marks a rejection as received. */
+    final void markHandled() {
         if (outcomeNow() instanceof Rejection rejection) {
-            rejection.hear();
+            rejection.markHandled();
         }
     }
 
     // ---- settling
 
-    /** Fulfils this promise, as {@link #settleValue}, on its home's thread or if it has no home. */
+    /** Fulfils this promise, like {@link #settleValue}; on its home's thread, or if it has no home. */
     final boolean settleValueAtHome(T value) {
         return settleAtHome(asOutcome(value));
     }
 
-    /** Rejects this promise, as {@link #settleError}, on its home's thread or if it has no home. */
+    /** Rejects this promise, like {@link #settleError}; on its home's thread, or if it has no home. */
     final boolean settleErrorAtHome(Throwable error) {
         return settleAtHome(new Rejection(Objects.requireNonNull(error, "error")));
     }
 
     /**
-     * Settles this promise as the other is, as {@link #follow}, on its home's thread.
+     * Settles this promise with the outcome of the other one, like {@link #follow}; on its home's thread.
      *
-     * @return the listener that must be served next and is in no queue, or null
+     * @return the listener that must be run next and is in no queue, or null
      * @hidden
      */
     protected final @Nullable Node followAtHome(Promise<? extends T> other) {
@@ -174,14 +175,14 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         Node listeners = claimHere(mine);
         Home here = home();
         if (here != null && listeners instanceof Stage<?, ?> only && only.next == null) {
-            return only.handOn(here); // what nearly always happens, by the shortest way
+            return only.handOn(here); // the usual case, by the shortest path
         }
         finish(listeners, mine);
         return null;
     }
 
     /**
-     * The rest of {@link #followAtHome} if the other one is not settled yet.
+     * The rest of {@link #followAtHome} if the other promise is still pending.
      *
      * @hidden
      */
@@ -190,13 +191,13 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * As {@link #follow}; meanwhile this promise is among those that the owner {@linkplain Owner#takeOpenRequests has
-     * not settled}.
+     * Like {@link #follow}; until it is settled, this promise is one of the owner's {@linkplain Owner#takeOpenRequests
+     * open requests}.
      *
      * @hidden
      */
     protected final void follow(Promise<? extends T> other, Owner owner) {
-        var answer = new OpenAnswer(this, owner);
+        var answer = new OpenRequest(this, owner);
         owner.open(answer);
         other.register(answer);
     }
@@ -212,7 +213,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Fulfils this promise; false if it was settled before.
+     * Fulfils this promise; false if it was already settled.
      *
      * @hidden
      */
@@ -221,7 +222,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Rejects this promise; false if it was settled before.
+     * Rejects this promise; false if it was already settled.
      *
      * @hidden
      */
@@ -230,7 +231,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Settles this promise as the other is, as soon as it is.
+     * Settles this promise with the outcome of the other one, as soon as that is settled.
      *
      * @hidden
      */
@@ -247,43 +248,49 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    /** Each promise has a rejection of its own, since each has its own listeners. */
+    /**
+     * The outcome to settle a following promise with. Each promise has a separate rejection, since each has its own
+     * listeners.
+     */
     private static Object handedOn(Object outcome) {
         if (outcome instanceof Rejection rejection) {
-            rejection.hear();
+            rejection.markHandled();
             return new Rejection(rejection.error());
         }
         return outcome;
     }
 
     /**
-     * False if it was settled before; a local promise away from home answers whether it was pending, and is settled a
-     * moment later.
+     * Settles this promise; false if it was already settled. For a local promise and a caller on another thread, true
+     * means that it was pending, and it is settled a moment later.
      */
     private boolean settle(Object outcome) {
         return finish(claim(outcome), outcome);
     }
 
     private static boolean finish(@Nullable Node listeners, Object outcome) {
-        if (listeners == Claim.REFUSED) {
+        if (listeners == AlreadySettled.INSTANCE) {
             return false;
         }
         if (listeners != null) {
-            tell(listeners, outcome);
+            notifyListeners(listeners, outcome);
         }
         return true;
     }
 
-    /** Settles this promise and answers its listeners, newest first; {@link Claim#REFUSED} if it was settled before. */
+    /**
+     * Settles this promise and returns its listeners, newest first; {@link AlreadySettled#INSTANCE} if it was already
+     * settled.
+     */
     private @Nullable Node claim(Object outcome) {
         if (!isLocal()) {
             return claimShared(outcome);
         }
         Home home = Objects.requireNonNull(home());
-        return home.isCurrent() ? claimAtHome(outcome) : claimFromAfar(outcome, home);
+        return home.isCurrent() ? claimAtHome(outcome) : claimRemotely(outcome, home);
     }
 
-    /** As {@link #claim}, on the home's thread or if there is no home. */
+    /** Like {@link #claim}; on the home's thread, or if there is no home. */
     private @Nullable Node claimHere(Object outcome) {
         if (!isLocal()) {
             return claimShared(outcome);
@@ -298,7 +305,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     private @Nullable Node claimAtHome(Object outcome) {
         Object now = state;
         if (isSettled(now)) {
-            return Claim.REFUSED;
+            return AlreadySettled.INSTANCE;
         }
         var listeners = (Node) now;
         if (listeners instanceof Listeners many) {
@@ -311,11 +318,11 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return listeners;
     }
 
-    private @Nullable Node claimFromAfar(Object outcome, Home home) {
+    private @Nullable Node claimRemotely(Object outcome, Home home) {
         if (isDone()) {
-            return Claim.REFUSED;
+            return AlreadySettled.INSTANCE;
         }
-        home.enqueue(new Errand(home, () -> settle(outcome)));
+        home.enqueue(new PostedAction(home, () -> settle(outcome)));
         return null;
     }
 
@@ -323,45 +330,50 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         while (true) {
             Object now = STATE.getAcquire(this);
             if (isSettled(now)) {
-                return Claim.REFUSED;
+                return AlreadySettled.INSTANCE;
             }
             if (now instanceof Listeners many) {
                 Node listeners;
-                Settling settling;
+                PendingNotification notification;
                 synchronized (many) {
                     if (many.isClosed()) {
                         continue; // another thread has settled it
                     }
                     listeners = many.link();
-                    settling = settlingFor(outcome, listeners);
+                    notification = notificationFor(outcome, listeners);
                     many.close();
-                    STATE.setVolatile(this, settling == null ? outcome : settling);
+                    STATE.setVolatile(this, notification == null ? outcome : notification);
                 }
-                return claimed(outcome, listeners, settling); // without the lock: it may call users' handlers
+                return claimed(outcome, listeners, notification); // outside the lock: it may call user handlers
             }
             var listeners = (Node) now;
-            Settling settling = settlingFor(outcome, listeners);
-            if (STATE.compareAndSet(this, now, settling == null ? outcome : settling)) {
-                return claimed(outcome, listeners, settling);
+            PendingNotification notification = notificationFor(outcome, listeners);
+            if (STATE.compareAndSet(this, now, notification == null ? outcome : notification)) {
+                return claimed(outcome, listeners, notification);
             }
         }
     }
 
-    private static @Nullable Settling settlingFor(Object outcome, @Nullable Node listeners) {
-        return listeners != null && Settling.isNeeded(listeners) ? new Settling(outcome, listeners) : null;
+    private static @Nullable PendingNotification notificationFor(Object outcome, @Nullable Node listeners) {
+        return listeners != null && PendingNotification.isNeeded(listeners)
+                ? new PendingNotification(outcome, listeners)
+                : null;
     }
 
-    private @Nullable Node claimed(Object outcome, @Nullable Node listeners, @Nullable Settling settling) {
+    private @Nullable Node claimed(
+            Object outcome, @Nullable Node listeners, @Nullable PendingNotification notification) {
         if (outcome instanceof Rejection rejection) {
             noteRejection(rejection, listeners);
         }
-        return settling == null || listeners == null ? listeners : new Settling.End(settling, listeners);
+        return notification == null || listeners == null
+                ? listeners
+                : new PendingNotification.End(notification, listeners);
     }
 
     private void noteRejection(Rejection rejection, @Nullable Node listeners) {
         Home place = home();
-        if (isHeardBy(listeners)) {
-            rejection.hear();
+        if (isHandledBy(listeners)) {
+            rejection.markHandled();
         } else if (place != null && !(rejection.error() instanceof CancellationException)) {
             if (listeners == null) {
                 place.rejected((Promise<?>) this, rejection.error());
@@ -371,7 +383,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    private static boolean isHeardBy(@Nullable Node listeners) {
+    private static boolean isHandledBy(@Nullable Node listeners) {
         for (Node node = listeners; node != null; node = node.next) {
             if (!node.hasTimedOut()) {
                 return true;
@@ -381,10 +393,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Tells listeners, oldest first. Promises that only follow are settled in this loop, not each on the stack of the
-     * one before, so that a chain of them may be of any length.
+     * Notifies listeners, oldest first. Promises that only follow are settled in this loop, not recursively, so a chain
+     * of them may have any length.
      */
-    private static void tell(Node newest, Object outcome) {
+    private static void notifyListeners(Node newest, Object outcome) {
         if (newest.next == null && newest instanceof Stage<?, ?> only) {
             only.dispatch();
             return;
@@ -396,17 +408,17 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             listener.next = null;
             if (listener instanceof Follower follower) {
                 follower.beforeSettling();
-                Node more = follower.isIdle() ? Claim.REFUSED : follower.promise.claim(handedOn(outcome));
-                waiting = more == Claim.REFUSED ? waiting : reverse(more, waiting);
-            } else if (listener instanceof Settling.End end) {
-                waiting = reverse(end.tryToEnd(), waiting);
+                Node more = follower.isIdle() ? AlreadySettled.INSTANCE : follower.promise.claim(handedOn(outcome));
+                waiting = more == AlreadySettled.INSTANCE ? waiting : reverse(more, waiting);
+            } else if (listener instanceof PendingNotification.End end) {
+                waiting = reverse(end.closeOrTakeLate(), waiting);
             } else {
                 dispatch(listener);
             }
         }
     }
 
-    /** Puts a list, newest first, in front of another, oldest first. */
+    /** Puts a list (newest first) in front of another list (oldest first). */
     private static @Nullable Node reverse(@Nullable Node newest, @Nullable Node rest) {
         Node oldest = rest;
         for (Node node = newest; node != null; ) {
@@ -418,10 +430,12 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return oldest;
     }
 
-    // ---- listening
+    // ---- registering listeners
 
     /**
-     * Registers a listener; {@code atHome} says whether the calling thread is known to be that of this promise's home.
+     * Registers a listener.
+     *
+     * @param atHome true if the calling thread is known to be that of this promise's home
      */
     final void register(Node listener, boolean atHome) {
         if (atHome && isLocal()) {
@@ -432,8 +446,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Tells the node when this promise is settled: at once if it is. Stages go to their home's queue, relays run where
-     * they are.
+     * Registers a node that is notified when this promise is settled, immediately if it is already settled. Stages go
+     * to their home's queue, relays run on the current thread.
      */
     final void register(Node listener) {
         if (!isLocal()) {
@@ -444,7 +458,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (home.isCurrent()) {
             registerAtHome(listener);
         } else {
-            home.enqueue(new Errand(home, () -> registerAtHome(listener)));
+            home.enqueue(new PostedAction(home, () -> registerAtHome(listener)));
         }
     }
 
@@ -454,7 +468,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             listener.next = null;
             STATE.setRelease(this, listener);
         } else if (isSettled(now)) {
-            tellLate(listener, now);
+            notifyLate(listener, now);
         } else if (now instanceof Listeners many) {
             many.add(listener);
         } else {
@@ -465,15 +479,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     private void registerShared(Node listener) {
         while (true) {
             Object now = STATE.getAcquire(this);
-            if (now instanceof Settling settling) {
-                boolean behindOthers = settling.setOut(listener);
-                if (!settling.join(listener)) {
-                    tellAfterwards(listener, settling.outcome(), behindOthers);
+            if (now instanceof PendingNotification notification) {
+                boolean behindOthers = notification.countListener(listener);
+                if (!notification.append(listener)) {
+                    notifyAfterwards(listener, notification.outcome(), behindOthers);
                 }
                 return;
             }
             if (isSettled(now)) {
-                tellLate(listener, now);
+                notifyLate(listener, now);
                 return;
             }
             if (now instanceof Listeners many) {
@@ -487,8 +501,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Listeners and one more; those at the head that have given up are left out, so that a promise that lives long
-     * collects none.
+     * Adds a listener to a list. Listeners at the head that are no longer needed are removed, so a long-lived promise
+     * does not accumulate them.
      */
     private static Node with(@Nullable Node newest, Node listener) {
         Node first = firstWithUse(newest);
@@ -507,23 +521,23 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return node;
     }
 
-    private static void tellLate(Node listener, Object outcome) {
+    private static void notifyLate(Node listener, Object outcome) {
         if (outcome instanceof Rejection rejection) {
-            rejection.hear();
+            rejection.markHandled();
         }
         listener.next = null;
-        tell(listener, outcome);
+        notifyListeners(listener, outcome);
     }
 
-    private static void tellAfterwards(Node listener, Object outcome, boolean behindOthers) {
+    private static void notifyAfterwards(Node listener, Object outcome, boolean behindOthers) {
         if (behindOthers && listener instanceof Stage<?, ?> stage) {
             if (outcome instanceof Rejection rejection) {
-                rejection.hear();
+                rejection.markHandled();
             }
             stage.next = null;
-            stage.dispatchFromAfar();
+            stage.dispatchAsRemote();
         } else {
-            tellLate(listener, outcome);
+            notifyLate(listener, outcome);
         }
     }
 
@@ -531,7 +545,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (listener instanceof Stage<?, ?> stage) {
             stage.dispatch();
         } else {
-            Detached.run(listener);
+            DetachedListeners.run(listener);
         }
     }
 }

@@ -2,7 +2,7 @@ package io.troupe.actor.promise;
 
 import org.jspecify.annotations.Nullable;
 
-/** A promise that was fulfilled when it was made; it belongs to nobody. */
+/** A promise that was fulfilled when it was created; it has no home. */
 final class Settled<T extends @Nullable Object> extends Promise<T> {
     static final Promise<@Nullable Void> DONE = new Settled<>(null);
 

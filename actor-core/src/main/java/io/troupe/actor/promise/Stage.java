@@ -9,9 +9,9 @@ import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A listener and the promise of what it makes, in one object: {@code S} is the value it waits for, {@code T} the one it
- * promises. Remembers the space and the actor that registered it, and runs there. Forgets its source and its function
- * when it runs, so that a promise that is kept keeps no more than its outcome.
+ * A listener and the promise of its result, in one object: {@code S} is the type of the value it waits for, {@code T}
+ * that of its result. It runs in the space, and on behalf of the actor, that registered it. When it runs it drops its
+ * source and its function, so that a retained promise retains only its outcome.
  */
 abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> extends Promise<T> {
     private @Nullable Promise<S> source;
@@ -28,24 +28,24 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
-    /** Begins to listen; answers itself. */
+    /** Registers this listener with its source; returns itself. */
     final Stage<S, T> listen() {
         Promise<S> from = Objects.requireNonNull(source);
         from.register(this, owner != null && owner.home() == from.home() && !owner.isOutside());
         return this;
     }
 
-    /** Queues it where it is to run. */
+    /** Queues this listener at its home. */
     final void dispatch() {
         Home home = owner == null ? Home.current() : owner.home();
         if (home == null) {
-            Detached.run(this);
+            DetachedListeners.run(this);
         } else {
             home.enqueue(this);
         }
     }
 
-    /** As {@link #dispatch()}, on the thread of that home, which need not be the one where it is to run. */
+    /** Like {@link #dispatch()}; called on the thread of {@code here}, which need not be this listener's home. */
     final void dispatch(Home here) {
         if (owner != null && owner.home() == here) {
             here.enqueueAtHome(this);
@@ -54,7 +54,10 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
-    /** As {@link #dispatch(Home)}, but if it is to be served next there, it is returned instead, else null. */
+    /**
+     * Like {@link #dispatch(Home)}, but returns this listener, instead of queueing it, if it would be run next; else
+     * null.
+     */
     final @Nullable Node handOn(Home here) {
         if (owner != null && owner.home() == here && here.isNextCallbackFirst()) {
             return this;
@@ -63,21 +66,21 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return null;
     }
 
-    /** Queues it behind listeners that another thread has queued there. */
-    final void dispatchFromAfar() {
+    /** Queues this listener behind those that another thread has queued at its home. */
+    final void dispatchAsRemote() {
         if (owner == null) {
             dispatch();
         } else {
-            owner.home().enqueueFromAfar(this);
+            owner.home().enqueueAsRemote(this);
         }
     }
 
-    /** Whether it runs on another thread than the calling one. */
+    /** True if it runs on a thread other than the calling one. */
     final boolean isElsewhere() {
         return owner != null && !owner.home().isCurrent();
     }
 
-    /** Begins the listener's turn: how the source has ended, or null if there is nothing to do any more. */
+    /** Begins the listener's turn: the outcome of the source, or null if nothing is left to do. */
     final @Nullable Object begin() {
         Promise<S> settled = Objects.requireNonNull(source);
         source = null;
@@ -97,14 +100,14 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return outcome;
     }
 
-    /** What a listener throws rejects the promise of what it makes. */
+    /** An exception of the listener rejects the promise of its result. */
     @Override
     protected final void threw(Throwable thrown) {
         settleError(thrown);
         Errors.rethrowIfOfTheMachine(thrown);
     }
 
-    /** Nobody is there to listen any more; an error that nobody else has seen is not lost with them. */
+    /** Rejects this promise because its owner has ended; passes the source's error on, so that it is not lost. */
     private void giveUp(Object outcome) {
         settleError(
                 outcome instanceof Rejection rejection
@@ -143,19 +146,20 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     }
 
     /**
-     * A null where the type parameter says whether null is allowed: the caller of {@code settleValue} has decided that.
+     * Returns a value that is null only where the type parameter allows it: the caller of {@code settleValue} decided
+     * that.
      */
     @SuppressWarnings("NullAway")
     static <V extends @Nullable Object> V present(@Nullable V value) {
         return value;
     }
 
-    @SuppressWarnings("unchecked") // the source settles with values of its own type
+    @SuppressWarnings("unchecked") // the source settles with values of type S
     final S sourceValue(Object outcome) {
         return (S) plainValue(outcome);
     }
 
-    /** Value in, value out; an error passes by. */
+    /** Maps a value; an error is passed on. */
     static final class Transform<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
         private @Nullable Function<? super S, ? extends T> function;
 
@@ -177,7 +181,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
-    /** Looks at a value and passes it on; an error passes by. */
+    /** Calls a listener with the value and passes the value on; an error is passed on. */
     static final class Look<S extends @Nullable Object> extends Stage<S, S> {
         private @Nullable Consumer<? super S> listener;
 
@@ -200,7 +204,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
-    /** Value or error in, value out. */
+    /** Maps a value or an error to a value. */
     static final class Handle<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
         private @Nullable BiFunction<? super @Nullable S, @Nullable Throwable, ? extends T> function;
 
@@ -222,7 +226,10 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
-    /** Looks, and passes the outcome on; an error of the listener is added to the one that is there. */
+    /**
+     * Calls a listener with the outcome and passes the outcome on; the source's error is added as suppressed to an
+     * exception of the listener.
+     */
     static final class Observe<S extends @Nullable Object> extends Stage<S, S> {
         private @Nullable BiConsumer<? super @Nullable S, ? super @Nullable Throwable> listener;
 
@@ -257,7 +264,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
     }
 
-    /** Value (or, if asked for, error) in, promise out, followed. */
+    /** Maps a value (or, if there is a function for it, an error) to a promise and follows that. */
     static final class Compose<S extends @Nullable Object, T extends @Nullable Object> extends Stage<S, T> {
         private @Nullable Function<? super S, ? extends Promise<? extends T>> function;
         private @Nullable Function<Throwable, ? extends Promise<? extends T>> rescue;
@@ -291,7 +298,9 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         private void followAnswer(@Nullable Promise<? extends T> answer) {
             Node next = followAtHome(Objects.requireNonNull(answer, "the function answered null, not a promise"));
-            if (next instanceof Stage<?, ?> listener) { // a chain of such functions must leave others their turns
+            if (next
+                    instanceof
+                    Stage<?, ?> listener) { // queued, so that a chain of such functions gives other entries their turn
                 listener.dispatch();
             }
         }

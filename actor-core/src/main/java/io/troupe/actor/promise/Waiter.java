@@ -5,7 +5,7 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 
-/** A thread that waits for a promise from outside. */
+/** The listener of a thread outside every space that waits for a promise. */
 final class Waiter extends Node {
     private final CountDownLatch settled = new CountDownLatch(1);
     private volatile boolean gone;
@@ -19,13 +19,13 @@ final class Waiter extends Node {
                             + promise
                             + ": register what comes next with then(..), return thenCompose(..), or write await() in the body of sequential(..)");
         }
-        if (Detached.isRunning()) {
+        if (DetachedListeners.isRunning()) {
             throw new IllegalStateException(
                     "get() in a listener would keep the other listeners of this thread from running, and with them whoever could settle "
                             + promise + ": register what comes next with then(..)");
         }
         if (promise.isDone()) {
-            promise.hear();
+            promise.markHandled();
             return;
         }
         var waiter = new Waiter();

@@ -1,4 +1,4 @@
-/** A value that arrives later. */
+/** Promises: values that arrive later. */
 @NullMarked
 package io.troupe.actor.promise;
 

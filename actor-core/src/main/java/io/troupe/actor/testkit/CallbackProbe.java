@@ -7,9 +7,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A callback that records what it hears.
+ * A callback that records the results and the end that it receives.
  *
- * <p><b>Role.</b> Made by {@link TestSpace#callback}, and passed to an actor or to a {@link io.troupe.actor.Topic}.
+ * <p><b>Role.</b> Created by {@link TestSpace#callback}, and passed to an actor or to a {@link io.troupe.actor.Topic}.
  *
  * {@snippet :
  * CallbackProbe<Integer> colours = test.callback();
@@ -18,10 +18,10 @@ import org.jspecify.annotations.Nullable;
  * colours.expectFinished();
  * }
  *
- * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method that looks first serves what
- * waits in the space.
+ * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method that checks or reads first runs
+ * everything that is queued in the space.
  *
- * <p><b>Errors.</b> A result or an end that comes after the end is an {@link IllegalStateException} of the sender.
+ * <p><b>Errors.</b> A result or an end after the end throws an {@link IllegalStateException} to the sender.
  */
 public final class CallbackProbe<T extends @Nullable Object> implements Callback<T> {
     private final TestSpace test;
@@ -40,7 +40,7 @@ public final class CallbackProbe<T extends @Nullable Object> implements Callback
         return Collections.unmodifiableList(new ArrayList<>(results)); // a result may be null
     }
 
-    /** Expects that it has ended with success. */
+    /** Asserts that it has finished without an error. */
     public void expectFinished() {
         test.crank();
         if (end == null || error != null) {
@@ -48,7 +48,7 @@ public final class CallbackProbe<T extends @Nullable Object> implements Callback
         }
     }
 
-    /** Expects that it has ended with an error, and answers that. */
+    /** Asserts that it has ended with an error, and returns the error. */
     public Throwable expectFailed() {
         test.crank();
         if (error == null) {
@@ -57,7 +57,7 @@ public final class CallbackProbe<T extends @Nullable Object> implements Callback
         return error;
     }
 
-    /** Expects that it has not ended. */
+    /** Asserts that it has not ended. */
     public void expectOpen() {
         test.crank();
         if (end != null) {
@@ -65,7 +65,7 @@ public final class CallbackProbe<T extends @Nullable Object> implements Callback
         }
     }
 
-    /** From now on the sender sees that nobody listens. */
+    /** Makes {@link #isCancelled} return true: the sender sees that results are no longer wanted. */
     public void cancel() {
         cancelled = true;
     }

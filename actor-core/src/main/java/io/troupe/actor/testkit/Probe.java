@@ -18,10 +18,10 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Stands in for an actor in a test: records the calls it gets, and answers requests when the test says so.
+ * A test double for an actor: records the calls it receives, and answers requests on demand of the test.
  *
- * <p><b>Role.</b> Made by {@link TestSpace#probe}; {@link #actor} is what the code under test gets. It is an actor of
- * that space as any other. A call is written as in dead letters, {@code greet(Ann)}, with {@code callback} for a
+ * <p><b>Role.</b> Created by {@link TestSpace#probe}; {@link #actor} is passed to the code under test. It is an
+ * ordinary actor of that space. A call is written as in dead letters, {@code greet(Ann)}, with {@code callback} for a
  * {@link Callback}.
  *
  * {@snippet :
@@ -33,12 +33,12 @@ import org.jspecify.annotations.Nullable;
  * assertThat(test.get(advice)).isEqualTo("wait");
  * }
  *
- * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method first serves what waits in the
- * space.
+ * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method first runs everything that is
+ * queued in the space.
  *
  * <p><b>Order.</b> Calls are in the order in which they were handled; requests are answered in that order too.
  *
- * <p><b>Errors.</b> What the test got wrong, or did not get, is an {@link AssertionError} that lists the calls so far.
+ * <p><b>Errors.</b> A wrong or missing call is an {@link AssertionError} that lists the calls so far.
  */
 public final class Probe<A> {
     private record Call(String text, List<@Nullable Object> arguments) {}
@@ -62,7 +62,7 @@ public final class Probe<A> {
         this.actor = test.spawn(type, this::standIn);
     }
 
-    /** The proxy to hand to the code under test. */
+    /** The proxy to pass to the code under test. */
     public A actor() {
         return actor;
     }
@@ -74,10 +74,10 @@ public final class Probe<A> {
     }
 
     /**
-     * Expects the first call that was not expected before.
+     * Asserts that the next call is this one; each call is expected once, in order.
      *
      * @param call as it is written in {@link #calls}
-     * @return its arguments, as they came
+     * @return its arguments, unchanged
      */
     public List<@Nullable Object> expectCall(String call) {
         test.crank();
@@ -92,7 +92,7 @@ public final class Probe<A> {
         return next.arguments;
     }
 
-    /** Expects that there was no call but those expected before. */
+    /** Asserts that there were no further calls. */
     public void expectNoCall() {
         test.crank();
         if (expected < calls.size()) {
@@ -100,10 +100,7 @@ public final class Probe<A> {
         }
     }
 
-    /**
-     * Fulfils the oldest request that waits for its answer, even if its asker has given it up, and serves what comes of
-     * it.
-     */
+    /** Fulfils the oldest pending request, even if its caller has cancelled it, and runs what follows from that. */
     public void answer(@Nullable Object value) {
         Question question = oldest("answer(" + value + ")");
         Class<?> wanted = answerType(question.method);
@@ -116,7 +113,7 @@ public final class Probe<A> {
         test.crank();
     }
 
-    /** Rejects the oldest request that waits for its answer; see {@link #answer}. */
+    /** Rejects the oldest pending request; see {@link #answer}. */
     public void reject(Throwable error) {
         Objects.requireNonNull(error, "error");
         Question question = oldest("reject(" + error + ")");
@@ -125,10 +122,7 @@ public final class Probe<A> {
         test.crank();
     }
 
-    /**
-     * The requests that wait for their answers; taking them says that the test expected it, and they are never
-     * answered.
-     */
+    /** Removes and returns the pending requests. They are never answered, and no longer fail the test. */
     public List<String> takeUnanswered() {
         test.crank();
         return removeUnanswered();
@@ -197,7 +191,7 @@ public final class Probe<A> {
         return inBrackets.substring(1, inBrackets.length() - 1);
     }
 
-    /** What the promise holds, as far as it can be known at run time. */
+    /** The type of the promise's value, as far as it is known at run time. */
     private static Class<?> answerType(Method method) {
         Type answer = method.getGenericReturnType() instanceof ParameterizedType promise
                 ? promise.getActualTypeArguments()[0]

@@ -14,10 +14,10 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * An actor space for tests: no thread of its own, a clock that stands still, the same code as in production.
+ * An actor space for tests: no thread, a manual clock, the same code as in production.
  *
- * <p><b>Role.</b> Made in a test, in a try-with-resources or with {@link #close} at its end: that is where forgotten
- * errors, dead letters and unserved messages fail the test.
+ * <p><b>Role.</b> Created in a try-with-resources statement of a test, or closed with {@link #close} at its end.
+ * Closing fails the test if errors, dead letters or queued messages are left.
  *
  * {@snippet :
  * try (var test = new TestSpace()) {
@@ -27,10 +27,10 @@ import org.jspecify.annotations.Nullable;
  * } // close() fails the test if an error or a message was forgotten
  * }
  *
- * <p><b>Threads.</b> The test's thread; it is the space's thread while it cranks.
+ * <p><b>Threads.</b> The test's thread, which is the space's thread during {@link #crank}.
  */
 public final class TestSpace implements AutoCloseable {
-    /** Something that went wrong where nobody else could be told. */
+    /** An error that had no listener or caller to receive it. */
     public record Problem(String where, Throwable error) {}
 
     private final ManualClock clock = new ManualClock();
@@ -51,49 +51,52 @@ public final class TestSpace implements AutoCloseable {
         return clock;
     }
 
-    /** Makes an actor and lets it start. */
+    /** Creates an actor and starts it. */
     public <A> A spawn(Class<A> type, Supplier<? extends A> factory) {
         A proxy = space.spawn(type, factory);
         crank();
         return proxy;
     }
 
-    /** Makes an actor with settings, and lets it start. */
+    /** Creates an actor with settings and starts it. */
     public <A> A spawn(Class<A> type, Supplier<? extends A> factory, ActorSettings settings) {
         A proxy = space.spawn(type, factory, settings);
         crank();
         return proxy;
     }
 
-    /** A stand-in for an actor, that records its calls; a request it has not answered at the end fails the test. */
+    /**
+     * Creates a test double for an actor that records its calls; a request it has not answered at the end fails the
+     * test.
+     */
     public <A> Probe<A> probe(Class<A> type) {
         var probe = new Probe<>(this, type);
         probes.add(probe);
         return probe;
     }
 
-    /** A callback that records what it hears. */
+    /** Creates a callback that records its results and its end. */
     public <T extends @Nullable Object> CallbackProbe<T> callback() {
         return new CallbackProbe<>(this);
     }
 
-    /** Serves what waits, and what comes of it, until nothing waits. */
+    /** Runs everything that is queued, and what follows from it, until nothing is queued. */
     public void crank() {
         space.crank();
     }
 
-    /** Runs a task on the space's thread, and serves what comes of it. */
+    /** Runs a task on the space's thread, and what follows from it. */
     public void run(Runnable task) {
         space.execute(task);
         crank();
     }
 
     /**
-     * Serves what waits, then moves the clock from one timer to the next, and serves what is due and what comes of it,
-     * each at its own time. A periodic timer runs once for each period that is over.
+     * Runs everything that is queued, then moves the clock from one timer to the next, and runs what is due at each
+     * step and what follows from it. A periodic timer runs once for each period.
      *
-     * <p>Other spaces may share this clock: one with a thread is woken at each step and runs beside the test, one that
-     * is cranked by hand is not cranked by this.
+     * <p>Other spaces may share this clock: a space with a thread wakes up at each step and runs concurrently with the
+     * test, a space that is cranked by hand is not cranked by this.
      *
      * @throws IllegalArgumentException if the duration is negative
      */
@@ -112,11 +115,10 @@ public final class TestSpace implements AutoCloseable {
     }
 
     /**
-     * The value of a promise, after serving what waits. A rejected promise throws its own error as it is, a checked one
-     * too.
+     * The value of a promise, after running everything that is queued. A rejected promise throws its own error
+     * unchanged, even a checked one.
      *
-     * @throws AssertionError if it is not settled then: nothing in the space could settle it any more, unless the clock
-     *     moves
+     * @throws AssertionError if it is still pending: nothing in the space can settle it unless the clock moves
      */
     public <T extends @Nullable Object> T get(Promise<T> promise) {
         crank();
@@ -125,7 +127,7 @@ public final class TestSpace implements AutoCloseable {
             throw new AssertionError("nothing is left to do, and " + promise + " is still pending"
                     + (timers == 0 ? "" : "; timers that wait for advance(..): " + timers));
         }
-        withdrawUnheard(promise);
+        withdrawUnhandled(promise);
         try {
             return promise.get(Duration.ZERO);
         } catch (InterruptedException | TimeoutException rejection) { // a settled promise does not wait
@@ -133,38 +135,41 @@ public final class TestSpace implements AutoCloseable {
         }
     }
 
-    @SuppressWarnings("unchecked") // unchecked by the compiler: that is the point
+    @SuppressWarnings("unchecked") // throws a checked exception as an unchecked one, on purpose
     private static <E extends Throwable> E unchecked(Throwable error) throws E {
         throw (E) error;
     }
 
-    /** The error of a promise, after serving what waits. */
+    /** The error of a promise, after running everything that is queued. */
     public Throwable error(Promise<?> promise) {
-        promise.handle((value, ignored) -> null); // somebody listens: the test
+        promise.handle((value, ignored) -> null); // the test counts as a listener
         crank();
         Throwable error = promise.error();
         if (error == null) {
             throw new AssertionError(promise + (promise.isDone() ? " was fulfilled" : " is still pending")
                     + ", expected it to be rejected");
         }
-        withdrawUnheard(promise);
+        withdrawUnhandled(promise);
         return error;
     }
 
-    /** The test looks at a rejection that was reported, because the clock went on, before the test could listen. */
-    private void withdrawUnheard(Promise<?> promise) {
+    /**
+     * Removes the report of a rejection that the test now reads; it was reported because the clock moved before the
+     * test registered a listener.
+     */
+    private void withdrawUnhandled(Promise<?> promise) {
         problems.removeIf(problem ->
                 problem.error() == promise.error() && problem.where().startsWith("a promise nobody listens to"));
     }
 
-    /** What has been reported so far; taking it says that the test expected it. */
+    /** Removes and returns the reported problems; they no longer fail the test. */
     public List<Problem> takeProblems() {
         var taken = List.copyOf(problems);
         problems.clear();
         return taken;
     }
 
-    /** What has reached nobody so far; taking it says that the test expected it. */
+    /** Removes and returns the dead letters; they no longer fail the test. */
     public List<DeadLetter> takeDeadLetters() {
         var taken = List.copyOf(deadLetters);
         deadLetters.clear();
@@ -174,8 +179,8 @@ public final class TestSpace implements AutoCloseable {
     /**
      * Closes the space.
      *
-     * @throws AssertionError if something was left: messages nobody served, problems or dead letters nobody took,
-     *     requests no probe answered
+     * @throws AssertionError if something was left: queued messages, problems or dead letters that were not taken,
+     *     requests that a probe did not answer
      */
     @Override
     public void close() {

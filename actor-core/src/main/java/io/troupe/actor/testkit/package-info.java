@@ -1,4 +1,4 @@
-/** Crank a space by hand, move its clock, and see what its actors did. */
+/** Test kit: a space cranked by hand, a manual clock, and probes that record what actors do. */
 @NullMarked
 package io.troupe.actor.testkit;
 

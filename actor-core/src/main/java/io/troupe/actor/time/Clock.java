@@ -1,22 +1,22 @@
 package io.troupe.actor.time;
 
 /**
- * Tells the time to whoever waits.
+ * A source of time, with a callback for clocks that are moved by hand.
  *
- * <p><b>Threads.</b> Any thread. <b>Units and shapes.</b> Nanoseconds since a fixed but arbitrary moment, never going
- * back.
+ * <p><b>Threads.</b> Any thread. <b>Units and shapes.</b> Nanoseconds since a fixed but arbitrary moment, never
+ * decreasing.
  */
 public interface Clock {
     long nanos();
 
     /**
-     * Calls {@code wake} after every move of a clock that is moved by hand; a clock that runs by itself never calls.
+     * Calls {@code wake} after every move of a clock that is moved by hand; a clock that runs by itself never calls it.
      *
-     * @return takes the registration back
+     * @return removes the registration
      */
     Runnable onMove(Runnable wake);
 
-    /** Whether time passes by itself, so that waiting for a moment means sleeping. */
+    /** True if time passes by itself, so that waiting for a moment means sleeping. */
     boolean runsByItself();
 
     /** The machine's monotonic clock. */

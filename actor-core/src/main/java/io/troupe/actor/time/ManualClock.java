@@ -7,7 +7,7 @@ import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.atomic.AtomicLong;
 
 /**
- * A clock that somebody else moves: a test, or a simulated world. Starts at zero.
+ * A clock that is moved by a test or by a simulated world. It starts at zero.
  *
  * {@snippet :
  * ManualClock clock = new ManualClock();
@@ -32,7 +32,7 @@ public final class ManualClock implements Clock {
     }
 
     /**
-     * Moves the clock forward by a duration; several threads may do so at once, and each counts.
+     * Moves the clock forward by a duration. Concurrent calls add up.
      *
      * @throws IllegalArgumentException if the duration is negative
      */
@@ -47,7 +47,7 @@ public final class ManualClock implements Clock {
     /**
      * Moves the clock to a moment.
      *
-     * @throws IllegalArgumentException if that moment is over
+     * @throws IllegalArgumentException if that moment has passed
      */
     public void advanceTo(long newNanos) {
         long before = nanos.getAndAccumulate(newNanos, Math::max);
@@ -58,7 +58,7 @@ public final class ManualClock implements Clock {
         listeners.forEach(Runnable::run);
     }
 
-    /** Moves the clock to a moment, unless that is over: for several who move one clock and may come late. */
+    /** Moves the clock to a moment, unless that has passed: for several threads that move the same clock. */
     public void advanceToAtLeast(long newNanos) {
         if (nanos.getAndAccumulate(newNanos, Math::max) < newNanos) {
             listeners.forEach(Runnable::run);
@@ -68,7 +68,7 @@ public final class ManualClock implements Clock {
     @Override
     public Runnable onMove(Runnable wake) {
         Objects.requireNonNull(wake, "wake");
-        Runnable registration = wake::run; // its own identity, so that the same listener can be registered twice
+        Runnable registration = wake::run; // a new object, so that the same listener can be registered twice
         listeners.add(registration);
         return () -> listeners.remove(registration);
     }

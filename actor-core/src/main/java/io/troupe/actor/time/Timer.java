@@ -3,7 +3,7 @@ package io.troupe.actor.time;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A task that waits for its deadline: what {@code after(..)} and {@code every(..)} of an actor return.
+ * A task with a deadline, as returned by {@code after(..)} and {@code every(..)} of an actor.
  *
  * {@snippet :
  * public void pause() {
@@ -16,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> The thread of its space.
  */
 public final class Timer {
-    /** The place of a timer that is neither on the wheel nor in its heap. */
+    /** The place of a timer that is neither in a slot nor in the heap. */
     static final int NOWHERE = -1;
 
     final Runnable task;
@@ -25,11 +25,11 @@ public final class Timer {
     final long sequence;
     long deadlineNanos;
     boolean waiting = true;
-    int place = NOWHERE; // in the heap if it is near, else the number of its slot
+    int place = NOWHERE; // the index in the heap if it is near, else the index of its slot
     boolean near;
 
     @Nullable
-    Timer before; // in its slot
+    Timer before; // links within its slot
 
     @Nullable
     Timer after;
@@ -46,16 +46,16 @@ public final class Timer {
     }
 
     /**
-     * Takes the task back.
+     * Cancels the task.
      *
      * @return false if it has run (and is not periodic) or was cancelled before
-     * @throws IllegalStateException on another thread than that of its space
+     * @throws IllegalStateException on a thread other than that of its space
      */
     public boolean cancel() {
         return wheel.cancel(this);
     }
 
-    /** Whether it is still going to run. */
+    /** True if it has not run and was not cancelled. */
     public boolean isWaiting() {
         return waiting;
     }

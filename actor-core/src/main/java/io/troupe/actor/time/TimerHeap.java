@@ -5,8 +5,8 @@ import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Timers in the order of their deadlines, and of their creation if these are equal: a heap in which each has four
- * children, and knows its place.
+ * Timers ordered by deadline, then by creation: a heap with four children per node, in which each timer stores its
+ * index.
  *
  * <p><b>Cost.</b> Logarithmic time for adding and removing.
  */
@@ -17,25 +17,25 @@ class TimerHeap {
     private @Nullable Timer[] timers = new Timer[SMALL];
     private int size;
 
-    /** How many there are. */
+    /** The number of timers. */
     final int size() {
         return size;
     }
 
-    /** The earliest one, or null. */
+    /** The earliest timer, or null. */
     final @Nullable Timer first() {
         return timers[0];
     }
 
-    /** Whether a timer runs before another one; the only place where timers are compared. */
+    /** True if a timer runs before another one; the only place where timers are compared. */
     boolean isEarlier(Timer timer, Timer other) {
         return timer.deadlineNanos < other.deadlineNanos
                 || timer.deadlineNanos == other.deadlineNanos && timer.sequence < other.sequence;
     }
 
     /*
-     * A caller whose stack overflows in here must not break the heap. A call may overflow, a store may not: between two
-     * calls the heap is complete, and at worst a timer has not come to its place.
+     * A stack overflow of the caller in here must not corrupt the heap. A call may overflow, a store cannot: between
+     * two calls the heap is complete, and at worst a timer is out of order.
      */
 
     final void add(Timer timer) {

@@ -9,16 +9,16 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The timers of one thread, on wheels: in slots of about a millisecond, of 64 milliseconds, of 64 times that, and so
- * on.
+ * The timers of one thread, on hierarchical wheels: with slots of about one millisecond, 64 milliseconds, 64 times
+ * that, and so on.
  *
- * <p><b>Role.</b> Each actor space has one; for the rooms of this library. <b>Threads.</b> The space's thread only.
+ * <p><b>Role.</b> Each actor space has one; internal to this library. <b>Threads.</b> The space's thread only.
  *
  * <p><b>Order.</b> By deadline, then by the order in which they were set; a task never runs before its deadline.
  *
  * <p><b>Cost.</b> Setting and cancelling take constant time. A timer moves to a finer wheel up to seven times before it
- * runs, and takes time in the logarithm of the number of those that are due in the same millisecond, or overdue. Timers
- * that are due later cost nothing meanwhile.
+ * runs. Running it takes time logarithmic in the number of timers that are due in the same millisecond or overdue.
+ * Timers that are due later cost nothing until then.
  *
  * <p><b>Source.</b> Varghese and Lauck, "Hashed and hierarchical timing wheels", scheme 7 (1987).
  *
@@ -26,10 +26,10 @@ import org.jspecify.annotations.Nullable;
  */
 public final class TimerWheel {
     /*
-     * Time is counted in ticks of 2^20 ns. Those that are due up to the tick "position" are near: in a heap, in the
-     * exact order. All others are on the wheel of the highest digit (of six bits) in which their tick differs from the
-     * position, in the slot of that digit. So on each wheel only slots ahead of the position's own digit are occupied,
-     * all of them come before those of the next coarser wheel, and the next one is found by its bit.
+     * Time is counted in ticks of 2^20 ns. Timers that are due up to the tick "position" are near: they are in a heap,
+     * in exact order. Each other timer is on the wheel of the highest digit (of six bits) in which its tick differs
+     * from the position, in the slot of that digit. So on each wheel only slots after the position's digit are
+     * occupied, all of them are due before those of the next coarser wheel, and a bit scan finds the next one.
      */
     private static final int TICK_BITS = 20;
     private static final int DIGIT_BITS = 6;
@@ -45,8 +45,8 @@ public final class TimerWheel {
     private final BooleanSupplier onThread;
     private final TimerHeap near;
     private final @Nullable Timer[] slots = new Timer[WHEELS * SLOTS];
-    private final long[] occupied = new long[WHEELS]; // a bit for each slot
-    private final List<Timer> periodic = new ArrayList<>(); // those that have run in this pass
+    private final long[] occupied = new long[WHEELS]; // one bit per slot
+    private final List<Timer> periodic = new ArrayList<>(); // periodic timers that have run in this pass
     private long position; // a tick, unsigned
     private long sequence;
     private int size;
@@ -56,9 +56,9 @@ public final class TimerWheel {
     }
 
     /**
-     * A wheel whose timers are cancelled on its own thread only.
+     * A wheel whose timers may be cancelled only on the thread of the wheel.
      *
-     * @param onThread whether the calling thread is the wheel's
+     * @param onThread true on the wheel's thread
      */
     public TimerWheel(Clock clock, BooleanSupplier onThread) {
         this(clock, onThread, new TimerHeap());
@@ -79,8 +79,8 @@ public final class TimerWheel {
     /**
      * Sets a timer.
      *
-     * @param delayNanos from now; nothing and less means as soon as possible
-     * @param periodNanos from then on again and again; 0 = once
+     * @param delayNanos delay from now; zero or less means as soon as possible
+     * @param periodNanos interval of further runs; 0 = once
      */
     public Timer set(Runnable task, long delayNanos, long periodNanos, Schedule schedule) {
         Objects.requireNonNull(task, "task");
@@ -90,7 +90,7 @@ public final class TimerWheel {
         }
         long now = clock.nanos();
         if (size == 0) {
-            position = Math.max(position, tick(now)); // else it moves when timers are run
+            position = Math.max(position, tick(now)); // otherwise it moves when timers are run
         }
         long deadline = saturatedSum(now, Math.max(0, delayNanos));
         var timer = new Timer(this, task, deadline, periodNanos, schedule, sequence++);
@@ -103,12 +103,12 @@ public final class TimerWheel {
         return size == 0;
     }
 
-    /** How many timers are set. */
+    /** The number of timers that are set. */
     public int size() {
         return size;
     }
 
-    /** Takes all timers back; answers their tasks, in the order in which they would have run. */
+    /** Cancels all timers; returns their tasks, in the order in which they would have run. */
     public List<Runnable> clear() {
         insertPeriodicOnes();
         var waiting = new ArrayList<Timer>(size);
@@ -126,7 +126,7 @@ public final class TimerWheel {
         return waiting.stream().map(timer -> timer.task).toList();
     }
 
-    /** Whether the next deadline is over. */
+    /** True if the next deadline has passed. */
     public boolean isDue() {
         if (size == 0) {
             return false;
@@ -144,8 +144,8 @@ public final class TimerWheel {
     }
 
     /**
-     * A moment until which nothing happens here: the next deadline, or an earlier moment; {@link Long#MAX_VALUE} when
-     * there is no timer.
+     * A moment before which no timer is due: the next deadline or an earlier moment; {@link Long#MAX_VALUE} if there is
+     * no timer.
      */
     public long nextDeadline() {
         Timer first = near.first();
@@ -157,11 +157,11 @@ public final class TimerWheel {
     }
 
     /**
-     * Runs what is due, each timer once: one whose next period is over too, and one that was set meanwhile, is due
-     * again at once, so that others have their turn in between.
+     * Runs the timers that are due, each once. A timer whose next period has also passed, or one that was set during
+     * this call, is due again at the next call, so that other work runs in between.
      *
-     * @param runner calls the task and deals with what it throws
-     * @return how many tasks were run
+     * @param runner calls the task and handles what it throws
+     * @return the number of tasks that were run
      */
     public int runDue(Consumer<Runnable> runner) {
         if (size == 0) {
@@ -170,7 +170,7 @@ public final class TimerWheel {
         long now = clock.nanos();
         moveTo(tick(now));
         long firstNew =
-                sequence; // set from now on: behind all others that are due, for it has no earlier deadline than now
+                sequence; // timers set from now on run after all others that are due: their deadline is not before now
         int count = 0;
         try {
             for (Timer timer = near.first(); timer != null; timer = near.first()) {
@@ -192,7 +192,7 @@ public final class TimerWheel {
             runner.accept(timer.task);
             return;
         }
-        periodic.add(timer); // before it leaves its place, so that it cannot get lost
+        periodic.add(timer); // before it leaves its slot, so that it cannot be lost
         unlink(timer);
         timer.deadlineNanos = nextDeadline(timer, now);
         try {
@@ -210,11 +210,11 @@ public final class TimerWheel {
             case FIXED_RATE ->
                 clock.runsByItself() ? notBefore(next, now - MADE_UP_FOR_NANOS, timer.periodNanos) : next;
             case SKIP_MISSED -> notBefore(next, now + 1, timer.periodNanos);
-            case FIXED_DELAY -> next; // until the run has ended
+            case FIXED_DELAY -> next; // replaced after the run
         };
     }
 
-    /** The first of these deadlines that is not before a moment. */
+    /** The first of the deadlines that is not before a moment. */
     private static long notBefore(long deadline, long momentNanos, long periodNanos) {
         return deadline >= momentNanos
                 ? deadline
@@ -230,7 +230,7 @@ public final class TimerWheel {
         periodic.clear();
     }
 
-    /** Takes a timer back, on the wheel's thread. */
+    /** Cancels a timer; on the wheel's thread only. */
     boolean cancel(Timer timer) {
         if (!onThread.getAsBoolean()) {
             throw new IllegalStateException("a timer can be cancelled on the thread of its space only, and not on "
@@ -251,12 +251,12 @@ public final class TimerWheel {
         return true;
     }
 
-    // ---- where they are
+    // ---- slots
 
     private void insert(Timer timer) {
         long tick = tick(timer.deadlineNanos);
         long difference = tick ^ position;
-        if (tick <= position) { // as signed numbers, for a tick has fewer than 64 bits
+        if (tick <= position) { // signed comparison: a tick has fewer than 64 bits
             timer.near = true;
             near.add(timer);
             return;
@@ -298,7 +298,7 @@ public final class TimerWheel {
         timer.place = Timer.NOWHERE;
     }
 
-    /** What is due up to that tick becomes near, and what is due soon after it comes to finer wheels. */
+    /** Moves timers that are due up to a tick to the heap, and those due soon after it to finer wheels. */
     private void moveTo(long tick) {
         for (int slot = nextSlot(); slot != NONE && start(slot) <= tick; slot = nextSlot()) {
             position = start(slot);
@@ -310,7 +310,7 @@ public final class TimerWheel {
         position = Math.max(position, tick);
     }
 
-    /** The first slot that is occupied, or {@link #NONE}. */
+    /** The first occupied slot, or {@link #NONE}. */
     private int nextSlot() {
         for (int wheel = 0; wheel < WHEELS; wheel++) {
             if (occupied[wheel] != 0) {
@@ -327,7 +327,7 @@ public final class TimerWheel {
         return (coarser | slot % SLOTS) << wheel * DIGIT_BITS;
     }
 
-    /** The earliest deadline in a slot; or the slot's beginning, if there are more timers than may be looked at. */
+    /** The earliest deadline in a slot, or the start of the slot if it holds more than {@code limit} timers. */
     private long earliestIn(int slot, int limit) {
         long earliest = Long.MAX_VALUE;
         int looks = 0;
@@ -340,7 +340,7 @@ public final class TimerWheel {
         return earliest;
     }
 
-    /** Of any moment, in order, and never negative. */
+    /** The tick of a moment: order-preserving and never negative. */
     private static long tick(long nanos) {
         return (nanos ^ Long.MIN_VALUE) >>> TICK_BITS;
     }

@@ -1,4 +1,4 @@
-/** Clocks and timers; the only place that asks the machine for the time. */
+/** Clocks and timers; the only package that reads the machine's time. */
 @NullMarked
 package io.troupe.actor.time;
 

@@ -15,7 +15,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** "An interface and an object" on the global space, "Or a class", "Timers", and the first sample of "Testing". */
+/**
+ * The sections "An interface and an object" on the global space, "Or a class", "Timers", and the first sample of
+ * "Testing".
+ */
 class ActorsGuideTest {
     private final Deferred<String> shown = new Deferred<>();
 
@@ -53,7 +56,7 @@ class ActorsGuideTest {
 
     @Test
     void blinker_blinks_byTheManualClock() {
-        try (var test = new TestSpace()) { // no thread, and a clock that stands still
+        try (var test = new TestSpace()) { // no thread, and a manual clock
             Blinker blinker = test.spawn(Blinker.class, Blinker::new);
             test.advance(Duration.ofMillis(1_200));
             assertThat(test.get(blinker.isOn())).isFalse(); // on at 500 ms, off at 1000 ms
@@ -123,11 +126,8 @@ class ActorsGuideTest {
         protected void started() {
             every(
                     Duration.ofMillis(10),
-                    this::count); // Schedule.FIXED_RATE: makes up for missed runs, of the last second
-            every(
-                    Duration.ofMillis(10),
-                    Schedule.SKIP_MISSED,
-                    this::control); // leaves missed runs out: for control loops
+                    this::count); // Schedule.FIXED_RATE: catches up on missed runs of the last second
+            every(Duration.ofMillis(10), Schedule.SKIP_MISSED, this::control); // drops missed runs: for control loops
             every(
                     "poll",
                     Duration.ofSeconds(1),

@@ -15,7 +15,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** "Many results: callbacks", "Many readers: topics", and the probes of "Testing". */
+/** The sections "Many results: callbacks", "Many readers: topics", and the probes of "Testing". */
 class CallbacksGuideTest {
     private final TestSpace test = new TestSpace();
     private final List<Object> log = new ArrayList<>();
@@ -34,7 +34,7 @@ class CallbacksGuideTest {
         }
     }
 
-    /** Keeps its callbacks. */
+    /** Stores its callbacks. */
     private static final class SlowRobot implements Robot {
         private final List<Callback<Integer>> readers = new ArrayList<>();
 
@@ -62,7 +62,8 @@ class CallbacksGuideTest {
         var slow = new SlowRobot();
         Robot robot = test.spawn(Robot.class, () -> slow);
         robot.wander((colour, error) -> show(colour)); // as the paper writes it
-        var stream = new Callback.Stream<Integer>(this::show, end -> done()); // hears of the end, and can be cancelled
+        var stream =
+                new Callback.Stream<Integer>(this::show, end -> done()); // is notified of the end, and can be cancelled
         robot.wander(stream);
         stream.cancel(); // the robot sees colours.isCancelled()
         test.crank();
@@ -86,10 +87,10 @@ class CallbacksGuideTest {
 
         Topic<Scan> scans = Topic.latest(space, "laser");
 
-        int readers = scans.publish(scan); // how many it was sent to; 0 is no error
+        int readers = scans.publish(scan); // the number of subscribers; 0 is no error
         var subscription = scans.subscribe(heard -> avoid(heard));
-        subscription.cancel(); // from any thread; it hears nothing more, not even what is on its way
-        scans.subscribe(new Callback.Stream<>(this::avoid, end -> done())); // hears of finish() and fail(..) too
+        subscription.cancel(); // from any thread; no more values arrive, not even queued ones
+        scans.subscribe(new Callback.Stream<>(this::avoid, end -> done())); // is also notified of finish() and fail(..)
         assertThat(readers).isZero();
         test.crank();
         assertThat(log).containsExactly(scan);
@@ -112,7 +113,7 @@ class CallbacksGuideTest {
     }
 
     @Test
-    void probes_recordCalls_andAnswerWhenTheTestSaysSo() {
+    void probes_recordCalls_andAnswerOnDemand() {
         record LookingPilot(Camera camera) implements Pilot {
             @Override
             public Promise<Integer> look(int degrees) {
@@ -124,9 +125,9 @@ class CallbacksGuideTest {
         Probe<Camera> camera = test.probe(Camera.class);
         Pilot pilot = test.spawn(Pilot.class, () -> new LookingPilot(camera.actor()));
         Promise<Integer> blobs = pilot.look(3);
-        camera.expectCall("turn(3)"); // else an error that lists the calls so far; answers the arguments
+        camera.expectCall("turn(3)"); // else an error that lists the calls so far; returns the arguments
         camera.expectCall("shoot()");
-        camera.answer(image); // settles the oldest request that waits; or reject(error)
+        camera.answer(image); // settles the oldest pending request; or reject(error)
         camera.expectNoCall();
         assertThat(test.get(blobs)).isEqualTo(4);
     }

@@ -4,7 +4,7 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
 
-/** The first program of docs/guide/01-actors.md, whole. */
+/** The first program of docs/guide/01-actors.md, complete. */
 public class Heating {
     interface Thermostat {
         void set(double degrees); // void: a one-way message

@@ -6,7 +6,7 @@ import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
 import java.util.List;
 
-/** The program of the README, whole. */
+/** The complete program of the README. */
 public class Hello {
     interface Greeter {
         Promise<String> greet(String name); // a request

@@ -36,7 +36,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /**
- * The samples in the Javadoc of actor-core, each with what its comments say; {@code SamplesTest} compares the texts.
+ * The samples in the Javadoc of actor-core, with assertions for their comments; {@code SamplesTest} compares the texts.
  */
 class JavadocSamplesTest {
     private final List<String> log = new ArrayList<>();
@@ -113,7 +113,7 @@ class JavadocSamplesTest {
             assertThat(counter).hasToString("counter");
             counter.add(5);
             counter.add(-1);
-            assertThat(test.get(counter.count())).isZero(); // a fresh instance
+            assertThat(test.get(counter.count())).isZero(); // a new instance
             assertThat(test.takeProblems())
                     .extracting(TestSpace.Problem::where)
                     .containsExactly("Counter.add(int) of counter");
@@ -160,7 +160,7 @@ class JavadocSamplesTest {
     @Test
     @Tag("threads")
     @Timeout(60)
-    void spaceSettings_sayWhereReportsGo() throws Exception {
+    void spaceSettings_defineWhereReportsGo() throws Exception {
         var reported = new Deferred<String>();
         var undelivered = new Deferred<DeadLetter>();
         ErrorHandler onError = (where, error) -> reported.resolve(where + ": " + error.getMessage());
@@ -223,7 +223,7 @@ class JavadocSamplesTest {
                 System.getLogger("shop").log(System.Logger.Level.WARNING, "not done: " + left);
             }
 
-            assertThat(left.isEmpty()).isTrue(); // timers alone are nothing that was not done
+            assertThat(left.isEmpty()).isTrue(); // timers alone do not count as work that was not done
             test.crank();
         }
     }

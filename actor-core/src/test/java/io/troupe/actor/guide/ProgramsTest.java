@@ -10,7 +10,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The whole programs of README and guide have printed when their {@code main} returns. */
+/** The complete programs of README and guide have printed when their {@code main} returns. */
 @Tag("threads")
 @Timeout(60)
 class ProgramsTest {

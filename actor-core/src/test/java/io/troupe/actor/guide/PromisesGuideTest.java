@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** "Promises". */
+/** The section "Promises". */
 class PromisesGuideTest {
     private static final Image DARK = new Image(0);
     private static final Image BRIGHT = new Image(2);
@@ -46,7 +46,7 @@ class PromisesGuideTest {
 
     private void shootFindAndSteer(Camera camera, Finder finder) {
         camera.shoot()
-                .thenCompose(image -> finder.blobs(image)) // asks the next one
+                .thenCompose(image -> finder.blobs(image)) // calls the next actor
                 .orTimeout(Duration.ofSeconds(1))
                 .exceptionally(error -> List.of())
                 .then(blobs -> steer(blobs));
@@ -67,7 +67,7 @@ class PromisesGuideTest {
         assertThat(camera.takeUnanswered()).hasSize(1);
     }
 
-    /** Where pictures come from. */
+    /** The source of pictures. */
     static final class Driver {
         private final List<Consumer<Image>> listeners = new ArrayList<>();
 
@@ -141,7 +141,7 @@ class PromisesGuideTest {
     }
 
     @Test
-    void timeout_saysWhoAskedWhomForWhat_andWhatWasInTheWay() {
+    void timeout_namesCallerRequestAndProgress() {
         class Robot extends Actor {
             private final Greeter greeter;
 
@@ -150,7 +150,7 @@ class PromisesGuideTest {
             }
 
             public void askWhenBusy() {
-                for (int call = 0; call < 259; call++) { // timers have their turn after 256 of them
+                for (int call = 0; call < 259; call++) { // timers run after 256 of them
                     greeter.remember("Ada");
                 }
                 greeter.greet("x").orTimeout(Duration.ofSeconds(1)).handle((text, error) -> note(error));

@@ -9,7 +9,7 @@ import io.troupe.actor.testkit.TestSpace;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** "Straight on: sequential and await". */
+/** The section "Straight on: sequential and await". */
 class SequentialGuideTest {
     record Image(int blobs) {}
 

@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-/** "Failure, room, and blocking work", "Several spaces", "How it is doing" and "The end". */
+/** The sections "Failure, room, and blocking work", "Several spaces", "How it is doing" and "The end". */
 class SpacesGuideTest {
     private final BlockingQueue<Object> shown = new LinkedBlockingQueue<>();
 
@@ -150,7 +150,7 @@ class SpacesGuideTest {
             camera.drop();
             test.crank();
             SpaceMetrics metrics = space.metrics();
-            long waiting = metrics.waiting(); // what the last look found: look regularly
+            long waiting = metrics.waiting(); // the result of the last probe: call it periodically
             Duration latency = metrics.latency();
             long lost = metrics.errors() + metrics.deadLetters();
             assertThat(lost).isEqualTo(2);
@@ -180,14 +180,14 @@ class SpacesGuideTest {
     }
 
     @Test
-    void close_saysWhatWasLeftUndone() throws Exception {
+    void close_reportsWhatWasLeftUndone() throws Exception {
         var space = ActorSpace.create(
                 SpaceSettings.named("short-lived").withOnDeadLetter(this::show).withHandCrank());
         Thermostat heater = space.spawn(Thermostat.class, () -> new Fixed(20));
         Promise<?> never = space.delay(Duration.ofHours(1));
         space.crank();
         space.execute(() -> {
-            space.close(); // and these come behind it
+            space.close(); // and these are queued behind it
             heater.set(18);
             heater.read().handle((degrees, error) -> error);
         });

@@ -1,4 +1,4 @@
-/** The samples of docs/guide/01-actors.md and of the README, each in a test of what the text says about it. */
+/** The samples of docs/guide/01-actors.md and of the README, each in a test of what the text states about it. */
 @NullMarked
 package io.troupe.actor.guide;
 

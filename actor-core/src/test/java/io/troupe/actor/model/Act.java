@@ -5,22 +5,20 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /**
- * One step of a random program, made by the test thread or, as part of a script, inside a handler, a listener or a
+ * One step of a random program, done by the test thread or, as part of a script, inside a handler, a listener or a
  * timer.
  *
- * @param id a number of its own: of the letter, promise, stream, timer or error it makes
- * @param target the actor, promise, stream or timer it is about
- * @param number a quantity or a variant, by kind
- * @param script what is done where the step arrives
+ * @param id a unique number: of the letter, promise, stream, timer or error that it creates
+ * @param target the actor, promise, stream or timer that it applies to
+ * @param number a quantity or a variant, depending on the kind
+ * @param script the acts that run where the step arrives
  */
 record Act(Kind kind, int id, int target, int number, List<Act> script) {
     enum Kind {
         CRANK,
         /** Moves the clock by {@code number} half milliseconds. */
         ADVANCE,
-        /**
-         * Makes actor {@code target} with the {@link Cast} {@code number}; the script is what it does when it starts.
-         */
+        /** Spawns actor {@code target} with the {@link Cast} {@code number}; the script runs when it starts. */
         SPAWN,
         STOP,
         STOP_SELF,
@@ -28,7 +26,7 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         TELL,
         /** {@code number}: see {@link Answer}. */
         ASK,
-        /** Makes a promise that is settled by hand. */
+        /** Creates a promise that is settled by hand. */
         DEFER,
         RESOLVE,
         REJECT,
@@ -37,11 +35,11 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         HANDLE,
         WHEN,
         RESCUE,
-        /** Goes on with promise {@code number} if there is one. */
+        /** Continues with promise {@code number} if there is one. */
         COMPOSE,
         /**
-         * A call with a callback; {@code number} 1 or 3 = one that can be cancelled, 2 or 3 = a request. The script is
-         * the actor's, but for its {@link #READER}.
+         * A call with a callback; {@code number} 1 or 3 = one that can be cancelled, 2 or 3 = a request. The script
+         * runs in the actor, except for its {@link #READER}.
          */
         OPEN,
         /** In the script of an {@link #OPEN}: what the reader does with each result. */
@@ -67,11 +65,11 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
     /** How a request is answered. */
     enum Answer {
         VALUE,
-        /** By a promise under the next id, settled by hand. */
+        /** With a promise under the next id, settled by hand. */
         LATER,
         FAILED,
         NULL,
-        /** By promise {@code number} less the number of answers, if there is one. */
+        /** With promise {@code number} minus the number of answers, if there is one. */
         OTHER;
 
         static Answer of(int number) {
@@ -83,12 +81,12 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         return new Act(kind, id, target, number, List.of());
     }
 
-    /** Of an {@link Kind#OPEN}: whether its reader can cancel it. */
+    /** Of an {@link Kind#OPEN}: true if its reader can cancel it. */
     boolean isCancellable() {
         return number % 2 == 1;
     }
 
-    /** Of an {@link Kind#OPEN}: whether it is answered besides. */
+    /** Of an {@link Kind#OPEN}: true if it is a request. */
     boolean isRequest() {
         return number > 1;
     }
@@ -104,12 +102,12 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
                 .orElse(of(Kind.READER, 0, 0, 0));
     }
 
-    /** How many acts these are, with their scripts. */
+    /** The number of acts, including their scripts. */
     static int count(List<Act> acts) {
         return acts.stream().mapToInt(each -> 1 + count(each.script)).sum();
     }
 
-    /** The acts without some, counted in the order in which they are written. */
+    /** The acts without a range of them, counted in the order in which they are written. */
     static List<Act> without(List<Act> acts, int from, int to) {
         var kept = new ArrayList<Act>();
         int at = 0;

@@ -11,10 +11,10 @@ import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
 
 /**
- * Random programs on the library and on a simple model of it: what can be seen of them must be the same, in the same
+ * Runs random programs on the library and on a simple model of it: their visible events must be equal, in the same
  * order.
  *
- * <p>{@code -Dmodel.seed=17} runs the program of that seed, {@code -Dmodel.programs=100000} so many.
+ * <p>{@code -Dmodel.seed=17} runs the program of that seed, {@code -Dmodel.programs=100000} runs that many.
  */
 class ActorModelTest {
     private static final int PROGRAMS = 10_000;
@@ -22,7 +22,7 @@ class ActorModelTest {
     private volatile long seed;
 
     @Test
-    void randomPrograms_showWhatTheModelSays() {
+    void randomPrograms_behaveLikeTheModel() {
         Long given = Long.getLong("model.seed");
         long first = given != null ? given : new Random().nextInt(Integer.MAX_VALUE);
         int programs = given != null ? 1 : Integer.getInteger("model.programs", PROGRAMS);

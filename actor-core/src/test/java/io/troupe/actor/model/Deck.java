@@ -5,7 +5,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
 
-/** The kinds of acts of one program: some it uses much and some not at all, so that rare ones meet. */
+/** The kinds of acts of one program: some are frequent and some do not occur, so that rare ones meet. */
 final class Deck {
     private final Random random;
     private final List<Kind> kinds = new ArrayList<>();
@@ -22,7 +22,7 @@ final class Deck {
                 } else if (kind == Kind.CLOSE) {
                     often /= 4; // nothing follows it
                 } else if (kind == Kind.STOP || kind == Kind.STOP_SELF) {
-                    often /= 3; // what happens to the dead is soon told
+                    often /= 3; // little happens to a stopped actor
                 }
                 for (int i = 0; i < often; i++) {
                     kinds.add(kind);

@@ -3,11 +3,11 @@ package io.troupe.actor.model;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** Where what the library shows of a program differs from what the model says. */
+/** The first difference between the events of the library and those of the model. */
 final class Difference {
     private Difference() {}
 
-    /** The first difference, or null if there is none from the first event to the last. */
+    /** The first difference, or null if all events are equal. */
     static @Nullable String of(List<Act> program) {
         var expected = ModelRun.of(program).events();
         var shown = LibraryRun.of(program).events();

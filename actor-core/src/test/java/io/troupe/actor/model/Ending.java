@@ -6,29 +6,30 @@ import java.util.List;
 import java.util.Set;
 
 /**
- * Whether and when a program closes its space, and what it leaves out: a callback whose reader is no actor's hears no
- * results any more when its space is closed, but the model has it hear everything. So none is open then.
+ * Whether and when a program closes its space, and which kinds of acts it leaves out. A callback whose reader belongs
+ * to no actor receives no results after its space is closed, but in the model it does. So no such callback is open
+ * then.
  */
 enum Ending {
     NEVER,
-    /** When all has been done. */
+    /** When all acts are done. */
     AT_THE_END,
-    /** In the midst of things. */
+    /** At any act. */
     ANY_TIME;
 
     private static final Set<Kind> CALLBACKS = EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.FINISH, Kind.FAIL);
 
-    /** What no act of the program is. */
+    /** The kinds of acts that the program does not contain. */
     boolean leavesOut(Kind kind) {
         return this != ANY_TIME && kind == Kind.CLOSE;
     }
 
-    /** What those who are no actor do not do. */
+    /** The kinds of acts that are not done outside an actor. */
     Set<Kind> notByNobody() {
         return this == ANY_TIME ? EnumSet.of(Kind.OPEN) : EnumSet.noneOf(Kind.class);
     }
 
-    /** What listeners do not do themselves. */
+    /** The kinds of acts that listeners do not do. */
     Set<Kind> notInListeners() {
         return switch (this) {
             case NEVER -> EnumSet.noneOf(Kind.class);

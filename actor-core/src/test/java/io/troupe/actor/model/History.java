@@ -5,9 +5,9 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** What could be seen of one run, in order. */
+/** The visible events of one run, in order. */
 final class History {
-    /** What scripts throw. */
+    /** Thrown by scripts. */
     static final class Boom extends RuntimeException {
         private static final long serialVersionUID = 1;
 
@@ -26,7 +26,7 @@ final class History {
         }
     }
 
-    /** A program may grow beyond all bounds; such a one does nothing more from here on. */
+    /** A program may grow without bound; from this point it does nothing more. */
     boolean isFull() {
         return events.size() >= LIMIT;
     }

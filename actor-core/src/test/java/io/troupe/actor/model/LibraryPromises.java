@@ -23,12 +23,12 @@ final class LibraryPromises {
         return promises.getOrDefault(id, other);
     }
 
-    /** How they all stand. */
+    /** Adds the state of all promises to the history. */
     void tell() {
         promises.forEach((id, promise) -> run.history.add("promise " + id + " " + History.outcome(promise)));
     }
 
-    @SuppressWarnings({"unchecked", "rawtypes"}) // a promise of nothing, looked at as one of anything
+    @SuppressWarnings({"unchecked", "rawtypes"}) // a promise of Void, used as one of any type
     static Promise<@Nullable Object> open(Promise<?> promise) {
         return (Promise) promise;
     }

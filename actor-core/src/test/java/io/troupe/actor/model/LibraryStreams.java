@@ -20,7 +20,7 @@ final class LibraryStreams {
         return handles.get(id);
     }
 
-    /** The actor's side has arrived. */
+    /** The callback has arrived at the actor. */
     void arrive(int id, Callback<Integer> handle) {
         handles.put(id, handle);
     }

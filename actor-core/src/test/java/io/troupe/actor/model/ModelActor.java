@@ -8,7 +8,7 @@ import org.jspecify.annotations.Nullable;
 
 /** An actor of the model: its mailbox, its instances and its failures. */
 final class ModelActor {
-    /** A request that has begun; if its answer was settled outside, the outcome may still be on its way. */
+    /** A request that has begun; if its result was settled outside, the outcome may still be queued. */
     record OpenRequest(ModelPromise request, ModelPromise answer) {
         void reject() {
             if (!answer.isDone()) {
@@ -73,14 +73,14 @@ final class ModelActor {
         }
     }
 
-    /** Each watcher has a promise of its own. */
+    /** Each watcher has a separate promise. */
     ModelPromise watch() {
         var own = ModelPromise.shared(space, true);
         own.follow(ended);
         return own;
     }
 
-    /** What it throws is a failure. */
+    /** Runs an action; an exception is a failure. */
     void guarded(Instance who, Runnable action) {
         space.as(who, () -> {
             try {
@@ -107,8 +107,8 @@ final class ModelActor {
     }
 
     /**
-     * Whichever comes first, the turn of the spawn or, if the proxy was faster, that of a call; nothing starts when
-     * serving has ended.
+     * Starts the actor in the turn of its spawn or of an earlier call, whichever comes first; starts nothing after the
+     * space has stopped.
      */
     void begin() {
         if (!begun && !stopped && !space.stopping) {

@@ -4,7 +4,7 @@ import io.troupe.actor.model.Act.Kind;
 import io.troupe.actor.model.ModelActor.Instance;
 import org.jspecify.annotations.Nullable;
 
-/** A listener of the model and the promise of what it makes. */
+/** A listener of the model and the promise of its result. */
 final class ModelListener implements ModelPromise.Listener {
     private final ModelRun run;
     private final ModelSpace space;
@@ -25,8 +25,8 @@ final class ModelListener implements ModelPromise.Listener {
     }
 
     /**
-     * The source is settled: from now on the listener waits in its callback queue; one without a space in that of
-     * whoever settles it, if that has one.
+     * The source is settled: from now on the listener is in its callback queue. A listener without a space is queued in
+     * the space of the thread that settles the source, if there is one.
      */
     @Override
     public void tell() {

@@ -7,10 +7,10 @@ import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
-/** The calls that wait for an actor. */
+/** The queued calls of an actor. */
 final class ModelMailbox {
     /**
-     * A call on its way.
+     * A queued call.
      *
      * @param answer of a request
      * @param callback among its arguments
@@ -22,7 +22,7 @@ final class ModelMailbox {
             return answer != null && answer.isDone();
         }
 
-        /** Its sender, and whoever listens to its callback, hear that nobody has handled it. */
+        /** Rejects a call: notifies its sender and its callback. */
         void turnAway(ModelSpace space, String actor, String error, String reason) {
             if (answer != null) {
                 answer.settle("!" + error);
@@ -52,20 +52,24 @@ final class ModelMailbox {
         return capacity > 0 && waiting.size() >= capacity;
     }
 
-    /** @param ticket what is to be queued if there is room */
+    /**
+     * Adds a call.
+     *
+     * @param ticket what is to be queued if there is room
+     */
     void add(Call call, Runnable ticket, Consumer<Call> drop) {
         if (!isFull()) {
             waiting.add(call);
             ticket.run();
         } else if (dropsOldest) {
-            waiting.add(call); // served with the ticket of another
+            waiting.add(call); // delivered for the ticket of another call
             drop.accept(waiting.removeFirst());
         } else {
             drop.accept(call);
         }
     }
 
-    /** The call to be served with the ticket that was queued for that one. */
+    /** The call to be delivered for the ticket that was queued for the given one. */
     Call take(Call queued) {
         if (dropsOldest) {
             return waiting.removeFirst();

@@ -4,22 +4,22 @@ import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/** A promise of the model: an outcome, as text, and a list of those who wait for it. */
+/** A promise of the model: an outcome, as text, and a list of listeners. */
 final class ModelPromise {
-    /** Who waits. */
+    /** A listener. */
     interface Listener {
         void tell();
 
-        /** Whether it needs no answer any more. */
+        /** True if it no longer needs the outcome. */
         boolean isIdle();
 
-        /** Whether it runs in the space. */
+        /** True if it runs in the space. */
         boolean isAtHome();
 
-        /** As {@link #tell}, behind those who were told from outside. */
+        /** Like {@link #tell}, behind listeners that were notified from outside. */
         void tellBehind();
 
-        /** Whether it has a turn of its own. */
+        /** True if it runs in a separate turn. */
         boolean hasTurn();
     }
 
@@ -36,7 +36,7 @@ final class ModelPromise {
 
         @Override
         public boolean isAtHome() {
-            return false; // it runs wherever its leader is settled
+            return false; // it runs on the thread that settles its source
         }
 
         @Override
@@ -70,12 +70,12 @@ final class ModelPromise {
         this.madeOutside = atHome && !space.inside;
     }
 
-    /** One that may be settled anywhere; {@code atHome} says whether it belongs to the space at all. */
+    /** A promise that may be settled on any thread; {@code atHome} is true if it belongs to the space. */
     static ModelPromise shared(ModelSpace space, boolean atHome) {
         return new ModelPromise(space, atHome, false, false);
     }
 
-    /** One that changes only in the space, if it is made there. */
+    /** A promise that changes only in the space, if it is created there. */
     static ModelPromise local(ModelSpace space, boolean atHome) {
         return new ModelPromise(space, atHome, space.inside, false);
     }
@@ -93,7 +93,7 @@ final class ModelPromise {
         return outcome != null;
     }
 
-    boolean isHeard() {
+    boolean isHandled() {
         return heard;
     }
 
@@ -101,7 +101,10 @@ final class ModelPromise {
         return outcome.startsWith("!");
     }
 
-    /** From outside, a local promise answers whether it was pending, and is settled when the space comes to it. */
+    /**
+     * Settles it. From outside, a local promise is settled when the space processes that, and the result is true if it
+     * was pending.
+     */
     boolean settle(String end) {
         if (outcome != null) {
             return false;
@@ -120,7 +123,7 @@ final class ModelPromise {
         return true;
     }
 
-    /** Those who come while the others are told from outside are told behind them. */
+    /** Listeners registered while others are being notified from outside are notified after them. */
     private void tellAll() {
         fromAfar = !space.inside && listeners.stream().anyMatch(Listener::isAtHome);
         telling = fromAfar;
@@ -153,7 +156,7 @@ final class ModelPromise {
         listeners.add(listener);
     }
 
-    /** Those who were told from outside may still be in the inbox: whoever comes late must not overtake them. */
+    /** Listeners notified from outside may still be in the inbox: a late listener must not overtake them. */
     private void tellLate(Listener listener) {
         boolean behind = fromAfar && onTheirWay > 0;
         if (listener.hasTurn()) {
@@ -166,7 +169,7 @@ final class ModelPromise {
         }
     }
 
-    /** A listener has its turn. */
+    /** A listener begins its turn. */
     void arrived() {
         onTheirWay--;
     }

@@ -33,7 +33,7 @@ final class ModelPromises {
         return promise;
     }
 
-    /** A promise is to end as that of the id does, or, if there is none, with the value. */
+    /** Makes a promise follow the one with the id or, if there is none, fulfils it with the value. */
     void follow(ModelPromise follower, int id, int value) {
         ModelPromise leader = promises.get(id);
         if (leader == null) {
@@ -43,7 +43,7 @@ final class ModelPromises {
         }
     }
 
-    /** How they all stand. */
+    /** Adds the state of all promises to the history. */
     void tell() {
         promises.forEach((id, promise) ->
                 run.space.history.add("promise " + id + " " + (promise.isDone() ? promise.outcome() : "pending")));
@@ -94,7 +94,7 @@ final class ModelPromises {
         }
     }
 
-    /** A delay that is cancelled leaves its timer; cancelled outside, when the space comes to it. */
+    /** Cancels a promise. A cancelled delay cancels its timer; if cancelled outside, when the space processes that. */
     private boolean cancel(ModelPromise promise) {
         boolean done = promise.settle("!CancellationException");
         Delay delay = delays.get(promise);
@@ -126,8 +126,8 @@ final class ModelPromises {
     }
 
     /**
-     * Unless it is another request's, the promise belongs to the instance: when that ends first, the request is
-     * rejected.
+     * Follows a promise. Unless that is the promise of another request, it belongs to the instance: if the instance
+     * ends first, the request is rejected.
      */
     private static void answerLater(ModelPromise request, ModelPromise answer, Instance actor) {
         if (!answer.isDone() && !answer.isRequest) {

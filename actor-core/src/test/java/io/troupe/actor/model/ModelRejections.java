@@ -3,7 +3,7 @@ package io.troupe.actor.model;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Rejections that nobody has heard yet. One whose asker is outside is given a second before it counts as unheard. */
+/** Rejections without a listener. One whose caller is outside is kept for a second before it is reported. */
 final class ModelRejections {
     private static final int GRACE_TICKS = 2_000;
 
@@ -44,7 +44,7 @@ final class ModelRejections {
         var now = List.copyOf(lost);
         lost.clear();
         for (var promise : now) {
-            if (!promise.isHeard()) {
+            if (!promise.isHandled()) {
                 space.history.add("unheard " + String.valueOf(promise.outcome()).substring(1));
             }
         }

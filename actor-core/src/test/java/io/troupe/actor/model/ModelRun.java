@@ -54,7 +54,7 @@ final class ModelRun {
         }
     }
 
-    /** What a closed space refuses to those outside. */
+    /** Begins an act, unless the space is closed and rejects it from outside. */
     private void begin(Act act) {
         if (space.closing && !space.inside) {
             space.history.add("too late: " + act.id());

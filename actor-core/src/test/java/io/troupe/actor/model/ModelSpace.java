@@ -8,7 +8,7 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** The queues of a space, as lists, and who is served when. */
+/** The queues of a space, as lists, and the order in which they are drained. */
 final class ModelSpace {
     private static final int QUOTA = 256;
 
@@ -19,7 +19,7 @@ final class ModelSpace {
     private final List<ModelTask> inbox = new ArrayList<>();
     private final List<ModelTask> callbackInbox = new ArrayList<>();
     private final List<ModelTask> callbacks = new ArrayList<>();
-    private final List<ModelTask> mails = new ArrayList<>();
+    private final List<ModelTask> messages = new ArrayList<>();
     private final Map<ModelTask, ModelTask> lastCallbackBefore = new IdentityHashMap<>();
     private int owed = QUOTA;
     private final List<Runnable> ends = new ArrayList<>();
@@ -33,7 +33,7 @@ final class ModelSpace {
 
     void enqueue(ModelTask task) {
         if (inside) {
-            (task.mail() ? mails : callbacks).add(task);
+            (task.message() ? messages : callbacks).add(task);
             return;
         }
         addFromOutside(task);
@@ -46,10 +46,10 @@ final class ModelSpace {
     }
 
     private void addFromOutside(ModelTask task) {
-        (task.mail() ? inbox : callbackInbox).add(task);
+        (task.message() ? inbox : callbackInbox).add(task);
     }
 
-    /** Behind what others have queued from outside, whoever calls. */
+    /** Queues a callback behind those of other threads, even if called inside. */
     void enqueueBehind(ModelTask task) {
         if (inside) {
             addFromOutside(task);
@@ -58,7 +58,7 @@ final class ModelSpace {
         }
     }
 
-    /** A task of the user's; nobody has thought of what becomes of it if the space is closed. */
+    /** A task of the user, without an alternative for a closed space. */
     void execute(Runnable action) {
         enqueue(ModelTask.entry(action, this::refuseTask));
     }
@@ -67,7 +67,7 @@ final class ModelSpace {
         history.add("dead letter a task to space: closed");
     }
 
-    /** When the present turn is over, before anything else. */
+    /** When the current turn is over, before anything else. */
     void afterTurn(Runnable action) {
         ends.add(action);
     }
@@ -76,7 +76,7 @@ final class ModelSpace {
         idle.add(action);
     }
 
-    /** Runs something on behalf of an instance, or of nobody. */
+    /** Runs an action on behalf of an instance, or of no actor. */
     void as(ModelActor.@Nullable Instance who, Runnable action) {
         var before = current;
         current = who;
@@ -84,7 +84,7 @@ final class ModelSpace {
         current = before;
     }
 
-    /** What a script without an actor throws. */
+    /** Runs an action that belongs to no actor; what it throws is reported. */
     void guarded(Runnable action) {
         try {
             action.run();
@@ -93,7 +93,7 @@ final class ModelSpace {
         }
     }
 
-    /** A listener that belongs to no space, told outside: one after the other, never one in another. */
+    /** Runs a listener without a space, notified outside: one after the other, never nested. */
     void runDetached(Runnable listener) {
         detached.add(listener);
         if (detached.size() == 1) {
@@ -123,7 +123,7 @@ final class ModelSpace {
     }
 
     private boolean somethingWaits() {
-        return !(inbox.isEmpty() && callbackInbox.isEmpty() && callbacks.isEmpty() && mails.isEmpty());
+        return !(inbox.isEmpty() && callbackInbox.isEmpty() && callbacks.isEmpty() && messages.isEmpty());
     }
 
     private boolean runIdle() {
@@ -152,22 +152,22 @@ final class ModelSpace {
             if (stopping) {
                 break;
             }
-            ModelTask mail = inbox.removeFirst();
+            ModelTask message = inbox.removeFirst();
             worked = true;
-            if (callbacks.isEmpty() && mails.isEmpty()) {
+            if (callbacks.isEmpty() && messages.isEmpty()) {
                 owed = QUOTA;
-                turn(mail.action());
+                turn(message.action());
             } else {
-                mails.add(mail);
+                messages.add(message);
                 if (lastBefore != null) {
-                    lastCallbackBefore.put(mail, lastBefore);
+                    lastCallbackBefore.put(message, lastBefore);
                 }
             }
         }
         return worked;
     }
 
-    /** Callbacks from outside wait for no mail. */
+    /** Callbacks from outside do not wait for messages. */
     private boolean takeCallbacks() {
         boolean worked = !callbackInbox.isEmpty();
         callbacks.addAll(callbackInbox);
@@ -176,14 +176,14 @@ final class ModelSpace {
     }
 
     /**
-     * After a quota of callbacks one mail has its turn, unless a callback is left that came before it, and then
-     * everybody else.
+     * After the quota of callbacks one message runs, unless a callback that came before it is left. Then the other
+     * queues get their turn.
      */
     private boolean drainQueues() {
         boolean worked = false;
         for (int i = 0; i < QUOTA && !stopping; i++) {
             takeCallbacks();
-            if (callbacks.isEmpty() && mails.isEmpty()) {
+            if (callbacks.isEmpty() && messages.isEmpty()) {
                 break;
             }
             worked = true;
@@ -194,16 +194,16 @@ final class ModelSpace {
                 turn(callbacks.removeFirst().action());
                 served++;
             }
-            if (served == limit && mails.isEmpty()) {
+            if (served == limit && messages.isEmpty()) {
                 drainInbox(false);
             }
-            if (!mails.isEmpty() && !stopping) {
-                int before = callbacksBefore(mails.getFirst());
+            if (!messages.isEmpty() && !stopping) {
+                int before = callbacksBefore(messages.getFirst());
                 if (before > 0) {
                     owed = before;
                     return true;
                 }
-                turn(mails.removeFirst().action());
+                turn(messages.removeFirst().action());
             }
             if (served == limit) {
                 return true;
@@ -212,8 +212,8 @@ final class ModelSpace {
         return worked;
     }
 
-    private int callbacksBefore(ModelTask mail) {
-        ModelTask last = lastCallbackBefore.get(mail);
+    private int callbacksBefore(ModelTask message) {
+        ModelTask last = lastCallbackBefore.get(message);
         for (int index = 0; index < callbacks.size(); index++) {
             if (callbacks.get(index) == last) {
                 return index + 1;
@@ -229,7 +229,7 @@ final class ModelSpace {
         }
     }
 
-    /** Serving ends with the turn of the entry that this queues; outside, that is waited for. */
+    /** Processing ends with the turn of the entry that this queues; a caller outside waits for it. */
     void close() {
         if (!closing) {
             closing = true;
@@ -253,7 +253,7 @@ final class ModelSpace {
 
     private void refuseAll() {
         while (somethingWaits()) {
-            var inside = callbacks.isEmpty() ? mails : callbacks;
+            var inside = callbacks.isEmpty() ? messages : callbacks;
             var outside = callbackInbox.isEmpty() ? inbox : callbackInbox;
             ModelTask task = (inside.isEmpty() ? outside : inside).removeFirst();
             turn(task.ifClosed() == null ? task.action() : task.ifClosed());

@@ -3,7 +3,7 @@ package io.troupe.actor.model;
 import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 
-/** A callback of the model, both sides of it. */
+/** A callback of the model, both its sides. */
 final class ModelStream {
     private final ModelSpace space;
     private final boolean cancellable;
@@ -60,7 +60,7 @@ final class ModelStream {
         });
     }
 
-    /** Nobody will ever send anything. */
+    /** Ends the callback because no results will be sent. */
     void abandon(String error) {
         if (!ended) {
             fail(error);
@@ -76,7 +76,8 @@ final class ModelStream {
 
     private void send(Runnable delivery) {
         if (!isCancelled()) {
-            line.add(() -> deliver(delivery)); // in the order in which they were sent, whoever's turn comes first
+            line.add(
+                    () -> deliver(delivery)); // in the order in which they were sent, independent of the order of turns
             space.enqueue(ModelTask.callback(() -> line.removeFirst().run()));
         }
     }

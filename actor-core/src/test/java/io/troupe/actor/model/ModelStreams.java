@@ -21,7 +21,7 @@ final class ModelStreams {
         return handles.get(id);
     }
 
-    /** The actor's side has arrived. */
+    /** The callback has arrived at the actor. */
     void arrive(int id, ModelStream handle) {
         handles.put(id, handle);
     }

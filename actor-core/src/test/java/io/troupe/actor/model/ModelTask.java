@@ -3,12 +3,12 @@ package io.troupe.actor.model;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Something that waits.
+ * A queued entry.
  *
- * @param mail whether it waits in a mailbox or in a callback queue
- * @param ifClosed what happens instead when serving has ended; null = the same
+ * @param message true if it is a message, false if it is a callback
+ * @param ifClosed what runs instead after the space has stopped; null = the same
  */
-record ModelTask(boolean mail, Runnable action, @Nullable Runnable ifClosed) {
+record ModelTask(boolean message, Runnable action, @Nullable Runnable ifClosed) {
     static ModelTask callback(Runnable action) {
         return new ModelTask(false, action, null);
     }
@@ -17,7 +17,7 @@ record ModelTask(boolean mail, Runnable action, @Nullable Runnable ifClosed) {
         return new ModelTask(true, action, null);
     }
 
-    /** The space's own business, no call of an actor. */
+    /** A task of the space itself, not a call of an actor. */
     static ModelTask entry(Runnable action, Runnable ifClosed) {
         return new ModelTask(true, action, ifClosed);
     }

@@ -50,14 +50,14 @@ final class ModelTimers {
                 .toList();
     }
 
-    /** They are dropped, in the order in which they would have run. */
+    /** Drops all timers, in the order in which they would have run. */
     void clear() {
         var dropped = inTurn(Long.MAX_VALUE);
         dropped.forEach(Timer::cancel);
         dropped.forEach(each -> each.ifClosed.run());
     }
 
-    /** Each once, by deadline and then as they were set. */
+    /** Runs each due timer once, by deadline and then in the order in which they were set. */
     boolean runDue(Consumer<Runnable> turn) {
         var due = inTurn(now);
         for (var timer : due) {

@@ -9,9 +9,9 @@ import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 
-/** The actor of the programs: does what its letters say. */
+/** The actor of the programs: runs the script of each letter. */
 public class Peer extends Actor {
-    /** What a message carries. */
+    /** The content of a message. */
     public record Letter(int id, Act act) {
         @Override
         public String toString() {

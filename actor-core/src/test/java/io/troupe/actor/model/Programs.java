@@ -8,7 +8,7 @@ import java.util.List;
 import java.util.Random;
 import java.util.Set;
 
-/** Makes random programs; the same seed makes the same program. */
+/** Generates random programs; the same seed generates the same program. */
 final class Programs {
     private static final int ACTORS = 3;
     private static final int DEPTH = 4;
@@ -62,10 +62,10 @@ final class Programs {
     }
 
     /**
-     * Acts.
+     * Generates acts.
      *
-     * @param banned what neither they do nor what they lead to
-     * @param notHere what they do not do themselves
+     * @param banned the kinds that occur neither here nor in nested scripts
+     * @param notHere the kinds that occur only in nested scripts
      */
     private List<Act> script(int depth, Set<Kind> banned, Set<Kind> notHere) {
         var acts = new ArrayList<Act>();
@@ -136,17 +136,17 @@ final class Programs {
         int id = made(promises, false);
         int answer = random.nextInt(Answer.values().length);
         if (answer == Answer.LATER.ordinal()) {
-            made(promises, true); // the id after the request's
+            made(promises, true); // the id after that of the request
         } else if (answer == Answer.OTHER.ordinal()) {
             answer += 1 + oneOf(promises);
         }
         return new Act(Kind.ASK, id, actor(), answer, script(depth + 1, below));
     }
 
-    /** A reader sends nothing, or it could go on for ever. */
+    /** A reader sends nothing, because it could otherwise go on for ever. */
     private Act open(int depth, Set<Kind> below) {
         int id = made(streams, false);
-        promises.add(id); // of its answer, if it is a request
+        promises.add(id); // the result's, if it is a request
         var reader = new Act(Kind.READER, 0, 0, 0, script(depth + 2, union(below, STREAMING)));
         var script = new ArrayList<>(script(depth + 1, below));
         script.addFirst(reader);
@@ -166,7 +166,7 @@ final class Programs {
         return id;
     }
 
-    /** One of the youngest. */
+    /** One of the most recent ids. */
     private int oneOf(List<Integer> choices) {
         int last = choices.size();
         return choices.get(last - 1 - random.nextInt(Math.min(last, 8)));

@@ -3,9 +3,7 @@ package io.troupe.actor.model;
 import java.util.List;
 import java.util.function.Predicate;
 
-/**
- * Makes a failing program smaller, by taking parts out as long as it still fails: first halves, at last single acts.
- */
+/** Reduces a failing program by removing parts while it still fails: first halves, finally single acts. */
 final class Shrinker {
     private Shrinker() {}
 

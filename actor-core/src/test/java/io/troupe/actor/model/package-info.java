@@ -1,4 +1,6 @@
-/** Actors against a simple sequential model: random programs run on both, and what can be seen must be the same. */
+/**
+ * Compares actors with a simple sequential model: random programs run on both, and their visible events must be equal.
+ */
 @NullMarked
 package io.troupe.actor.model;
 

@@ -56,11 +56,11 @@ class ListenersTest {
         for (int count = 0; count < listeners; count++) {
             BooleanSupplier isOver = () -> {
                 if (asking[0]) {
-                    source.resolve(1); // in place of another thread
+                    source.resolve(1); // simulates another thread
                 }
                 return false;
             };
-            source.register(new Relay(() -> {}, isOver));
+            source.register(new InlineListener(() -> {}, isOver));
         }
         asking[0] = true;
         assertThat(source.isGivenUp()).isTrue();
@@ -71,7 +71,7 @@ class ListenersTest {
         var limited = new ArrayList<Promise<Integer>>();
         var source = limitedBy(1, limited);
         var failure = new IllegalStateException("too late");
-        limited.getFirst().register(new Relay(() -> source.reject(failure), () -> false));
+        limited.getFirst().register(new InlineListener(() -> source.reject(failure), () -> false));
         test.advance(Duration.ofSeconds(1));
         test.advance(Duration.ofSeconds(1));
         assertThat(test.takeProblems())
@@ -99,7 +99,7 @@ class ListenersTest {
             protected void run() {}
         };
         for (int count = 0; count < 20; count++) {
-            promise.register(new Relay(() -> {}, () -> false));
+            promise.register(new InlineListener(() -> {}, () -> false));
         }
         Reachable.from(promise).stream()
                 .filter(Listeners.class::isInstance)

@@ -10,7 +10,7 @@ import java.util.List;
 import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Test;
 
-/** Promises about promises about promises, and listeners that wait. */
+/** Deep chains of promises, and listeners that wait. */
 class PromiseDepthTest {
     @Test
     void all_ofAnAllOfAnAll_mayBeOfAnyDepth() {

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Where listeners run, who hears of rejections, and what a promise keeps. */
+/** Where listeners run, which rejections are reported, and what a promise retains. */
 class PromiseHomeTest {
     private final TestSpace test = new TestSpace();
     private final List<String> log = new ArrayList<>();
@@ -42,7 +42,7 @@ class PromiseHomeTest {
     }
 
     @Test
-    void timeLimit_thatNobodyListensTo_isReported() {
+    void timeLimit_withoutAListener_isReported() {
         var never = new Deferred<String>(test.space());
         test.run(() -> never.orTimeout(Duration.ofSeconds(1)));
         test.advance(Duration.ofSeconds(1));
@@ -64,7 +64,7 @@ class PromiseHomeTest {
     }
 
     @Test
-    void timeLimit_saysWhoAskedWhatAndHowFarItHasCome() {
+    void timeLimit_namesCallerRequestAndProgress() {
         interface Slow {
             Promise<String> read(int page);
         }
@@ -112,7 +112,7 @@ class PromiseHomeTest {
         for (int round = 0; round < 10; round++) {
             races.add(new WeakReference<>(Promise.race(List.of(longLived, Promise.<Object>of(round)))));
         }
-        longLived.then(value -> {}); // whoever comes next sweeps
+        longLived.then(value -> {}); // the next registration removes dead listeners
         for (int attempt = 0; attempt < 50 && races.stream().anyMatch(race -> race.get() != null); attempt++) {
             System.gc();
         }
@@ -163,7 +163,7 @@ class PromiseHomeTest {
     }
 
     @Test
-    void failure_thatComesAfterTheTimeLimit_isReported_unlessAnotherListenerHeardIt() {
+    void failure_thatComesAfterTheTimeLimit_isReported_unlessAnotherListenerReceivedIt() {
         for (boolean another : new boolean[] {false, true}) {
             var late = new Deferred<String>(test.space());
             test.run(() -> {

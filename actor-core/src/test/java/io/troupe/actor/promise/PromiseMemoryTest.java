@@ -14,7 +14,7 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What promises keep, and for how long. */
+/** What promises retain, and for how long. */
 class PromiseMemoryTest {
     private final TestSpace test = new TestSpace();
 
@@ -27,7 +27,7 @@ class PromiseMemoryTest {
         return Reachable.from(root).stream().filter(type::isInstance).count();
     }
 
-    /** One race is always in flight, so that the newest listener never has given up when the next one comes. */
+    /** One race is always pending, so that the newest listener is always needed when the next one is registered. */
     private void overlappingRaces(Promise<Integer> longLived, int count) {
         var flying = new ArrayDeque<Deferred<Integer>>();
         for (int round = 0; round < count; round++) {
@@ -84,7 +84,7 @@ class PromiseMemoryTest {
         }
     }
 
-    /** Waits for ever in a body. */
+    /** Has a body that waits for ever. */
     public static class Patient extends Actor {
         private final Promise<Integer> source;
 
@@ -99,7 +99,7 @@ class PromiseMemoryTest {
     }
 
     @Test
-    void bodiesThatWaited_andWereCancelled_areForgotten() {
+    void bodiesThatWaited_andWereCancelled_areRemoved() {
         var longLived = new Deferred<Integer>(test.space());
         for (int actor = 0; actor < 300; actor++) {
             Patient patient = test.spawn(Patient.class, () -> new Patient(longLived));
@@ -107,7 +107,7 @@ class PromiseMemoryTest {
             test.crank();
         }
         longLived.then(value -> {});
-        assertThat(kept(longLived, Relay.class)).isLessThan(20);
+        assertThat(kept(longLived, InlineListener.class)).isLessThan(20);
         longLived.resolve(1);
         test.crank();
     }
@@ -186,14 +186,14 @@ class PromiseMemoryTest {
     void queueThatIsIdle_keepsNoNode() {
         var queue = new NodeQueue();
         for (int round = 0; round < 3; round++) {
-            var first = new Relay(() -> {}, () -> false);
-            var second = new Relay(() -> {}, () -> false);
+            var first = new InlineListener(() -> {}, () -> false);
+            var second = new InlineListener(() -> {}, () -> false);
             queue.offer(first);
             assertThat(queue.poll()).isSameAs(first);
-            assertThat(kept(queue, Relay.class)).isEqualTo(1);
+            assertThat(kept(queue, InlineListener.class)).isEqualTo(1);
             queue.forgetLast();
             queue.forgetLast();
-            assertThat(kept(queue, Relay.class)).isZero();
+            assertThat(kept(queue, InlineListener.class)).isZero();
             assertThat(queue.isEmpty()).isTrue();
             queue.offer(first);
             queue.offer(second);

@@ -16,7 +16,7 @@ import java.util.function.Consumer;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
-/** Outside every space, where listeners run on the settling thread. */
+/** Promises outside every space, where listeners run on the settling thread. */
 class PromiseTest {
     private static final Duration AT_ONCE = Duration.ZERO;
 
@@ -24,7 +24,7 @@ class PromiseTest {
     private final List<String> log = new ArrayList<>();
 
     @Test
-    void promise_asText_saysWhatCameOfIt() {
+    void promise_asText_includesItsOutcome() {
         var deferred = new Deferred<Integer>();
         assertThat(deferred).hasToString("promise");
         Promise<Integer> next = deferred.thenApply(number -> number + 1);
@@ -90,7 +90,7 @@ class PromiseTest {
     }
 
     @Test
-    void error_travelsUnwrappedUntilSomebodyHandlesIt() throws Exception {
+    void error_travelsUnwrappedUntilItIsHandled() throws Exception {
         var boom = new IOException("boom");
         Promise<String> rescued =
                 deferred.thenApply(String::length).thenApply(n -> "n" + n).exceptionally(Throwable::getMessage);
@@ -213,14 +213,14 @@ class PromiseTest {
         assertThat(chain.get(AT_ONCE)).isEqualTo(100_000);
     }
 
-    /** Calls a method with nothing where something is expected. */
+    /** Calls a method with null where an argument is required. */
     private static void refuses(String parameter, ThrowingCallable call) {
         assertThatThrownBy(call).isInstanceOf(NullPointerException.class).hasMessageStartingWith(parameter);
     }
 
     @Test
-    @SuppressWarnings("NullAway") // that is the point
-    void nullArgument_isRefusedAtRegistration_byName() {
+    @SuppressWarnings("NullAway") // passes null on purpose
+    void nullArgument_isRejectedAtRegistration_byName() {
         Promise<Integer> promise = new Deferred<>();
         refuses("listener", () -> promise.then((Consumer<Integer>) null));
         refuses("listener", () -> promise.then((BiConsumer<Integer, Throwable>) null));

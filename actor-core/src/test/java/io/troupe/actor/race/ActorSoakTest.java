@@ -11,12 +11,12 @@ import org.junit.jupiter.api.Test;
 
 /**
  * Real threads and real spaces in random rounds, each of one {@link Scenario}: promises, calls, ends, bounds, chains,
- * streams, timers and errors. What was sent must equal what was served, rejected and dropped, and at the end of a round
- * every space is closed and its threads have ended.
+ * streams, timers and errors. The number of calls sent must equal those handled, rejected and dropped. At the end of a
+ * round every space is closed and its threads have ended.
  *
- * <p>Each scenario a few times in every build; {@code -Dsoak.minutes=10} goes on for so long, {@code -Dsoak.first=17}
- * begins with that round, and {@code -Dsoak.seed=17} runs that round alone. The threads are not scheduled by the seed,
- * so a round may have to be repeated to fail again: {@code -Dsoak.seed=17 -Dsoak.minutes=1} repeats it for a minute.
+ * <p>Every build runs each scenario a few times. {@code -Dsoak.minutes=10} runs for that long, {@code -Dsoak.first=17}
+ * begins with that round, and {@code -Dsoak.seed=17} runs that round alone. The seed does not schedule the threads, so
+ * a round may have to be repeated to fail again: {@code -Dsoak.seed=17 -Dsoak.minutes=1} repeats it for a minute.
  */
 @Tag("threads")
 class ActorSoakTest {
@@ -40,7 +40,7 @@ class ActorSoakTest {
         }
     }
 
-    /** The scenarios take turns, so that a few rounds in a row have all of them. */
+    /** The scenarios alternate, so that a few consecutive rounds cover all of them. */
     private static Scenario run(long seed) {
         var scenario = Scenario.values()[(int) Math.floorMod(seed, (long) Scenario.values().length)];
         try (var round = new Round(seed)) {

@@ -18,7 +18,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** Calls of several threads against what ends or fills their actor. */
+/** Calls of several threads that race with the end of their actor, or with a full mailbox. */
 final class CallRaces {
     private static final int CALLERS = 3;
     private static final int CALLS = 150;
@@ -30,7 +30,7 @@ final class CallRaces {
 
         Promise<Mark> ask(Mark mark);
 
-        /** Answered by the next call, or by the end. */
+        /** Answered by the next call, or rejected at the end. */
         Promise<Mark> askLater(Mark mark);
 
         void fail();
@@ -38,7 +38,7 @@ final class CallRaces {
 
     private record Asked(Mark mark, Promise<Mark> answer) {}
 
-    /** The calls of a round and what becomes of them. */
+    /** The calls of a round and their results. */
     private static final class Ledger {
         final Mark.All marks = new Mark.All();
         final Queue<Mark> told = new ConcurrentLinkedQueue<>();
@@ -72,8 +72,8 @@ final class CallRaces {
         }
 
         /**
-         * Each message was served or became a dead letter, once; each request was answered or rejected, once, and says
-         * which.
+         * Each one-way message was handled or became a dead letter, once; each request was fulfilled or rejected, once,
+         * and its outcome matches.
          */
         void check() throws InterruptedException {
             for (var mark : told) {
@@ -165,7 +165,7 @@ final class CallRaces {
                 } else {
                     ledger.call(target, random);
                 }
-                if (i == when && number > 0) { // two at once
+                if (i == when && number > 0) { // two at the same time
                     if (!fromInside) {
                         space.close(Round.LONG);
                     } else if (number == 1) {
@@ -275,7 +275,7 @@ final class CallRaces {
         checkErrors(round, 0);
     }
 
-    /** Failures on purpose, and rejections that had no listener yet. */
+    /** Intended failures, and rejections that had no listener yet. */
     private static void checkErrors(Round round, int mostFailures) {
         long failures = round.errors.stream()
                 .filter(IllegalStateException.class::isInstance)

@@ -12,7 +12,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicReference;
 
-/** Questions that go to and fro between spaces and threads. */
+/** Requests that go back and forth between spaces and threads. */
 final class ChainRaces {
     private static final int THREADS = 3;
     private static final int DEEPEST = 6;
@@ -20,7 +20,9 @@ final class ChainRaces {
     private ChainRaces() {}
 
     interface Link {
-        /** The depth, counted by the actors of the chain, each by the next digit of the manner. */
+        /**
+         * The depth, counted by the actors of the chain; each digit of {@code manner} selects how one of them answers.
+         */
         Promise<Integer> count(int depth, int manner);
 
         void end();
@@ -130,7 +132,7 @@ final class ChainRaces {
         }
     }
 
-    /** A question reaches a space that has fallen asleep, and one that is about to. */
+    /** A request reaches a space that is asleep, and one that is about to sleep. */
     static void silence(Round round) throws Exception {
         var near = round.space("near");
         var far = round.space("far");

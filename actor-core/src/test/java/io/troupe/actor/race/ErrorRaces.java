@@ -16,7 +16,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** Errors of the virtual machine in callers and actors, beside others that go on. */
+/** Errors of the virtual machine in callers and actors, while other actors run. */
 final class ErrorRaces {
     private static final int CALLS = 100;
     private static final int DEEP_CALLS = 2;
@@ -44,7 +44,7 @@ final class ErrorRaces {
         }
     }
 
-    /** Calls at the end of its stack, and from each frame further up until a call returns. */
+    /** Calls where its stack is exhausted, and from each frame further up until a call returns. */
     private static final class Deep implements Runnable {
         private final Runnable call;
         private boolean returned;
@@ -76,7 +76,8 @@ final class ErrorRaces {
         var space = round.space("deep");
         var second = round.space("asks");
         Counter counter = space.spawn(Counter.class, Counting::new);
-        for (var warm : new ActorSpace[] {space, second}) { // what is first used at the end of a stack is never linked
+        for (var warm : new ActorSpace[] {space, second
+        }) { // a class that is first used where the stack is exhausted is never linked
             warm.execute(counter::add);
             assertThat(Round.get(warm.sequential(() -> counter.count().await())))
                     .isPositive();
@@ -123,7 +124,7 @@ final class ErrorRaces {
         assertThat(round.errors).isEmpty();
     }
 
-    /** What an error is thrown by. */
+    /** What throws the error. */
     private enum By {
         MESSAGE,
         TIMER,
@@ -201,7 +202,7 @@ final class ErrorRaces {
                         broken.breakMessage(error);
                     }
                     case TIMER -> {
-                        if (!restarts) { // a restart takes timers back
+                        if (!restarts) { // a restart cancels timers
                             thrown.add(error);
                             broken.breakTimer(error);
                         }

@@ -5,7 +5,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Pattern;
 
-/** The argument of one call, and how often the call was served and became a dead letter. */
+/** The argument of one call, with the number of times the call was handled and became a dead letter. */
 final class Mark {
     final AtomicInteger served = new AtomicInteger();
     final AtomicInteger dead = new AtomicInteger();
@@ -20,7 +20,7 @@ final class Mark {
         return "#" + number + "#";
     }
 
-    /** Makes marks, and finds them again in the texts of dead letters; any thread. */
+    /** Creates marks, and finds them again in the texts of dead letters; any thread. */
     static final class All {
         private static final Pattern TEXT = Pattern.compile("#(\\d+)#");
 

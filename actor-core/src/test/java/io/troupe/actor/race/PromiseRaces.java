@@ -12,7 +12,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
-/** Promises that are settled, listened to and cancelled by several threads at once. */
+/** Promises that several threads settle, cancel and register listeners with concurrently. */
 final class PromiseRaces {
     private static final int THREADS = 3;
     private static final int PROMISES = 40;
@@ -121,7 +121,7 @@ final class PromiseRaces {
             }
         });
         round.join();
-        for (var space : spaces) { // so that all have registered before any is closed
+        for (var space : spaces) { // so that all have registered before any space is closed
             assertThat(Round.get(space.sequential(() -> true))).isTrue();
         }
         for (var trial : trials) {

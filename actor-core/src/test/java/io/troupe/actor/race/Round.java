@@ -24,12 +24,12 @@ import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The spaces and threads of one round, and what was reported. On the thread of the test, but for what its threads and
- * handlers are given.
+ * The spaces and threads of one round, and what was reported. On the thread of the test, except for its threads and
+ * handlers.
  */
 final class Round implements AutoCloseable {
     static final Duration LONG = Duration.ofSeconds(60);
-    private static final int HELPERS = 200; // more than the bodies that wait at a time in any round
+    private static final int HELPERS = 200; // more than the bodies that wait at the same time in any round
 
     final SplittableRandom random;
     final Queue<Throwable> errors = new ConcurrentLinkedQueue<>();
@@ -45,7 +45,7 @@ final class Round implements AutoCloseable {
         prefix = "soak" + seed + "-";
     }
 
-    /** What one of several threads does; its random numbers are its own. */
+    /** The body of one of several threads, with a separate random generator. */
     interface Body {
         void run(int number, SplittableRandom random) throws Exception;
     }
@@ -54,7 +54,7 @@ final class Round implements AutoCloseable {
         return space(name, mark -> {});
     }
 
-    /** A space whose dead letters are given to their marks. */
+    /** A space whose dead letters are counted at their marks. */
     ActorSpace space(String name, Consumer<String> onDeadLetter) {
         var space = ActorSpace.create(SpaceSettings.named(prefix + name)
                 .withOnStall(Duration.ZERO, stall -> {})
@@ -64,7 +64,7 @@ final class Round implements AutoCloseable {
         return space;
     }
 
-    /** Begins all threads at once. */
+    /** Starts all threads at the same time. */
     void start(int count, Body body) {
         var together = new CyclicBarrier(count);
         for (int i = 0; i < count; i++) {
@@ -92,7 +92,7 @@ final class Round implements AutoCloseable {
         assertThat(wrong).isEmpty();
     }
 
-    /** Some time or none, so that threads meet at different points. */
+    /** A random pause or none, so that threads meet at different points. */
     static void pause(SplittableRandom random) {
         switch (random.nextInt(4)) {
             case 0 -> Thread.yield();
@@ -117,7 +117,7 @@ final class Round implements AutoCloseable {
         } catch (InterruptedException interrupted) {
             throw interrupted;
         } catch (Throwable rejected) {
-            // as some are
+            // some are rejected
         }
         if (!promise.isDone()) {
             throw new AssertionError(promise + " is not settled");
@@ -125,10 +125,7 @@ final class Round implements AutoCloseable {
         return promise;
     }
 
-    /**
-     * Waits for what must come, however long it takes; fails when it has not come within a time that says that it never
-     * will.
-     */
+    /** Waits for a condition; fails after a time that is long enough to conclude that it will never hold. */
     static void until(String what, BooleanSupplier condition) {
         long endNanos = Clock.system().nanos() + LONG.toNanos();
         while (!condition.getAsBoolean()) {
@@ -139,7 +136,7 @@ final class Round implements AutoCloseable {
         }
     }
 
-    /** Closes all spaces that are open and waits for their threads. After it nothing runs any more. */
+    /** Closes all open spaces and waits for their threads; afterwards nothing runs any more. */
     void end() throws InterruptedException {
         ended = true;
         for (var space : spaces) {
@@ -184,7 +181,7 @@ final class Round implements AutoCloseable {
         return Thread.getAllStackTraces().keySet().stream();
     }
 
-    /** Closes what a scenario that failed has left open. */
+    /** Closes what a failed scenario has left open. */
     @Override
     public void close() {
         if (!ended) {

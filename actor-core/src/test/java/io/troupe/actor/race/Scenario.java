@@ -1,6 +1,6 @@
 package io.troupe.actor.race;
 
-/** What a round is about. */
+/** The subject of a round. */
 enum Scenario {
     PROMISES(PromiseRaces::listeners),
     CALLS_AND_CLOSE(CallRaces::close),
@@ -13,7 +13,7 @@ enum Scenario {
     END_OF_THE_STACK(ErrorRaces::endOfTheStack),
     FATAL_ERRORS(ErrorRaces::fatalErrors);
 
-    /** Plays a round. */
+    /** Runs a round. */
     interface Play {
         void accept(Round round) throws Exception;
     }

@@ -12,7 +12,7 @@ import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
-/** Topics and callbacks with several publishers, while subscribers come and go. */
+/** Topics and callbacks with several publishers, while subscribers are added and removed. */
 final class StreamRaces {
     private static final int PUBLISHERS = 3;
     private static final int VALUES = 200;
@@ -49,7 +49,7 @@ final class StreamRaces {
         }
     }
 
-    /** What one subscriber got; on its space. */
+    /** What one subscriber received; on its space. */
     private static final class Got {
         final List<Value> values = new ArrayList<>();
         final AtomicInteger ends = new AtomicInteger();
@@ -146,7 +146,7 @@ final class StreamRaces {
         }
     }
 
-    /** Subscribes in a space and cancels there: after that it gets nothing. */
+    /** Subscribes in a space and cancels there: afterwards it receives nothing. */
     private static final class Temporary {
         private final Got got = new Got();
         private @Nullable Integer whenCancelled;

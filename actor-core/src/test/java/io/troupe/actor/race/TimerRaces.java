@@ -16,7 +16,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** Time limits, delays and repeated tries against the answers. */
+/** Time limits, delays and retries that race with answers. */
 final class TimerRaces {
     private static final int ASKERS = 3;
     private static final int QUESTIONS = 60;
@@ -46,7 +46,7 @@ final class TimerRaces {
         }
     }
 
-    /** One promise, and how often its listener was called. */
+    /** One promise, and the number of calls of its listener. */
     private record Watched(Promise<?> promise, AtomicInteger calls, Promise<?> follower) {
         static Watched of(Promise<?> promise) {
             var calls = new AtomicInteger();
@@ -63,7 +63,7 @@ final class TimerRaces {
         var other = round.space("asks");
         Answerer answerer = space.spawn(Answerer.class, Answering::new);
         var watched = new ConcurrentLinkedQueue<Watched>();
-        // a rejection that another thread may listen to later is held by a timer for a second: not in every round
+        // a timer holds a rejection for a second if another thread may still register a listener: not in every round
         boolean early = round.random.nextInt(8) == 0;
         round.start(ASKERS, (number, random) -> {
             for (int i = 0; i < QUESTIONS; i++) {
@@ -105,7 +105,11 @@ final class TimerRaces {
         assertThat(round.leftovers(other).timers()).isZero();
     }
 
-    /** @param early whether rejections may come before their listeners */
+    /**
+     * Makes a request.
+     *
+     * @param early true if it may be rejected before its listener is registered
+     */
     private static void ask(
             ActorSpace here,
             boolean early,

@@ -1,4 +1,4 @@
-/** Random rounds of threads, spaces and actors that get into each other's way: what they do must add up. */
+/** Random rounds of threads, spaces and actors that interfere with each other: counts of what they do must match. */
 @NullMarked
 package io.troupe.actor.race;
 

@@ -52,7 +52,7 @@ class CallbackProbeTest {
     }
 
     @Test
-    void cancelledProbe_isSeenByTheSender_andHearsNothing() {
+    void cancelledProbe_isSeenByTheSender_andReceivesNothing() {
         numbers.cancel();
         counter.count(1, 3, null, numbers);
         assertThat(numbers.results()).isEmpty();
@@ -60,7 +60,7 @@ class CallbackProbeTest {
     }
 
     @Test
-    void otherEnd_isToldWithTheResultsSoFar() {
+    void otherEnd_isReportedWithTheResultsSoFar() {
         assertThatThrownBy(numbers::expectFinished)
                 .isInstanceOf(AssertionError.class)
                 .hasMessage("callback: expected finish(), but no end came; results so far: []");
@@ -80,7 +80,7 @@ class CallbackProbeTest {
     }
 
     @Test
-    void senderThatGoesOnAfterTheEnd_isRefused() {
+    void senderThatGoesOnAfterTheEnd_isRejected() {
         numbers.next(1);
         numbers.finish();
         assertThatThrownBy(() -> numbers.next(2))

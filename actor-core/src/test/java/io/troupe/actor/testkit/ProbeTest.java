@@ -41,7 +41,7 @@ class ProbeTest {
         Promise<String> enter(String name);
     }
 
-    /** The code under test: asks the greeter, and again if that fails. */
+    /** The code under test: calls the greeter, and once more if that fails. */
     static final class Porter implements Door {
         private final Greeter greeter;
 
@@ -59,7 +59,7 @@ class ProbeTest {
     private static final String LEFTOVER = "probe of Greeter: requests were never answered: ";
 
     @Test
-    void callsOfTheCodeUnderTest_areRecorded_andAnsweredWhenTheTestSaysSo() {
+    void callsOfTheCodeUnderTest_areRecorded_andAnsweredOnDemand() {
         try (var test = new TestSpace()) {
             Probe<Greeter> greeter = test.probe(Greeter.class);
             Door door = test.spawn(Door.class, () -> new Porter(greeter.actor()));
@@ -150,7 +150,7 @@ class ProbeTest {
     }
 
     @Test
-    void unexpectedCall_isToldWithTheCallsSoFar() {
+    void unexpectedCall_isReportedWithTheCallsSoFar() {
         try (var test = new TestSpace()) {
             Probe<Greeter> greeter = test.probe(Greeter.class);
             assertThatThrownBy(() -> greeter.expectCall("wave()"))
@@ -170,7 +170,7 @@ class ProbeTest {
     }
 
     @Test
-    void answerToNobody_isAMistakeOfTheTest() {
+    void answerWithoutARequest_isAMistakeOfTheTest() {
         try (var test = new TestSpace()) {
             Probe<Greeter> greeter = test.probe(Greeter.class);
             greeter.actor().wave();
@@ -228,7 +228,7 @@ class ProbeTest {
     }
 
     @Test
-    void typeThatCannotBeStoodInFor_isRefused() {
+    void typeThatCannotBeStoodInFor_isRejected() {
         interface NoActor {
             int count();
         }

@@ -58,7 +58,7 @@ class TestSpaceTest {
     }
 
     @Test
-    void orTimeout_followsTheManualClock_andSaysWhatWasAsked() {
+    void orTimeout_followsTheManualClock_andNamesTheRequest() {
         try (var test = new TestSpace()) {
             Probe probe = test.spawn(Probe.class, Silent::new);
             Promise<String> limited = probe.never().orTimeout(Duration.ofSeconds(3));
@@ -120,7 +120,7 @@ class TestSpaceTest {
     }
 
     @Test
-    void advance_backwards_isRefused() {
+    void advance_backwards_isRejected() {
         try (var test = new TestSpace()) {
             assertThatThrownBy(() -> test.advance(Duration.ofSeconds(-1)))
                     .isInstanceOf(IllegalArgumentException.class)
@@ -142,7 +142,7 @@ class TestSpaceTest {
     }
 
     @Test
-    void get_ofAPromiseThatWaitsForATimer_saysSo() {
+    void get_ofAPromiseThatWaitsForATimer_reportsIt() {
         try (var test = new TestSpace()) {
             Promise<?> delay = test.space().delay(Duration.ofSeconds(1));
             assertThatThrownBy(() -> test.get(delay))

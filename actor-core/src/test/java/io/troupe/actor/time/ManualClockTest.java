@@ -17,14 +17,14 @@ class ManualClockTest {
     private final int[] moves = new int[1];
 
     @Test
-    void advanceTo_whatIsOver_isRefused() {
+    void advanceTo_whatIsOver_isRejected() {
         clock.advanceTo(20);
         assertThatThrownBy(() -> clock.advanceTo(10)).hasMessageContaining("a clock does not go back: from 20 ns");
         assertThat(clock.nanos()).isEqualTo(20);
     }
 
     @Test
-    void advanceToAtLeast_movesForwardOnly_andTellsOfMovesOnly() {
+    void advanceToAtLeast_movesForwardOnly_andNotifiesOfMovesOnly() {
         clock.onMove(() -> moves[0]++);
         clock.advanceToAtLeast(20);
         clock.advanceToAtLeast(10);
@@ -34,7 +34,7 @@ class ManualClockTest {
     }
 
     @Test
-    void advance_byANegativeDuration_isRefused() {
+    void advance_byANegativeDuration_isRejected() {
         assertThatThrownBy(() -> clock.advance(Duration.ofNanos(-1)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("does not go back");

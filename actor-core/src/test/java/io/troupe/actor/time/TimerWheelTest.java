@@ -48,7 +48,7 @@ class TimerWheelTest {
     @Test
     void timer_beyondOneRound_waitsForItsRound() {
         wheel.set(() -> log.add("late"), 1_000 * MILLI, 0);
-        wheel.set(() -> log.add("early"), 488 * MILLI, 0); // the same slot, one round before
+        wheel.set(() -> log.add("early"), 488 * MILLI, 0); // the same slot, one round earlier
         advanceMillis(600);
         assertThat(log).containsExactly("early");
         advanceMillis(399);
@@ -96,11 +96,11 @@ class TimerWheelTest {
     }
 
     @Test
-    void negativePeriod_isRefused() {
+    void negativePeriod_isRejected() {
         assertThatThrownBy(() -> wheel.set(() -> {}, 0, -1)).hasMessageContaining("-1 ns");
     }
 
-    /** Counts how often two timers are compared: the work that remains when slots are found by their bits. */
+    /** Counts the comparisons of timers: the work that remains when slots are found by a bit scan. */
     private static final class CountingHeap extends TimerHeap {
         private long comparisons;
 
@@ -196,7 +196,7 @@ class TimerWheelTest {
         wheel.set(
                 () -> {
                     log.add("from " + clock.nanos() / MILLI);
-                    clock.advance(Duration.ofMillis(30)); // so long it takes
+                    clock.advance(Duration.ofMillis(30)); // the duration of the run
                 },
                 100 * MILLI,
                 100 * MILLI,
@@ -227,7 +227,7 @@ class TimerWheelTest {
         assertThat(wheel.size()).isEqualTo(1);
     }
 
-    /** A clock that claims to run by itself, so that being late means something. */
+    /** A clock that claims to run by itself, so that a timer can be late. */
     private static final class RunningClock implements Clock {
         private long nanos;
 
@@ -282,7 +282,7 @@ class TimerWheelTest {
         }
     }
 
-    /** A wheel beside a list that is sorted by deadline and number. */
+    /** A wheel, and a list sorted by deadline and number to compare it with. */
     private static final class RandomTimers {
         private final long seed;
         private final Random random;

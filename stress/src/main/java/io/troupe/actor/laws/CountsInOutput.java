@@ -9,7 +9,7 @@ import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
-/** Passes on what jcstress prints, and keeps the last of the lines in which it counts its results. */
+/** Passes on what jcstress prints, and keeps the last line with its counts of results. */
 final class CountsInOutput extends FilterOutputStream {
     private static final Pattern COUNTS = Pattern.compile(
             "\\(Results: (\\d+) planned; (\\d+) passed, (\\d+) failed, (\\d+) soft errs, (\\d+) hard errs\\)");
@@ -36,7 +36,7 @@ final class CountsInOutput extends FilterOutputStream {
     }
 
     private void keep(int b) {
-        if (b != '\n' && b != '\r') { // a progress line is overwritten by a carriage return
+        if (b != '\n' && b != '\r') { // a carriage return overwrites a progress line
             line.write(b);
             return;
         }
@@ -47,7 +47,7 @@ final class CountsInOutput extends FilterOutputStream {
         }
     }
 
-    /** Why the results counted last prove nothing, or null if every law that was planned has passed. */
+    /** Why the last counts prove nothing, or null if every planned law has passed. */
     @Nullable
     String fault() {
         keep('\n');

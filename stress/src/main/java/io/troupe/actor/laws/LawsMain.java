@@ -6,13 +6,14 @@ import org.jspecify.annotations.Nullable;
 import org.openjdk.jcstress.Main;
 
 /**
- * Runs jcstress with the arguments given, and fails unless every law passed.
+ * Runs jcstress with the given arguments, and fails unless every law (jcstress test) passed.
  *
- * <p><b>Errors.</b> jcstress fails by itself on a forbidden outcome only. Its exit status is 0 as well when laws ended
- * in an error, on a JVM that cannot load them for example, and when no law ran at all: then this one's is 1.
+ * <p><b>Errors.</b> jcstress itself fails only on a forbidden outcome. Its exit status is also 0 when laws ended in an
+ * error, for example on a JVM that cannot load them, and when no law ran at all. In these cases the exit status of this
+ * program is 1.
  */
 public final class LawsMain {
-    /** Something that runs laws and prints to {@link System#out}, as jcstress does. */
+    /** Runs laws and prints to {@link System#out}, as jcstress does. */
     @FunctionalInterface
     interface Runner {
         void run(String[] arguments) throws Exception;

@@ -1,4 +1,4 @@
-/** Runs the laws under jcstress, and fails when they did not run. */
+/** Runs the jcstress tests of actor-core ("laws"), and fails if they did not run. */
 @NullMarked
 package io.troupe.actor.laws;
 

@@ -11,8 +11,8 @@ import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.I_Result;
 
 /**
- * A listener that a home registers while another thread settles the promise does not overtake the one it registered
- * before.
+ * A listener that a home registers while another thread settles the promise does not overtake an earlier listener of
+ * that home.
  */
 @JCStressTest
 @Outcome(id = "12", expect = Expect.ACCEPTABLE, desc = "In the order of registration.")
@@ -48,7 +48,7 @@ public class LateListener {
         result.r1 = order;
     }
 
-    /** What a space does with callbacks: those from inside wait in a ring, which comes before the inbox. */
+    /** Like a space: callbacks queued on its thread go to a ring, which is drained before the inbox. */
     private static final class TinyHome extends Home {
         private final ArrayDeque<Node> ring = new ArrayDeque<>();
         private final NodeQueue inbox = new NodeQueue();
@@ -88,7 +88,7 @@ public class LateListener {
         }
 
         @Override
-        protected void enqueueFromAfar(Node node) {
+        protected void enqueueAsRemote(Node node) {
             inbox.offer(node);
         }
 

@@ -8,7 +8,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.II_Result;
 
-/** A listener registered while the promise is settled runs exactly once, and sees the value. */
+/** A listener registered while the promise is being settled runs exactly once, and receives the value. */
 @JCStressTest
 @Outcome(id = "1, 42", expect = Expect.ACCEPTABLE, desc = "Ran once, with the value.")
 @Outcome(expect = Expect.FORBIDDEN, desc = "Lost, run twice, or without the value.")

@@ -8,7 +8,7 @@ import org.openjdk.jcstress.annotations.Outcome;
 import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.ZZI_Result;
 
-/** Of two that settle a promise, one wins, and its value is the promise's. */
+/** Of two threads that settle a promise, one succeeds, and the promise has its value. */
 @JCStressTest
 @Outcome(id = "true, false, 1", expect = Expect.ACCEPTABLE, desc = "The first won.")
 @Outcome(id = "false, true, 2", expect = Expect.ACCEPTABLE, desc = "The second won.")

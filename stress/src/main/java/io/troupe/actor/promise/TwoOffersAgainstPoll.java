@@ -9,7 +9,7 @@ import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.II_Result;
 
 /**
- * What one thread offers while another polls comes out once, in order, with what was written before; runs on two
+ * What one thread offers while another polls is taken once, in order, together with earlier writes; runs on two
  * processors.
  */
 @JCStressTest

@@ -9,8 +9,8 @@ import org.openjdk.jcstress.annotations.State;
 import org.openjdk.jcstress.infra.results.III_Result;
 
 /**
- * Two threads offer one node each while a third polls: every node comes out exactly once, with what its thread wrote
- * before; needs three processors.
+ * Two threads offer one node each while a third polls: every node is taken exactly once, together with its thread's
+ * earlier writes; needs three processors.
  */
 @JCStressTest
 @Outcome(

@@ -3,7 +3,7 @@ package io.troupe.actor.soak;
 import io.troupe.actor.promise.Promise;
 import java.util.List;
 
-/** Passes everything on to an actor in another space. */
+/** Forwards every message to an actor in another space. */
 final class Forwarder implements Sink {
     private final Sink target;
 

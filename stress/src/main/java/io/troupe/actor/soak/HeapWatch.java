@@ -3,7 +3,7 @@ package io.troupe.actor.soak;
 import java.lang.management.ManagementFactory;
 import java.lang.management.MemoryMXBean;
 
-/** The used heap after a collection, against what it was at the beginning. */
+/** Compares the heap in use after a garbage collection with that at the beginning. */
 final class HeapWatch {
     private static final double MIB = 1024 * 1024;
 
@@ -12,14 +12,18 @@ final class HeapWatch {
     private final double firstMib;
     private double highestMib;
 
-    /** @param boundMib how much more than at the beginning may be in use */
+    /**
+     * Creates a watch.
+     *
+     * @param boundMib the allowed increase since the beginning
+     */
     HeapWatch(double boundMib) {
         this.boundMib = boundMib;
         this.firstMib = usedMib();
         this.highestMib = firstMib;
     }
 
-    /** Collects, and looks. */
+    /** Collects garbage and returns the increase. */
     double sampleMib() {
         double now = usedMib();
         highestMib = Math.max(highestMib, now);

@@ -10,9 +10,9 @@ import java.util.function.Consumer;
 /**
  * A thread that sends numbered messages to every sink in turn.
  *
- * <p><b>Order.</b> After each window of messages it asks a sink how many have arrived; the answer must be exactly as
- * many as it had sent, for the question came behind them. It waits for the answer to the question before, so that at
- * most two windows of its messages are on their way.
+ * <p><b>Order.</b> After each window of messages it requests from a sink the number that has arrived. The result must
+ * be exactly the number sent, because the request was queued behind the messages. The producer waits for the result of
+ * the previous request first, so at most two windows of its messages are queued.
  */
 final class Producer implements Runnable {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -28,7 +28,11 @@ final class Producer implements Runnable {
     private final Consumer<String> fault;
     private final ArrayDeque<Question> open = new ArrayDeque<>();
 
-    /** @param paced those sinks that have no other means of slowing it down */
+    /**
+     * Creates a producer.
+     *
+     * @param paced those sinks that have no other means of slowing it down
+     */
     Producer(int number, long messagesPerSink, int window, List<Sink> sinks, List<Sink> paced, Consumer<String> fault) {
         this.number = number;
         this.messagesPerSink = messagesPerSink;

@@ -4,7 +4,7 @@ import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
 import java.util.List;
 
-/** Checks that every producer's numbers come one after the other. */
+/** Checks that every producer's numbers are consecutive. */
 final class Receiver implements Sink {
     private static final int FAULTS_KEPT = 10;
 

@@ -3,16 +3,16 @@ package io.troupe.actor.soak;
 import io.troupe.actor.promise.Promise;
 import java.util.List;
 
-/** Takes numbered messages. Each producer numbers its own, from 0. */
+/** Receives numbered messages. Each producer has separate numbers, from 0. */
 interface Sink {
     void take(int producer, long number);
 
-    /** How many messages of a producer have arrived. */
+    /** The number of messages of a producer that have arrived. */
     Promise<Long> taken(int producer);
 
-    /** How many have arrived in all. */
+    /** The number of messages that have arrived from all producers. */
     Promise<Long> takenInAll();
 
-    /** What was lost, doubled or out of order: the first few, in words. */
+    /** Descriptions of the first few messages that were lost, duplicated or out of order. */
     Promise<List<String>> faults();
 }

@@ -14,11 +14,11 @@ import java.util.function.Consumer;
 import java.util.stream.IntStream;
 
 /**
- * Producers that send to an actor, and through another one to an actor in a second space.
+ * Producers that send to an actor, and through a forwarding actor to an actor in a second space.
  *
- * <p>With a mailbox without bounds the producers are slowed down by the answers to their questions ({@link Producer}),
- * for both actors. With a bounded one the room in it slows them down; only the receiver in the second space, to which
- * an actor forwards, which must not wait, still needs the questions.
+ * <p>With unbounded mailboxes the producers are slowed down by the results of their requests ({@link Producer}), for
+ * both actors. With a bounded mailbox its capacity slows them down. Only the receiver in the second space still needs
+ * the requests, because the forwarding actor must not block.
  */
 final class Soak {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
@@ -33,10 +33,16 @@ final class Soak {
         this.out = out;
     }
 
-    /** Runs both mailboxes, each with half of the messages. @return what went wrong; empty if nothing did */
+    /**
+     * Runs both mailboxes, each with half of the messages.
+     *
+     * @return the problems found; empty if there are none
+     */
     List<String> run() throws InterruptedException {
-        var heap = new HeapWatch(
-                options.heapBoundMib()); // before both, so that neither counts what it keeps as its beginning
+        var heap =
+                new HeapWatch(options
+                        .heapBoundMib()); // created before both runs, so that neither counts what it retains as part of
+                                          // its beginning
         run("unbounded", ActorSettings.DEFAULT, false, heap);
         run("bounded", ActorSettings.DEFAULT.withMailbox(options.capacity(), Overflow.BLOCK), true, heap);
         if (heap.isExceeded()) {

@@ -3,8 +3,8 @@ package io.troupe.actor.soak;
 import java.util.List;
 
 /**
- * The command line of the soak; its exit status is 0, 1 if something was lost, out of order or kept, or 2 for arguments
- * that make no sense.
+ * The command line of the soak test. Its exit status is 0; 1 if a message was lost, out of order or retained; or 2 for
+ * invalid arguments.
  */
 public final class SoakMain {
     private SoakMain() {}

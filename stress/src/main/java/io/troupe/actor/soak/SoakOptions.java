@@ -3,13 +3,13 @@ package io.troupe.actor.soak;
 import java.util.List;
 
 /**
- * How long and how hard.
+ * Length and load of a soak test.
  *
- * @param messages in all, over both mailboxes and both sinks
- * @param producers threads that send
- * @param window messages of one producer to one sink between two questions
+ * @param messages the total over both mailboxes and both sinks
+ * @param producers the number of sending threads
+ * @param window messages of one producer to one sink between two requests
  * @param capacity of the bounded mailbox
- * @param heapBoundMib how much more heap than at the beginning may be in use after a collection
+ * @param heapBoundMib allowed increase of the heap in use after a collection, since the beginning
  */
 record SoakOptions(long messages, int producers, int window, int capacity, int heapBoundMib) {
     static final SoakOptions DEFAULT = new SoakOptions(20_000_000, 4, 5_000, 1_000, 24);
@@ -28,7 +28,7 @@ record SoakOptions(long messages, int producers, int window, int capacity, int h
         }
     }
 
-    /** Reads {@code --name number} pairs. */
+    /** Parses {@code --name number} pairs. */
     static SoakOptions parse(List<String> arguments) {
         var options = DEFAULT;
         for (int at = 0; at < arguments.size(); at += 2) {

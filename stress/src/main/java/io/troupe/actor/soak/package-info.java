@@ -1,4 +1,4 @@
-/** Many messages from many threads, for a while: nothing lost, nothing out of order, nothing kept. */
+/** Soak test: many messages from many threads for a while; none is lost, out of order or retained. */
 @NullMarked
 package io.troupe.actor.soak;
 

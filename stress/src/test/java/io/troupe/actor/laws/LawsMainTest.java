@@ -8,14 +8,14 @@ import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
-/** jcstress itself ends with exit status 0 in each of these runs but the one that throws. */
+/** In each of these runs jcstress itself ends with exit status 0, except in the one that throws. */
 class LawsMainTest {
     private static String status(int planned, int passed, int failed, int soft, int hard) {
         return "(ETA: now) (Sampling Rate: N/A) (Results: %d planned; %d passed, %d failed, %d soft errs, %d hard errs)"
                 .formatted(planned, passed, failed, soft, hard);
     }
 
-    /** What {@link LawsMain} says of a run that printed this. */
+    /** The fault that {@link LawsMain} reports for a run that printed these lines. */
     private static String faultAfter(String... lines) throws Exception {
         return LawsMain.run(new String[0], arguments -> {
             for (String line : lines) {

@@ -48,7 +48,7 @@ class SoakTest {
     }
 
     @Test
-    void optionsThatMakeNoSense_areRefused() {
+    void optionsThatMakeNoSense_areRejected() {
         assertThatThrownBy(() -> SoakOptions.parse(List.of("--messages", "many")))
                 .hasMessage("--messages is many, expected a whole number");
         assertThatThrownBy(() -> SoakOptions.parse(List.of("--producers", "0")))

@@ -6,43 +6,43 @@ import java.lang.invoke.VarHandle;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/** Keeps what comes behind it off the cache lines of what comes before. */
+/** Padding that keeps the following field off the cache lines of the fields before it. */
 @SuppressWarnings("unused")
-abstract class LifelinePadding {
+abstract class IdlePadding {
     private long p00, p01, p02, p03, p04, p05, p06, p07, p08, p09, p10, p11, p12, p13, p14, p15;
 }
 
-/** What senders read at every message, and what is written when the space falls asleep or is woken. */
-abstract class LifelinePhase extends LifelinePadding {
+/** The field that senders read at every message; it is written when the space goes to sleep or is woken. */
+abstract class IdlePhase extends IdlePadding {
     volatile int phase;
 }
 
 /**
- * Whether a space is awake, asleep or closed, and how it is woken.
+ * The idle strategy of a space: whether it is awake, asleep or closed, and how it is woken.
  *
- * <p><b>Threads.</b> {@link #wake} from any thread, after it has queued something; the rest on the space's.
+ * <p><b>Threads.</b> {@link #wake} from any thread, after it has queued an entry; the rest on the space's thread.
  */
 @SuppressWarnings("unused")
-final class Lifeline extends LifelinePhase {
+final class IdleStrategy extends IdlePhase {
     /*
-     * No wake-up is lost: the sleeper first says that it sleeps and then looks at its queues again; the waker first
-     * queues and then looks whether the other sleeps. Both are sequentially consistent, so at least one of them sees
-     * the other. The waker resets the flag itself, so that one sleep costs one unpark, however many messages arrive
-     * before the thread really runs.
+     * No wake-up is lost: the sleeper first publishes that it sleeps and then checks its queues again; the waker first
+     * queues an entry and then checks whether the space sleeps. Both are sequentially consistent, so at least one of
+     * them sees the other. The waker resets the flag, so that one sleep costs one unpark, however many messages arrive
+     * before the thread runs.
      */
     private static final int AWAKE = 0;
     private static final int ASLEEP = 1;
     static final int CLOSED = 2;
     /**
-     * Its waker could not unpark it; unlike {@link #ASLEEP} it does not say that the space does nothing, for it may
-     * have gone on by itself.
+     * The waker could not unpark the space. Unlike {@link #ASLEEP} this does not mean that the space is idle, because
+     * it may have continued by itself.
      */
     private static final int NOT_WOKEN = 3;
-    /** A waker whose stack ends within the unpark wakes nobody: the sleeper does not depend on it. */
+    /** A waker whose stack overflows within the unpark wakes no thread, so the sleeper does not rely on being woken. */
     static final long LONGEST_SLEEP_NANOS = 1_000_000_000;
     /*
-     * Before it parks it looks a few times, but not without a break: a receiver that is right behind its senders takes
-     * each cache line from under their hands, and both are slower than one that lets a few messages gather.
+     * Before parking, the space checks its queues a few times, with pauses. A receiver right behind its senders takes
+     * each cache line away from them, and both are slower than a receiver that lets a few messages accumulate.
      */
     private static final int LOOKS = 12;
     private static final int SPINS_PER_LOOK = 8;
@@ -53,7 +53,7 @@ final class Lifeline extends LifelinePhase {
 
     static {
         try {
-            PHASE = MethodHandles.lookup().findVarHandle(LifelinePhase.class, "phase", int.class);
+            PHASE = MethodHandles.lookup().findVarHandle(IdlePhase.class, "phase", int.class);
         } catch (ReflectiveOperationException e) {
             throw new ExceptionInInitializerError(e);
         }
@@ -61,10 +61,10 @@ final class Lifeline extends LifelinePhase {
 
     private volatile @Nullable Thread sleeper;
 
-    /** Wakes the space if it sleeps; false if it is closed and will not look at its queues any more. */
+    /** Wakes the space if it sleeps; false if it is closed and will not check its queues any more. */
     boolean wake() {
         int now = phase;
-        if ((now & ASLEEP) != 0 && PHASE.compareAndSet(this, now, AWAKE)) { // NOT_WOKEN, too
+        if ((now & ASLEEP) != 0 && PHASE.compareAndSet(this, now, AWAKE)) { // also true for NOT_WOKEN
             try {
                 LockSupport.unpark(sleeper);
             } catch (StackOverflowError endOfTheCallersStack) {
@@ -74,14 +74,12 @@ final class Lifeline extends LifelinePhase {
         return now != CLOSED;
     }
 
-    /** The unpark has failed: the next caller tries again, or the sleeper looks by itself. */
+    /** Called when the unpark failed: the next caller tries again, or the sleeper wakes up by itself. */
     void noteNotWoken() {
         PHASE.compareAndSet(this, AWAKE, NOT_WOKEN);
     }
 
-    /**
-     * Sleeps until it is woken or a timer is due, {@value #LONGEST_SLEEP_NANOS} ns at most; returns early without harm.
-     */
+    /** Sleeps until it is woken or a timer is due, at most {@value #LONGEST_SLEEP_NANOS} ns; may return early. */
     void sleep(Dispatcher dispatcher, Clock clock) {
         for (int look = 0; look < LOOKS; look++) {
             for (int spin = 0; spin < SPINS_PER_LOOK; spin++) {
@@ -106,7 +104,8 @@ final class Lifeline extends LifelinePhase {
     }
 
     /**
-     * Says that the space sleeps, and only then looks again; true if there is still nothing to do, so that it may park.
+     * Publishes that the space sleeps, then checks the queues; true if there is still nothing to do, so that it may
+     * park.
      */
     boolean fallAsleep(Dispatcher dispatcher) {
         sleeper = Thread.currentThread();
@@ -114,7 +113,7 @@ final class Lifeline extends LifelinePhase {
         return dispatcher.isQuiet();
     }
 
-    /** Whether the space has said that it sleeps, and nobody has woken it since. */
+    /** True if the space is asleep and was not woken. */
     boolean isAsleep() {
         return phase == ASLEEP;
     }

@@ -5,10 +5,8 @@ import io.troupe.actor.time.TimerWheel;
 import java.util.ArrayList;
 import java.util.List;
 
-/**
- * Turns away what waits in the queues of a space that is closed, and counts it. On the thread that acts for the space.
- */
-final class Refusal {
+/** Rejects and counts what is left in the queues of a closed space. On the thread that acts for the space. */
+final class LeftoverDrain {
     private final SpaceHome space;
     private final Dispatcher dispatcher;
     private final List<String> examples = new ArrayList<>();
@@ -17,7 +15,7 @@ final class Refusal {
     private int tasks;
     private int timers;
 
-    Refusal(SpaceHome space, Dispatcher dispatcher) {
+    LeftoverDrain(SpaceHome space, Dispatcher dispatcher) {
         this.space = space;
         this.dispatcher = dispatcher;
     }
@@ -35,36 +33,36 @@ final class Refusal {
     void dropIdleActions() {
         for (int count = dispatcher.takeIdleActions().size(); count > 0; count--) {
             tasks++;
-            refuseTask();
+            rejectTask();
         }
     }
 
-    private void refuseTask() {
+    private void rejectTask() {
         space.reports().deadLetter(new DeadLetter(space.toString(), "a task", "space " + space + " is closed"));
     }
 
-    /** Until nothing waits any more; what is refused may lead to more. */
-    void refuseAll() {
+    /** Rejects entries until the queues are empty; rejecting one may queue others. */
+    void rejectAll() {
         for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
             try {
-                refuse(node);
-            } catch (Throwable broken) { // no memory, say: those that come after are turned away all the same
+                reject(node);
+            } catch (Throwable broken) { // for example no memory: the entries behind it are still rejected
                 space.reports().error("turning away what waited in space", space, broken, null);
             }
         }
     }
 
-    private void refuse(Node node) {
+    private void reject(Node node) {
         switch (node) {
             case Message ticket -> count(ticket.receiver().callOf(ticket));
             case Request<?> ticket -> count(ticket.receiver().callOf(ticket));
             case Entry entry -> {
-                refuse(entry);
+                reject(entry);
                 return;
             }
             default -> {}
         }
-        dispatcher.serve(node); // its actor has stopped: it turns the call away
+        dispatcher.serve(node); // its actor has stopped and rejects the call
     }
 
     private void count(Node call) {
@@ -77,7 +75,7 @@ final class Refusal {
         }
     }
 
-    private void refuse(Entry entry) {
+    private void reject(Entry entry) {
         Runnable ifClosed = entry.ifClosed();
         if (SpaceHome.goesToMailbox(entry)) {
             tasks++;
@@ -85,7 +83,7 @@ final class Refusal {
         if (ifClosed != null) {
             space.runGuarded(ifClosed);
         } else {
-            refuseTask();
+            rejectTask();
         }
     }
 

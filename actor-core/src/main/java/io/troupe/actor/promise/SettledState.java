@@ -1,9 +1,9 @@
 package io.troupe.actor.promise;
 
-/** What stands in a promise's state and is not the value itself. */
-abstract class Special {
-    /** A value that would be mistaken for something else. */
-    static final class Boxed extends Special {
+/** A settled state that is not the value itself. */
+abstract class SettledState {
+    /** Wraps a value that would be mistaken for another state. */
+    static final class Boxed extends SettledState {
         private final Object value;
 
         Boxed(Object value) {

@@ -5,16 +5,17 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A promise that was settled by a thread that is not its listeners' own. While they are being told, whoever registers
- * joins the end of the line. After that, as long as any of them has still to run, the way to a listener is the one that
- * they took, through the inbox of its home: what a home queues for itself would overtake them there.
+ * The state of a promise that was settled by a thread other than that of some listener. While its listeners are being
+ * notified, a late listener is appended to the queue. After that, until every listener has run, later listeners go
+ * through the inbox of their home as the earlier ones did: an entry that the home queues for itself would overtake
+ * them.
  */
-final class Settling extends Special {
+final class PendingNotification extends SettledState {
     private final Object outcome;
     private final AtomicReference<@Nullable Node> late = new AtomicReference<>();
     private final AtomicInteger onTheirWay = new AtomicInteger();
 
-    Settling(Object outcome, Node listeners) {
+    PendingNotification(Object outcome, Node listeners) {
         this.outcome = outcome;
         for (Node node = listeners; node != null; node = node.next) {
             if (node instanceof Stage) {
@@ -23,17 +24,17 @@ final class Settling extends Special {
         }
     }
 
-    /** One more listener that has still to run; whether others have, too. */
-    boolean setOut(Node listener) {
+    /** Counts a listener that has not run yet; true if there are others. */
+    boolean countListener(Node listener) {
         return listener instanceof Stage && onTheirWay.getAndIncrement() > 0;
     }
 
-    /** A listener runs. */
-    void arrive() {
+    /** Called when a listener runs. */
+    void listenerRuns() {
         onTheirWay.decrementAndGet();
     }
 
-    /** Whether some listener's home may be running beside the calling thread. */
+    /** True if the home of some listener may be running concurrently with the calling thread. */
     static boolean isNeeded(Node newest) {
         for (Node node = newest; node != null; node = node.next) {
             if (node instanceof Stage<?, ?> stage && stage.isElsewhere()) {
@@ -47,11 +48,11 @@ final class Settling extends Special {
         return outcome;
     }
 
-    /** Puts a listener at the end of the line; false if the line is closed: everybody in it has been told. */
-    boolean join(Node listener) {
+    /** Appends a late listener; false once all listeners have been notified. */
+    boolean append(Node listener) {
         while (true) {
             Node now = late.get();
-            if (now == Claim.REFUSED) {
+            if (now == AlreadySettled.INSTANCE) {
                 return false;
             }
             listener.next = now;
@@ -61,24 +62,25 @@ final class Settling extends Special {
         }
     }
 
-    /** The last in line: closes it, or lets those who came late go first. */
+    /** The last entry of the queue: closes it, or lets late listeners go first. */
     static final class End extends Node {
-        private final Settling settling;
+        private final PendingNotification notification;
 
-        End(Settling settling, Node listeners) {
-            this.settling = settling;
+        End(PendingNotification notification, Node listeners) {
+            this.notification = notification;
             this.next = listeners;
         }
 
         /**
-         * Those who came late, newest first, with this end behind them; null if nobody came, and the line is closed.
+         * The late listeners, newest first, with this end behind them. If there are none, closes the queue and returns
+         * null.
          */
         @Nullable
-        Node tryToEnd() {
-            if (settling.late.compareAndSet(null, Claim.REFUSED)) {
+        Node closeOrTakeLate() {
+            if (notification.late.compareAndSet(null, AlreadySettled.INSTANCE)) {
                 return null;
             }
-            next = settling.late.getAndSet(null);
+            next = notification.late.getAndSet(null);
             return this;
         }
 

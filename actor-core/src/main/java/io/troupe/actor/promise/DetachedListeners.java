@@ -4,15 +4,15 @@ import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Runs listeners that belong to no home, and relays, on the thread that settles their promise, one after the other and
- * never inside each other, so that a chain of them may be of any length.
+ * Runs relays, and listeners without a home, on the thread that settles their promise. They run one after the other,
+ * never nested, so a chain of them may have any length.
  */
-final class Detached {
+final class DetachedListeners {
     private static final ThreadLocal<@Nullable ArrayDeque<Node>> WAITING = new ThreadLocal<>();
 
-    private Detached() {}
+    private DetachedListeners() {}
 
-    /** Whether the calling thread is running such a listener. */
+    /** True if the calling thread is running such a listener. */
     static boolean isRunning() {
         return WAITING.get() != null;
     }

@@ -7,15 +7,15 @@ import java.util.Comparator;
 import java.util.List;
 
 /**
- * The methods of a class actor that are no messages. None may run on a proxy, whose fields are unset: it throws, so it
- * must be able to override.
+ * The methods of a class actor that are not messages. None may run on a proxy, whose fields are unset: the proxy
+ * overrides them to throw, so they must be overridable.
  */
-final class NonMessages {
-    private NonMessages() {}
+final class NonMessageMethods {
+    private NonMessageMethods() {}
 
     /** The overridable methods that are not public, each once. */
     static List<Method> of(Class<?> type) {
-        var derived = new ArrayList<Method>(); // of the classes below the one looked at
+        var derived = new ArrayList<Method>(); // methods of the subclasses of the current class
         var refused = new ArrayList<Method>();
         for (Class<?> each = type; each != Actor.class; each = java.util.Objects.requireNonNull(each.getSuperclass())) {
             List<Method> own = instanceMethods(each);
@@ -79,7 +79,7 @@ final class NonMessages {
         return (method.getModifiers() & (Modifier.PUBLIC | Modifier.PROTECTED | Modifier.PRIVATE)) == 0;
     }
 
-    /** As the virtual machine means it. */
+    /** By the definition of the virtual machine. */
     private static boolean inOnePackage(Class<?> one, Class<?> other) {
         return one.getClassLoader() == other.getClassLoader()
                 && one.getPackageName().equals(other.getPackageName());

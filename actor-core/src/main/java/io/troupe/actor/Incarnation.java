@@ -7,22 +7,24 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One instance of an actor, from its start to its end or restart: on whose behalf listeners and timers run. On the
- * space's thread, but for {@link #isOver}.
+ * One incarnation of an actor, from its start to its stop or restart: the owner of its listeners and timers. On the
+ * space's thread, except for {@link #isOver}.
  */
-final class Life extends Owner {
+final class Incarnation extends Owner {
     private static final int FEW = 8;
 
     private final ActorCell cell;
     private @Nullable List<Timer> timers; // most actors have none
     private int sweepAt = FEW;
 
-    Life(ActorCell cell) {
+    Incarnation(ActorCell cell) {
         super(cell.space());
         this.cell = cell;
     }
 
-    /** A timer that ends with this instance. Those that have run are swept out whenever their number has doubled. */
+    /**
+     * Adds a timer that ends with this incarnation. Timers that have run are removed whenever the number has doubled.
+     */
     void own(Timer timer) {
         if (timers == null) {
             timers = new ArrayList<>(1);
@@ -43,7 +45,7 @@ final class Life extends Owner {
         cell.space().sequences().cancelThoseOf(this);
     }
 
-    /** Rejects the requests that this instance has begun and not settled. */
+    /** Rejects the requests that this incarnation has begun and not answered. */
     void rejectOpenRequests(String reason, @Nullable Throwable cause) {
         SpaceHome space = cell.space();
         for (var open : takeOpenRequests()) {
@@ -55,7 +57,7 @@ final class Life extends Owner {
         }
     }
 
-    /** Runs something on behalf of this instance; false if it has ended. */
+    /** Runs an action on behalf of this incarnation; false if it has ended. */
     boolean run(String what, Runnable action) {
         if (isOver()) {
             return false;

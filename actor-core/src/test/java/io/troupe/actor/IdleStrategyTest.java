@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import org.junit.jupiter.api.Test;
 
-class LifelineTest {
+class IdleStrategyTest {
     @Test
     void runningSpace_whoseWakerCouldNotUnparkIt_isNotTakenForAsleep_andIsWokenAgain() {
-        var lifeline = new Lifeline();
+        var lifeline = new IdleStrategy();
         lifeline.noteNotWoken();
         assertThat(lifeline.isAsleep()).isFalse();
         assertThat(lifeline.wake()).isTrue();

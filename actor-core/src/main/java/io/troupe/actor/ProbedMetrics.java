@@ -6,8 +6,8 @@ import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 
-/** The figures of one space. */
-final class Probing implements SpaceMetrics {
+/** The metrics of one space, measured by a probe in its message queue. */
+final class ProbedMetrics implements SpaceMetrics {
     private record Probe(long sentNanos, long servedBefore) {}
 
     private record Finding(long waiting, Duration latency) {}
@@ -19,7 +19,7 @@ final class Probing implements SpaceMetrics {
     private final AtomicReference<@Nullable Probe> underWay = new AtomicReference<>();
     private volatile Finding found = new Finding(0, Duration.ZERO);
 
-    Probing(SpaceHome space, Dispatcher dispatcher, Reports reports) {
+    ProbedMetrics(SpaceHome space, Dispatcher dispatcher, Reports reports) {
         this.space = space;
         this.dispatcher = dispatcher;
         this.reports = reports;
@@ -28,7 +28,7 @@ final class Probing implements SpaceMetrics {
     private void send() {
         var probe = new Probe(clock.nanos(), dispatcher.served());
         if (!space.isClosing() && underWay.compareAndSet(null, probe)) {
-            space.enqueueMail(new Entry(() -> arrive(probe), () -> underWay.set(null)));
+            space.enqueueMessage(new Entry(() -> arrive(probe), () -> underWay.set(null)));
         }
     }
 
@@ -49,7 +49,7 @@ final class Probing implements SpaceMetrics {
         if (space.isCrankedByHand()) {
             return dispatcher.waiting();
         }
-        Finding last = found; // before the next probe can arrive
+        Finding last = found; // read before the next probe can arrive
         send();
         return last.waiting;
     }
@@ -59,7 +59,7 @@ final class Probing implements SpaceMetrics {
         if (space.isCrankedByHand()) {
             return Duration.ZERO;
         }
-        Duration last = found.latency; // before the next probe can arrive
+        Duration last = found.latency; // read before the next probe can arrive
         send();
         Probe probe = underWay.get();
         if (probe == null) {
@@ -69,7 +69,7 @@ final class Probing implements SpaceMetrics {
         return sofar.compareTo(last) > 0 ? sofar : last;
     }
 
-    /** The fence: a caller that looks again and again must not be shown what it has seen before. */
+    /** The fence makes repeated calls see new values. */
     @Override
     public int actors() {
         VarHandle.acquireFence();
@@ -92,7 +92,7 @@ final class Probing implements SpaceMetrics {
         return reports.deadLetters();
     }
 
-    /** A look like any other. */
+    /** Calls the other methods, and so sends a probe. */
     @Override
     public String toString() {
         return "served %d, waiting %d, latency %s, actors %d, timers %d, errors %d, dead letters %d"

@@ -3,22 +3,22 @@ package io.troupe.actor.promise;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Ends a request as the promise that its method returned ends. Until then it is in the list of the {@link Owner} that
- * handles the request, which rejects the request if it ends first.
+ * Settles a request with the outcome of the promise that its method returned. Until then it is in the list of the
+ * {@link Owner} that runs the request, and that owner rejects the request if it ends first.
  *
  * <p><b>Threads.</b> The links are guarded by the owner, because the promise may be settled on any thread.
  */
-final class OpenAnswer extends Follower {
+final class OpenRequest extends Follower {
     private final Owner owner;
     boolean listed;
 
     @Nullable
-    OpenAnswer before;
+    OpenRequest before;
 
     @Nullable
-    OpenAnswer after;
+    OpenRequest after;
 
-    OpenAnswer(Settleable<?> request, Owner owner) {
+    OpenRequest(Settleable<?> request, Owner owner) {
         super(request);
         this.owner = owner;
     }

@@ -6,24 +6,24 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 
-/** Follows a promise until a time is over. */
-final class Limited<T extends @Nullable Object> extends Promise<T> {
+/** A promise with a time limit: follows another promise, or is rejected when the limit is over first. */
+final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
     private static final Runnable NOTHING = () -> {};
 
     private final Home home;
     private final Promise<T> source;
     private final Duration timeout;
-    private final String asker;
+    private final String caller;
     private final boolean madeOutside;
     private volatile Runnable withdraw = NOTHING;
     private volatile boolean expired;
 
-    private Limited(Home home, Promise<T> source, Duration timeout) {
+    private TimeLimitedPromise(Home home, Promise<T> source, Duration timeout) {
         this.home = home;
         this.source = source;
         this.timeout = timeout;
         this.madeOutside = !home.isCurrent();
-        this.asker = asker();
+        this.caller = caller();
     }
 
     static <T extends @Nullable Object> Promise<T> start(Promise<T> source, Duration timeout) {
@@ -34,13 +34,13 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
             throw new IllegalStateException(
                     "orTimeout needs a clock: call it in an actor space, or on a promise of one");
         }
-        var limited = new Limited<>(home, source, timeout);
+        var limited = new TimeLimitedPromise<>(home, source, timeout);
         limited.withdraw = home.schedule(Home.nanosOf(timeout), limited::expire, limited::abandon);
         source.register(new Ending(limited));
         return limited;
     }
 
-    private static String asker() {
+    private static String caller() {
         Home here = Home.current();
         return here == null
                 ? "thread " + Thread.currentThread().getName()
@@ -49,8 +49,8 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
 
     private void expire() {
         var error = new TimeoutException(
-                "no answer to " + asker + " within " + timeout + " from " + source + PromiseText.progress(source));
-        expired = true; // before, so that a failure of the source is reported from the moment this is settled
+                "no answer to " + caller + " within " + timeout + " from " + source + PromiseText.progress(source));
+        expired = true; // set before settling: a failure of the source must be reported from the moment this is settled
         if (settleError(error)) {
             source.timedOut();
         } else {
@@ -101,11 +101,11 @@ final class Limited<T extends @Nullable Object> extends Promise<T> {
         return PromiseText.describe(this);
     }
 
-    /** Takes the time-out back, and passes the outcome on. */
+    /** Cancels the timer and passes the outcome on. */
     private static final class Ending extends Follower {
-        private final Limited<?> limited;
+        private final TimeLimitedPromise<?> limited;
 
-        Ending(Limited<?> limited) {
+        Ending(TimeLimitedPromise<?> limited) {
             super(limited);
             this.limited = limited;
         }

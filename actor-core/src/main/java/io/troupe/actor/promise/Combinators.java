@@ -8,9 +8,12 @@ import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.jspecify.annotations.Nullable;
 
-/** Promises about several promises. They belong to the calling space, else to the first one that a part belongs to. */
-final class Gather {
-    private Gather() {}
+/**
+ * Combinators over several promises. The result belongs to the calling space, else to the home of the first part that
+ * has one.
+ */
+final class Combinators {
+    private Combinators() {}
 
     private static <P> List<P> parts(Collection<? extends P> promises) {
         var parts = new ArrayList<P>(Objects.requireNonNull(promises, "promises"));
@@ -42,7 +45,7 @@ final class Gather {
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new Relay(
+            part.register(new InlineListener(
                     () -> {
                         Throwable error = part.error();
                         if (error != null) {
@@ -67,7 +70,7 @@ final class Gather {
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new Relay(
+            part.register(new InlineListener(
                     () -> {
                         if (pending.decrementAndGet() == 0) {
                             var outcomes = new ArrayList<Outcome<T>>(parts.size());
@@ -88,7 +91,7 @@ final class Gather {
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new Relay(
+            part.register(new InlineListener(
                     () -> {
                         if (!part.isRejected()) {
                             first.resolve(Stage.present(part.getNow()));
@@ -114,7 +117,7 @@ final class Gather {
         return first;
     }
 
-    @SuppressWarnings("unchecked") // an outcome is read only
+    @SuppressWarnings("unchecked") // an outcome is read-only
     private static <T extends @Nullable Object> Outcome<T> widen(Outcome<? extends T> outcome) {
         return (Outcome<T>) outcome;
     }

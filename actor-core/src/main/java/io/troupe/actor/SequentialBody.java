@@ -8,25 +8,25 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * One body that may wait, and its thread; see {@link Sequences}. The baton is one volatile flag, which passes on all
- * that was written before.
+ * One sequential body and its thread; see {@link SequentialBodies}. Control passes between the space's thread and the
+ * body's thread by one volatile flag, which also publishes all earlier writes.
  *
- * <p>{@link #go} and {@link #live} are called near the beginning of a stack, but {@link #giveBack} anywhere in a body,
- * also where the stack ends.
+ * <p>{@link #resume} and {@link #run} are called near the bottom of a stack, but {@link #yieldControl} anywhere in a
+ * body, even where its stack is nearly exhausted.
  */
-final class Sequence<T extends @Nullable Object> {
+final class SequentialBody<T extends @Nullable Object> {
     private final SpaceHome space;
     private final Owner owner;
     private final Callable<? extends T> body;
     private final Deferred<T> end;
-    private volatile boolean given; // whether the body has the baton
-    private @Nullable Thread giver;
+    private volatile boolean hasControl; // true while the body has control
+    private @Nullable Thread spaceThread;
     private @Nullable Thread thread;
     private boolean begun;
     private volatile boolean over;
     private @Nullable RuntimeException cancelled;
 
-    Sequence(SpaceHome space, Owner owner, Callable<? extends T> body, Deferred<T> end) {
+    SequentialBody(SpaceHome space, Owner owner, Callable<? extends T> body, Deferred<T> end) {
         this.space = space;
         this.owner = owner;
         this.body = body;
@@ -37,26 +37,27 @@ final class Sequence<T extends @Nullable Object> {
         return owner;
     }
 
-    /** Whether the body has returned or thrown; any thread. */
+    /** True if the body has returned or thrown; any thread. */
     boolean hasEnded() {
         return over;
     }
 
     /** Lets the body run until it ends or waits; on the space's thread. */
-    void go() {
+    void resume() {
         if (over) {
             return;
         }
-        giver = Thread.currentThread();
-        given = true;
+        spaceThread = Thread.currentThread();
+        hasControl = true;
         if (begun) {
             LockSupport.unpark(thread);
         } else if (!begin()) {
             return;
         }
         boolean interrupted = false;
-        while (given) {
-            LockSupport.parkNanos(this, Lifeline.LONGEST_SLEEP_NANOS); // the body may be unable to wake it
+        while (hasControl) {
+            LockSupport.parkNanos(
+                    this, IdleStrategy.LONGEST_SLEEP_NANOS); // limited, because the body may be unable to wake it
             interrupted |= Thread.interrupted();
         }
         if (interrupted) {
@@ -64,34 +65,33 @@ final class Sequence<T extends @Nullable Object> {
         }
     }
 
-    /** False if there is no thread for it, which is the body's error. */
+    /** Starts the body; false if there is no thread for it, which rejects the body's promise. */
     private boolean begin() {
         begun = true;
         try {
-            HelperThreads.run(space + "-sequential", this::live);
+            HelperThreads.run(space + "-sequential", this::run);
             return true;
         } catch (Throwable noThread) {
-            given = false;
+            hasControl = false;
             end.reject(noThread);
             return false;
         }
     }
 
-    /** Lets the space's thread run until it lets the body go on; on the body's thread. */
-    void giveBack() {
+    /** Passes control to the space's thread until it lets the body continue; on the body's thread. */
+    void yieldControl() {
         Thread mine = Thread.currentThread();
-        LockSupport.unpark(
-                mine); // if the stack is too short for waiting, that shows here, while the body still has the baton
+        LockSupport.unpark(mine); // if the stack is too short for waiting, this throws while the body still has control
         LockSupport.park(this);
-        space.handThreadTo(giver);
-        given = false;
+        space.handThreadTo(spaceThread);
+        hasControl = false;
         try {
-            LockSupport.unpark(giver);
+            LockSupport.unpark(spaceThread);
         } catch (StackOverflowError endOfTheBodysStack) {
-            // the giver looks by itself, and the body has to wait all the same
+            // the other thread checks the flag by itself, and the body must wait in any case
         }
         boolean interrupted = false;
-        while (!given) {
+        while (!hasControl) {
             LockSupport.park(this);
             interrupted |= Thread.interrupted();
         }
@@ -101,7 +101,7 @@ final class Sequence<T extends @Nullable Object> {
         }
     }
 
-    /** The next wait, or the one that it is in, ends with this exception. */
+    /** Makes the current or the next wait end with this exception. */
     void cancel(RuntimeException reason) {
         cancelled = reason;
     }
@@ -110,12 +110,12 @@ final class Sequence<T extends @Nullable Object> {
         if (cancelled != null) {
             throw cancelled;
         }
-        if (owner instanceof Life life && life.isOver()) {
+        if (owner instanceof Incarnation life && life.isOver()) {
             throw new CancellationException("the actor " + life + " has stopped while a body of it waited");
         }
     }
 
-    void live() {
+    void run() {
         thread = Thread.currentThread();
         try {
             space.takeThread();
@@ -124,9 +124,10 @@ final class Sequence<T extends @Nullable Object> {
             space.reports().error("a sequential body", space, broken, null);
         } finally {
             over = true;
-            space.handThreadTo(giver); // this thread may run a body of another space before the giver wakes
-            given = false;
-            LockSupport.unpark(giver);
+            space.handThreadTo(
+                    spaceThread); // this thread may run a body of another space before the other thread wakes up
+            hasControl = false;
+            LockSupport.unpark(spaceThread);
         }
     }
 

@@ -11,41 +11,41 @@ import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The bodies of a space that are written as if they could wait. Each has one of the {@link HelperThreads} to itself,
- * but runs only while it holds the space's baton: the space's thread hands it over and does nothing until it comes
- * back, so that never more than one of them runs. On the thread that holds the baton.
+ * The sequential bodies of a space, a form of coroutine. Each occupies one of the {@link HelperThreads}, but runs only
+ * while it has control of the space: the space's thread passes control to it, and does nothing until control is
+ * returned, so that only one of these threads runs at a time. On the thread that has control.
  */
-final class Sequences {
+final class SequentialBodies {
     private final SpaceHome space;
-    private final Set<Sequence<?>> waiting = new LinkedHashSet<>();
-    private @Nullable Sequence<?> running;
+    private final Set<SequentialBody<?>> waiting = new LinkedHashSet<>();
+    private @Nullable SequentialBody<?> running;
 
-    Sequences(SpaceHome space) {
+    SequentialBodies(SpaceHome space) {
         this.space = space;
     }
 
     <T extends @Nullable Object> Promise<T> start(Callable<? extends T> body, Owner owner) {
         var end = new Deferred<T>(space);
-        var sequence = new Sequence<T>(space, owner, body, end);
-        space.enqueueMail(new Entry(() -> lend(sequence), () -> end.reject(closed())));
+        var sequence = new SequentialBody<T>(space, owner, body, end);
+        space.enqueueMessage(new Entry(() -> lend(sequence), () -> end.reject(closed())));
         return end;
     }
 
-    /** Gives the baton to a body until it ends or waits for something. */
-    private void lend(Sequence<?> sequence) {
+    /** Passes control to a body until it ends or waits. */
+    private void lend(SequentialBody<?> sequence) {
         waiting.remove(sequence);
         running = sequence;
         space.beginTurnOf(sequence.owner());
         try {
-            sequence.go();
+            sequence.resume();
         } finally {
             running = null;
         }
     }
 
-    /** The body that is calling waits until the promise is settled. */
+    /** Suspends the calling body until the promise is settled. */
     void await(Promise<?> promise) {
-        Sequence<?> sequence = running;
+        SequentialBody<?> sequence = running;
         if (sequence == null) {
             throw new IllegalStateException(
                     "await() would stop the whole space, and with it whoever could settle " + promise
@@ -56,10 +56,10 @@ final class Sequences {
                 promise,
                 sequence::hasEnded,
                 () -> space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));
-        while (!promise.isDone()) { // it may be resumed for one that it does not wait for any more
+        while (!promise.isDone()) { // it may be resumed for a promise that it no longer waits for
             waiting.add(sequence);
             try {
-                sequence.giveBack();
+                sequence.yieldControl();
             } finally {
                 waiting.remove(sequence);
             }
@@ -67,14 +67,14 @@ final class Sequences {
         }
     }
 
-    private void resume(Sequence<?> sequence) {
+    private void resume(SequentialBody<?> sequence) {
         if (waiting.contains(sequence)) {
             lend(sequence);
         } // else it was cancelled before
     }
 
-    /** The bodies of one instance of an actor that is over do not wait any longer. */
-    void cancelThoseOf(Life life) {
+    /** Resumes the bodies of an incarnation that has ended; their waits throw. */
+    void cancelThoseOf(Incarnation life) {
         for (var sequence : List.copyOf(waiting)) {
             if (sequence.owner() == life) {
                 space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence)));
@@ -82,12 +82,12 @@ final class Sequences {
         }
     }
 
-    /** How many have begun and not ended, the running one left out. */
+    /** The number of bodies that have begun and not ended, without the running one. */
     int count() {
         return waiting.size();
     }
 
-    /** The space is closed: nobody waits any longer. */
+    /** Called when the space is closed: cancels all waiting bodies. */
     void cancelAll() {
         for (var sequence : List.copyOf(waiting)) {
             sequence.cancel(closed());

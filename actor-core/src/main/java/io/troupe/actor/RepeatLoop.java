@@ -8,14 +8,14 @@ import java.util.function.BooleanSupplier;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** A loop that shares the thread: each round is a turn of the space. */
-final class Repetition {
+/** A loop that shares the thread: each round is one turn of the space. */
+final class RepeatLoop {
     private final ActorSpace space;
     private final BooleanSupplier condition;
     private final Supplier<? extends @Nullable Promise<?>> body;
     private final Deferred<@Nullable Void> end = new Deferred<>();
 
-    private Repetition(ActorSpace space, BooleanSupplier condition, Supplier<? extends @Nullable Promise<?>> body) {
+    private RepeatLoop(ActorSpace space, BooleanSupplier condition, Supplier<? extends @Nullable Promise<?>> body) {
         this.space = space;
         this.condition = Objects.requireNonNull(condition, "condition");
         this.body = Objects.requireNonNull(body, "body");
@@ -24,7 +24,7 @@ final class Repetition {
     static Promise<@Nullable Void> start(
             ActorSpace space, BooleanSupplier condition, Supplier<? extends @Nullable Promise<?>> body) {
         space.checkCurrent("repeatWhile(..)");
-        var repetition = new Repetition(space, condition, body);
+        var repetition = new RepeatLoop(space, condition, body);
         repetition.round();
         return repetition.end;
     }
@@ -42,17 +42,17 @@ final class Repetition {
             if (step == null) {
                 nextTurn(() -> end.reject(new CancellationException("the actor of this loop has stopped")));
             } else {
-                Retrial.next(space, step, this::next, end);
+                Retry.next(space, step, this::next, end);
             }
         } catch (Throwable thrown) {
             end.reject(thrown);
         }
     }
 
-    /** The next round, in a turn of its own, on behalf of the actor that is running now. */
+    /** Queues the next round as a separate turn, on behalf of the current actor. */
     private void nextTurn(Runnable ifStopped) {
-        Life life = space.currentOwner() instanceof Life mine ? mine : null;
-        space.enqueueMail(new Entry(
+        Incarnation life = space.currentOwner() instanceof Incarnation mine ? mine : null;
+        space.enqueueMessage(new Entry(
                 () -> {
                     if (life == null) {
                         space.runGuarded(this::round);

@@ -1,11 +1,11 @@
 package io.troupe.actor.promise;
 
-/** Something that another thread wants done to a promise on the thread of its home. */
-final class Errand extends Node {
+/** An operation on a local promise, posted by another thread to the promise's home. */
+final class PostedAction extends Node {
     private final Home home;
     private final Runnable action;
 
-    Errand(Home home, Runnable action) {
+    PostedAction(Home home, Runnable action) {
         this.home = home;
         this.action = action;
     }

@@ -8,8 +8,8 @@ import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** Tries again and again. A loop, so that it keeps nothing of the tries that have failed. */
-final class Retrial<T extends @Nullable Object> {
+/** Repeats an attempt until it succeeds. A loop, so that it retains nothing of failed attempts. */
+final class Retry<T extends @Nullable Object> {
     private final ActorSpace space;
     private final Duration pause;
     private final Supplier<? extends Promise<? extends T>> attempt;
@@ -17,7 +17,7 @@ final class Retrial<T extends @Nullable Object> {
     private int left;
     private volatile @Nullable Promise<?> pausing;
 
-    private Retrial(ActorSpace space, int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
+    private Retry(ActorSpace space, int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
         this.space = space;
         this.left = tries;
         this.pause = Objects.requireNonNull(pause, "pause");
@@ -27,7 +27,7 @@ final class Retrial<T extends @Nullable Object> {
 
     static <T extends @Nullable Object> Promise<T> start(
             ActorSpace space, int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {
-        var retrial = new Retrial<T>(space, tries, pause, attempt);
+        var retrial = new Retry<T>(space, tries, pause, attempt);
         retrial.tryNow();
         return retrial.end;
     }
@@ -54,7 +54,7 @@ final class Retrial<T extends @Nullable Object> {
             pausing = delay;
             next(space, delay, this::paused, end);
             if (end.isDone()) {
-                delay.cancel(); // it was cancelled while the pause began
+                delay.cancel(); // cancelled while the pause began
             }
         }
         return null;
@@ -70,8 +70,8 @@ final class Retrial<T extends @Nullable Object> {
     }
 
     /**
-     * The next step of a loop. The listener is not called if the actor on whose behalf it is registered stops
-     * meanwhile; then the loop's promise is rejected.
+     * Registers the next step of a loop. If the actor on whose behalf it is registered stops first, the listener is not
+     * called, and the loop's promise is rejected.
      */
     static void next(
             ActorSpace space,
