@@ -21,7 +21,7 @@ import java.util.Objects;
 final class DeviceConversion {
     private DeviceConversion() {}
 
-    static DataMessage data(PortDevice device, WorldSpec world, Snapshot now) {
+    static DeviceDataMessage data(PortDevice device, WorldSpec world, Snapshot now) {
         RobotReading reading = now.robots().get(device.robot());
         DeviceData data = switch (device.type()) {
             case POSITION2D -> position(reading.odometry());
@@ -39,7 +39,7 @@ final class DeviceConversion {
             case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
             case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
         };
-        return new DataMessage(device.address(), now.timeMicros() / 1e6, data);
+        return new DeviceDataMessage(device.address(), now.timeMicros() / 1e6, data);
     }
 
     /** True if a device is the robot's sonar ring, offered as a ranger. */

@@ -97,11 +97,11 @@ final class AppReport implements ComponentObserver {
                 print(
                         "connected",
                         it.need().by() + " with " + it.provider().provider().name() + words(it.wires()));
-            case ApplicationEvent.Lost it -> say("lost", it.why().getMessage());
+            case ApplicationEvent.Lost it -> print("lost", it.why().getMessage());
             case ApplicationEvent.Forwarded it -> forwarded(it);
             case ApplicationEvent.Replaced it ->
-                say("replaced", it.what().old() + " by " + it.what().by());
-            case ApplicationEvent.NotReplaced it -> say("not replaced", it.why().getMessage());
+                print("replaced", it.what().old() + " by " + it.what().by());
+            case ApplicationEvent.NotReplaced it -> print("not replaced", it.why().getMessage());
         }
     }
 
@@ -129,12 +129,12 @@ final class AppReport implements ComponentObserver {
 
     @Override
     public void info(Address component, String what) {
-        say("told", component.name() + ": " + what);
+        print("told", component.name() + ": " + what);
     }
 
     /** Called for each {@code ColourSeen} that a component publishes. */
     void saw(String component, ColourSeen seen) {
-        say("seen", component + " sees " + NamedColours.name(seen.colour()));
+        print("seen", component + " sees " + NamedColours.name(seen.colour()));
     }
 
     // ---- the summary
