@@ -4,6 +4,7 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Timer;
+import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -477,5 +478,32 @@ public final class ActorCell {
     public String toString() {
         String name = settings.name();
         return name != null ? name : type.getSimpleName() + "#" + number;
+    }
+
+    /** Counts an actor's failures within the window of its supervision. On the space's thread. */
+    private static final class FailureCount {
+        private final Supervision supervision;
+        private final ArrayDeque<Long> recent = new ArrayDeque<>();
+
+        FailureCount(Supervision supervision) {
+            this.supervision = supervision;
+        }
+
+        /** Counts a failure and returns the directive for it. */
+        Supervision.Directive note(long nowNanos) {
+            if (supervision.limit() == Integer.MAX_VALUE) {
+                return supervision.directive();
+            }
+            while (!recent.isEmpty() && isOver(nowNanos - recent.peekFirst())) {
+                recent.removeFirst();
+            }
+            recent.addLast(nowNanos);
+            return recent.size() > supervision.limit() ? Supervision.Directive.STOP : supervision.directive();
+        }
+
+        /** Compares durations: a window may exceed the range of nanoseconds in a long. */
+        private boolean isOver(long agoNanos) {
+            return Duration.ofNanos(agoNanos).compareTo(supervision.window()) >= 0;
+        }
     }
 }

@@ -2,7 +2,9 @@ package io.troupe.actor;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Home;
+import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.TimerWheel;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.time.Duration;
@@ -40,7 +42,7 @@ final class Closing {
     private volatile boolean rejecting; // true while a thread rejects leftovers
     private final CountDownLatch ended = new CountDownLatch(1);
     private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
-    private final LeftoverDrain last;
+    private final Drain last;
     private final List<Runnable> steps; // created in advance, so that closing needs little memory
     private int bodies;
     private volatile @Nullable Leftovers leftovers;
@@ -62,7 +64,7 @@ final class Closing {
         this.dispatcher = dispatcher;
         this.idle = idle;
         this.rejections = rejections;
-        last = new LeftoverDrain(space, dispatcher);
+        last = new Drain(space, dispatcher);
         steps = List.of(
                 this::stopActors,
                 this::stopBodies,
@@ -192,7 +194,7 @@ final class Closing {
             }
             try {
                 space.enter();
-                new LeftoverDrain(space, dispatcher).rejectAll();
+                new Drain(space, dispatcher).rejectAll();
                 rejections.report();
             } finally {
                 try {
@@ -227,5 +229,99 @@ final class Closing {
         Thread busy = space.servingThread();
         StackTraceElement[] stack = busy == null ? new StackTraceElement[0] : busy.getStackTrace();
         return stack.length == 0 ? "" : " at " + stack[0];
+    }
+
+    /** Rejects and counts what is left in the queues of a closed space. On the thread that acts for the space. */
+    private static final class Drain {
+        private final SpaceHome space;
+        private final Dispatcher dispatcher;
+        private final List<String> examples = new ArrayList<>();
+        private int messages;
+        private int requests;
+        private int tasks;
+        private int timers;
+
+        Drain(SpaceHome space, Dispatcher dispatcher) {
+            this.space = space;
+            this.dispatcher = dispatcher;
+        }
+
+        void dropTimers(TimerWheel wheel) {
+            timers += space.timers().closeOutside();
+            for (Runnable task : wheel.clear()) {
+                timers++;
+                if (task instanceof SpaceTimers.Expiry expiry) {
+                    space.runGuarded(expiry.ifClosed());
+                }
+            }
+        }
+
+        void dropIdleActions() {
+            for (int count = dispatcher.takeIdleActions().size(); count > 0; count--) {
+                tasks++;
+                rejectTask();
+            }
+        }
+
+        private void rejectTask() {
+            space.reports().deadLetter(new DeadLetter(space.toString(), "a task", "space " + space + " is closed"));
+        }
+
+        /** Rejects entries until the queues are empty; rejecting one may queue others. */
+        void rejectAll() {
+            for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
+                try {
+                    reject(node);
+                } catch (Throwable broken) { // for example no memory: the entries behind it are still rejected
+                    space.reports().error("turning away what waited in space", space, broken, null);
+                }
+            }
+        }
+
+        private void reject(Node node) {
+            switch (node) {
+                case Message ticket -> count(ticket.receiver().callOf(ticket));
+                case Request<?> ticket -> count(ticket.receiver().callOf(ticket));
+                case Entry entry -> {
+                    reject(entry);
+                    return;
+                }
+                default -> {}
+            }
+            dispatcher.serve(node); // its actor has stopped and rejects the call
+        }
+
+        private void count(Node call) {
+            if (call instanceof Message message) {
+                messages++;
+                note(message + " to " + message.receiver());
+            } else if (call instanceof Request<?> request && !request.isDone()) {
+                requests++;
+                note(request.toString());
+            }
+        }
+
+        private void reject(Entry entry) {
+            Runnable ifClosed = entry.ifClosed();
+            if (SpaceHome.goesToMailbox(entry)) {
+                tasks++;
+            }
+            if (ifClosed != null) {
+                space.runGuarded(ifClosed);
+            } else {
+                rejectTask();
+            }
+        }
+
+        private void note(String call) {
+            if (examples.size() < Leftovers.EXAMPLES) {
+                examples.add(call);
+            }
+        }
+
+        Leftovers leftovers(int sequences) {
+            space.closing.openExamples().forEach(this::note);
+            return new Leftovers(messages, requests, space.closing.openRequests(), tasks, timers, sequences, examples);
+        }
     }
 }

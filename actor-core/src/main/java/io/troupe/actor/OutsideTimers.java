@@ -34,7 +34,7 @@ final class OutsideTimers {
      *
      * @return cancels it
      */
-    Runnable schedule(long delayNanos, Expiry expiry) {
+    Runnable schedule(long delayNanos, SpaceTimers.Expiry expiry) {
         var delay = new Delay(expiry);
         pending.add(delay);
         try {
@@ -90,9 +90,9 @@ final class OutsideTimers {
 
     /** One delay, compared by identity. */
     private final class Delay implements Runnable {
-        private final Expiry expiry;
+        private final SpaceTimers.Expiry expiry;
 
-        Delay(Expiry expiry) {
+        Delay(SpaceTimers.Expiry expiry) {
             this.expiry = expiry;
         }
 

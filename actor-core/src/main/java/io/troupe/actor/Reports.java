@@ -1,5 +1,7 @@
 package io.troupe.actor;
 
+import io.troupe.actor.RecorderEvents.DeadLetterEvent;
+import io.troupe.actor.RecorderEvents.ErrorEvent;
 import io.troupe.actor.promise.Node;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.LongAdder;

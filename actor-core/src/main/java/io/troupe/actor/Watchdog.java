@@ -1,5 +1,7 @@
 package io.troupe.actor;
 
+import io.troupe.actor.RecorderEvents.SpaceFiguresEvent;
+import io.troupe.actor.RecorderEvents.StallEvent;
 import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.List;

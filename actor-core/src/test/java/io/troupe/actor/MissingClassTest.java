@@ -100,7 +100,8 @@ class MissingClassTest {
 
     @Test
     void stall_isReportedWithoutTheClassOfTheFigures() throws Exception {
-        assertThat(callWithout(SpaceFiguresEvent.class, Stalling.class)).isEqualTo(true);
+        assertThat(callWithout(RecorderEvents.SpaceFiguresEvent.class, Stalling.class))
+                .isEqualTo(true);
     }
 
     @Test

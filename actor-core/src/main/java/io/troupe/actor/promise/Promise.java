@@ -1,5 +1,6 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.promise.SettledState.Rejection;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.List;

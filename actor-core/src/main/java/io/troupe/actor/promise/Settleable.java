@@ -1,5 +1,8 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.promise.Owner.OpenRequest;
+import io.troupe.actor.promise.SettledState.PendingNotification;
+import io.troupe.actor.promise.SettledState.Rejection;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Objects;
@@ -546,6 +549,35 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             stage.dispatch();
         } else {
             DetachedListeners.run(listener);
+        }
+    }
+
+    /** An operation on a local promise, posted by another thread to the promise's home. */
+    private static final class PostedAction extends Node {
+        private final Home home;
+        private final Runnable action;
+
+        PostedAction(Home home, Runnable action) {
+            this.home = home;
+            this.action = action;
+        }
+
+        @Override
+        protected void run() {
+            home.beginForItself();
+            action.run();
+        }
+    }
+
+    /** Sentinel: the promise was already settled. */
+    static final class AlreadySettled extends Node {
+        static final Node INSTANCE = new AlreadySettled();
+
+        private AlreadySettled() {}
+
+        @Override
+        protected void run() {
+            throw new IllegalStateException("the sign of a refused claim is never run");
         }
     }
 }

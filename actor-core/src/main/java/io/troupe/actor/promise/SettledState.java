@@ -1,6 +1,10 @@
 package io.troupe.actor.promise;
 
-/** A settled state that is not the value itself. */
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicReference;
+import org.jspecify.annotations.Nullable;
+
+/** The settled states of a promise that are not the value itself; see the table in {@link Settleable}. */
 abstract class SettledState {
     /** Wraps a value that would be mistaken for another state. */
     static final class Boxed extends SettledState {
@@ -12,6 +16,115 @@ abstract class SettledState {
 
         Object value() {
             return value;
+        }
+    }
+
+    /** The error of a rejected promise, and whether a listener received it. */
+    static final class Rejection extends SettledState {
+        private final Throwable error;
+        private volatile boolean handled;
+
+        Rejection(Throwable error) {
+            this.error = error;
+        }
+
+        Throwable error() {
+            return error;
+        }
+
+        void markHandled() {
+            handled = true;
+        }
+
+        boolean isHandled() {
+            return handled;
+        }
+    }
+
+    /**
+     * The state of a promise that was settled by a thread other than that of some listener. While its listeners are
+     * being notified, a late listener is appended to the queue. After that, until every listener has run, later
+     * listeners go through the inbox of their home as the earlier ones did: an entry that the home queues for itself
+     * would overtake them.
+     */
+    static final class PendingNotification extends SettledState {
+        private final Object outcome;
+        private final AtomicReference<@Nullable Node> late = new AtomicReference<>();
+        private final AtomicInteger onTheirWay = new AtomicInteger();
+
+        PendingNotification(Object outcome, Node listeners) {
+            this.outcome = outcome;
+            for (Node node = listeners; node != null; node = node.next) {
+                if (node instanceof Stage) {
+                    onTheirWay.incrementAndGet();
+                }
+            }
+        }
+
+        /** Counts a listener that has not run yet; true if there are others. */
+        boolean countListener(Node listener) {
+            return listener instanceof Stage && onTheirWay.getAndIncrement() > 0;
+        }
+
+        /** Called when a listener runs. */
+        void listenerRuns() {
+            onTheirWay.decrementAndGet();
+        }
+
+        /** True if the home of some listener may be running concurrently with the calling thread. */
+        static boolean isNeeded(Node newest) {
+            for (Node node = newest; node != null; node = node.next) {
+                if (node instanceof Stage<?, ?> stage && stage.isElsewhere()) {
+                    return true;
+                }
+            }
+            return false;
+        }
+
+        Object outcome() {
+            return outcome;
+        }
+
+        /** Appends a late listener; false once all listeners have been notified. */
+        boolean append(Node listener) {
+            while (true) {
+                Node now = late.get();
+                if (now == Settleable.AlreadySettled.INSTANCE) {
+                    return false;
+                }
+                listener.next = now;
+                if (late.compareAndSet(now, listener)) {
+                    return true;
+                }
+            }
+        }
+
+        /** The last entry of the queue: closes it, or lets late listeners go first. */
+        static final class End extends Node {
+            private final PendingNotification notification;
+
+            End(PendingNotification notification, Node listeners) {
+                this.notification = notification;
+                this.next = listeners;
+            }
+
+            /**
+             * The late listeners, newest first, with this end behind them. If there are none, closes the queue and
+             * returns null.
+             */
+            @Nullable
+            Node closeOrTakeLate() {
+                if (notification.late.compareAndSet(null, Settleable.AlreadySettled.INSTANCE)) {
+                    return null;
+                }
+                next = notification.late.getAndSet(null);
+                return this;
+            }
+
+            @Override
+            protected void run() {
+                throw new IllegalStateException("the end of a line is never run");
+            }
         }
     }
 }

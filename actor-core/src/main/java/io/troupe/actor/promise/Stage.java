@@ -1,5 +1,6 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.promise.SettledState.Rejection;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.BiConsumer;

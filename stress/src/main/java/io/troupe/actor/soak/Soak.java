@@ -4,6 +4,7 @@ import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -39,10 +40,9 @@ final class Soak {
      * @return the problems found; empty if there are none
      */
     List<String> run() throws InterruptedException {
-        var heap =
-                new HeapWatch(options
-                        .heapBoundMib()); // created before both runs, so that neither counts what it retains as part of
-                                          // its beginning
+        var heap = new HeapWatch(
+                options.heapBoundMib()); // created before both runs, so that neither counts what it retains as part of
+        // its beginning
         run("unbounded", ActorSettings.DEFAULT, false, heap);
         run("bounded", ActorSettings.DEFAULT.withMailbox(options.capacity(), Overflow.BLOCK), true, heap);
         if (heap.isExceeded()) {
@@ -112,5 +112,34 @@ final class Soak {
         double seconds = (System.nanoTime() - beginNanos) / 1e9;
         out.accept("%-9s %,11d of %,d messages, %5.1f s, %.2f million/s, heap %.1f MiB"
                 .formatted(mailbox, taken, expected, seconds, taken / seconds / 1e6, heap.sampleMib()));
+    }
+
+    /** Forwards every message to an actor in another space. */
+    private static final class Forwarder implements Sink {
+        private final Sink target;
+
+        Forwarder(Sink target) {
+            this.target = target;
+        }
+
+        @Override
+        public void take(int producer, long number) {
+            target.take(producer, number);
+        }
+
+        @Override
+        public Promise<Long> taken(int producer) {
+            return target.taken(producer);
+        }
+
+        @Override
+        public Promise<Long> takenInAll() {
+            return target.takenInAll();
+        }
+
+        @Override
+        public Promise<List<String>> faults() {
+            return target.faults();
+        }
     }
 }
