@@ -15,7 +15,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 
-/** The paper's arena, for main code that is to be compared with other main code. */
+/** Runs main code in the paper's arena, so that tests can compare runs. */
 final class Drives {
     static final Path WORLD = Path.of("worlds", "paper-arena.world");
     static final int TICKS = 1_500;
@@ -26,7 +26,7 @@ final class Drives {
         return space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
     }
 
-    /** Writes states, and colours before them, as the paper's code prints them. */
+    /** Records states, and the colours before them, in the format of the paper's code. */
     static Arbitrator.StateListener printer(String colourPrefix, List<String> lines) {
         return (state, seenBy) -> {
             if (seenBy != null) {
@@ -36,7 +36,7 @@ final class Drives {
         };
     }
 
-    /** What is added gets the simulated time in front. */
+    /** A list that puts the simulated time in front of each added line. */
     static List<String> stamped(Clock clock, List<String> lines) {
         return new java.util.AbstractList<>() {
             @Override

@@ -15,7 +15,7 @@ import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The paper's main code in synchronous mode drives the robots, and comes to the same as our own loop. */
+/** Tests that the paper's main code in synchronous mode drives the robots like our own loop. */
 @Timeout(120)
 class Figure14Test {
     private static Simulation open() {

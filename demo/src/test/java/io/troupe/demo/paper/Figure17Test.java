@@ -12,7 +12,7 @@ import java.util.ArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** The paper's main code in callback mode drives the robots, and comes to the same as our own arbitrator. */
+/** Tests that the paper's main code in callback mode drives the robots like our own arbitrator. */
 @Timeout(120)
 class Figure17Test {
     @Test

@@ -15,10 +15,7 @@ import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/**
- * The paper's connection with robot 1, and the check that solves its first challenge: data are ready before a service
- * begins.
- */
+/** Tests the paper's connection with robot 1, and its first challenge: data are ready before a service starts. */
 @Timeout(60)
 class Figure7Test {
     @Test
@@ -53,8 +50,8 @@ class Figure7Test {
                 ;
             assertThat(rngi1.getData().getRanges()).hasSize(16);
             assertThat(posi1.getX()).isZero();
-            assertThat(blfi1.getData().getBlobs_count()).isZero(); // nothing within its 2 m
-            assertThat(rngi1.isDataReady()).isFalse(); // nothing newer: that is the answer to the tick
+            assertThat(blfi1.getData().getBlobs_count()).isZero(); // no blob within its range of 2 m
+            assertThat(rngi1.isDataReady()).isFalse(); // no newer data: this answers the tick
             world.join();
             robot.close();
         }

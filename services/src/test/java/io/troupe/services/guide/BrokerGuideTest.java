@@ -25,9 +25,9 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-/** The samples of docs/guide/07-components-bus-broker.md that are about the broker, run. */
+/** Runs the samples about the broker in docs/guide/07-components-bus-broker.md. */
 class BrokerGuideTest {
-    /** A component that does nothing but say so. */
+    /** A component that only records its calls. */
     private static final class Camera implements Provider {
         private final List<String> shown;
 

@@ -40,7 +40,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** The samples of docs/guide/07-components-bus-broker.md that are about components, the bus and applications. */
+/** Runs the samples about components, the bus and applications in docs/guide/07-components-bus-broker.md. */
 class ComponentsGuideTest {
     private final TestSpace test = new TestSpace();
     private final Bus bus = InProcessBus.open("house", BusSettings.on(test.space()));
@@ -55,7 +55,7 @@ class ComponentsGuideTest {
     static final Topic<Temperature> TEMPERATURE = new Topic<>("hall/temperature", Temperature.class);
     static final Topic<Label> LABEL = new Topic<>("hall/label", Label.class);
 
-    /** Somebody else's package: it has its own data, and calls back. */
+    /** A class of another library, with data types and callbacks that differ from ours. */
     private static final class Thermometer {
         private boolean on;
         private String label = "";
