@@ -18,8 +18,8 @@ import java.util.List;
 
 /**
  * The main code of the paper in synchronous mode: Figure 14 for state 1, and the same for states 2 and 3, which the
- * paper does not print. What had to change is listed in {@code docs/guide/02-the-papers-code.md}; lines marked [n] are
- * the ones listed there.
+ * paper does not print. The changes are listed in {@code docs/guide/02-the-papers-code.md}; [n] marks the lines of that
+ * list.
  */
 final class Demo1 implements Runnable {
     private final List<String> printed; // [1] instead of System.out, so that a test can read it
@@ -30,7 +30,7 @@ final class Demo1 implements Runnable {
     private Position2DInterface posi;
     private SonarInterface rngi;
     private BlobfinderInterface blfi;
-    private Behaviour wallF; // [2] the services' memory: what they have done in this state
+    private Behaviour wallF; // [2] the services' memory; new in each state
     private Behaviour sw1;
     private Behaviour sw;
     private int color1 = 255;
@@ -40,7 +40,7 @@ final class Demo1 implements Runnable {
         this.printed = printed;
     }
 
-    /** Once: "The connection with the robots is done only single time in the starting of the main code." */
+    /** Called once: "The connection with the robots is done only single time in the starting of the main code." */
     void connect() {
         robot = new PlayerClient("localhost", 6665);
         robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
@@ -99,7 +99,7 @@ final class Demo1 implements Runnable {
         cycle(wallF, position, sonar);
     }
 
-    /** [6] The colour that counts by our rule if it is another than that of the state, else black. */
+    /** [6] The colour that our rule selects, if it differs from the state's own; otherwise black. */
     private int SW(
             Behaviour behaviour, Position2DInterface position, SonarInterface sonar, BlobfinderInterface blobfinder) {
         cycle(behaviour, position, sonar);

@@ -8,8 +8,7 @@ import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * The main code of the paper in callback mode: Figure 17 for state 1, and the same for states 2 and 3, which the paper
- * does not print. What had to change is listed in {@code docs/guide/02-the-papers-code.md}; lines marked [n] are the
- * ones listed there.
+ * does not print. The changes are listed in {@code docs/guide/02-the-papers-code.md}; [n] marks the lines of that list.
  */
 public class Demo2 extends Actor {
     private final RobotServices robot1; // [1] two references to the services class, made as actors
@@ -32,7 +31,7 @@ public class Demo2 extends Actor {
     public void live() {
         if (color2 == 255) {
             printed.add("State 1");
-            // [3] while(!(atomicRefSW2.get()==2)); is in stopAll(), as a promise
+            // [3] while(!(atomicRefSW2.get()==2)); is a promise in stopAll()
             atomicRefWF1.set(1);
 
             atomicRefSW2.set(1);

@@ -7,8 +7,7 @@ import java.util.concurrent.atomic.AtomicReference;
 
 /**
  * The main code of the paper in promise mode: Figure 20 for state 1, and the same for states 2 and 3, which the paper
- * does not print. What had to change is listed in {@code docs/guide/02-the-papers-code.md}; lines marked [n] are the
- * ones listed there.
+ * does not print. The changes are listed in {@code docs/guide/02-the-papers-code.md}; [n] marks the lines of that list.
  */
 public class Demo3 extends Actor {
     private final RobotServices robot1; // [1] two references to the services class, made as actors
@@ -70,9 +69,7 @@ public class Demo3 extends Actor {
         }
     }
 
-    /**
-     * [4] Two wanderers, two promises: the one that saw nothing new, or saw it too late, must not call live() again.
-     */
+    /** [4] Two wanderers return two promises. The second result must not call live() again. */
     private void leaveState3(int result) {
         if (color2 != 65280 || result == 65280) {
             return;

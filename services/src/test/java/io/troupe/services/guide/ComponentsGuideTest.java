@@ -40,7 +40,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** The samples of docs/guide/07-components-bus-broker.md that are about components, the bus and applications. */
+/** Runs the samples about components, the bus and applications in docs/guide/07-components-bus-broker.md. */
 class ComponentsGuideTest {
     private final TestSpace test = new TestSpace();
     private final Bus bus = InProcessBus.open("house", BusSettings.on(test.space()));
