@@ -1,16 +1,16 @@
 package io.troupe.sim;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.player.wire.DataMessage;
+import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
+import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Frame;
 import io.troupe.player.wire.Interfaces;
-import io.troupe.player.wire.LineClosedException;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.ReplaceRule;
 import io.troupe.sim.PortServer.PortDevice;
@@ -103,20 +103,20 @@ final class ClientConnection implements PlayerConnection {
     // ---- called by the simulation, without its lock
 
     void deliver(Snapshot now) {
-        List<DataMessage> messages = simulation.withLockNoNotify(() -> messages(now));
+        List<DeviceDataMessage> messages = simulation.withLockNoNotify(() -> messages(now));
         if (!messages.isEmpty()) {
             sink.frame(new Frame(now.tick(), now.timeMicros() / 1e6, messages));
         }
     }
 
-    private List<DataMessage> messages(Snapshot now) {
+    private List<DeviceDataMessage> messages(Snapshot now) {
         if (closed != null) {
             return List.of();
         }
         if (space != null && !polls) {
             turnTick = now.tick();
         }
-        List<DataMessage> messages = new ArrayList<>(inFrameOrder.size());
+        List<DeviceDataMessage> messages = new ArrayList<>(inFrameOrder.size());
         for (PortDevice device : inFrameOrder) {
             if (device.publishes()) {
                 messages.add(DeviceConversion.data(device, simulation.world().spec(), now));
@@ -298,7 +298,7 @@ final class ClientConnection implements PlayerConnection {
 
     private void checkOpen() {
         if (closed != null) {
-            throw new LineClosedException(closed);
+            throw new ConnectionClosedException(closed);
         }
     }
 

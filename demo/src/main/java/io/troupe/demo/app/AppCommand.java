@@ -2,10 +2,8 @@ package io.troupe.demo.app;
 
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
-import io.troupe.demo.terminal.WorldReading;
-import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.demo.terminal.WorldLoader;
-import io.troupe.services.component.kinds.Kinds;
+import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.sim.scenario.Scenario;
 import java.io.IOException;
 import java.io.PrintWriter;

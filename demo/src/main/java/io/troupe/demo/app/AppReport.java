@@ -96,12 +96,13 @@ final class AppReport implements ComponentObserver {
             case ApplicationEvent.Connected e ->
                 print(
                         "connected",
-                        it.need().by() + " with " + it.provider().provider().name() + words(it.wires()));
+                        e.need().by() + " with " + e.provider().provider().name() + words(e.wires()));
             case ApplicationEvent.Lost it -> print("lost", it.why().getMessage());
             case ApplicationEvent.Forwarded it -> forwarded(it);
             case ApplicationEvent.Replaced it ->
                 print("replaced", it.what().old() + " by " + it.what().by());
-            case ApplicationEvent.NotReplaced it -> print("not replaced", it.why().getMessage());
+            case ApplicationEvent.NotReplaced it ->
+                print("not replaced", it.why().getMessage());
         }
     }
 

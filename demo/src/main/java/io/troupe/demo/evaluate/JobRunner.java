@@ -1,7 +1,7 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.time.Clock;
-import io.troupe.services.subsumption.Colours;
+import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -118,14 +118,14 @@ final class JobRunner {
      */
     static SubsumptionTable oneState() {
         return SubsumptionTable.forRobots(2)
-                .when(Colours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)
+                .when(NamedColours.BLUE, Service.WALL_FOLLOWER, Service.SPACE_WANDERER)
                 .build();
     }
 
     /** Robot 1 alone, in one state that never ends. */
     private static SubsumptionTable alone(Service service) {
         return SubsumptionTable.forRobots(1)
-                .when(Colours.BLUE, service)
+                .when(NamedColours.BLUE, service)
                 .allowFinal()
                 .build();
     }

@@ -1,9 +1,8 @@
 package io.troupe.services.component.application;
 
 import io.troupe.services.broker.Need;
-import io.troupe.services.bus.Topic;
-import io.troupe.services.component.Component;
 import io.troupe.services.bus.BusTopic;
+import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import io.troupe.services.component.application.LineTokens.Token;
 import io.troupe.services.component.kinds.ArgumentException;

@@ -5,8 +5,6 @@ import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.kinds.ComponentKind.Parameter;
-import io.troupe.services.subsumption.Colours;
-import io.troupe.services.component.kinds.Kind.Parameter;
 import io.troupe.services.subsumption.NamedColours;
 import java.util.ArrayList;
 import java.util.List;
