@@ -42,6 +42,19 @@ public final class Repository {
                 .toList();
     }
 
+    /** The Markdown pages of the root, of docs and of the modules, build output left out. */
+    public static List<Path> markdownPages() {
+        try (var files = Files.walk(root())) {
+            return files.filter(file -> file.toString().endsWith(".md"))
+                    .filter(file ->
+                            !root().relativize(file).toString().matches("(?:.*/)?(?:target|build|out|\\.[^/]+)/.*"))
+                    .sorted()
+                    .toList();
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
     private static Stream<Path> javaFilesIn(Path folder) {
         try (var files = Files.walk(folder)) {
             return files.filter(file -> file.toString().endsWith(".java")).sorted().toList().stream();

@@ -38,6 +38,7 @@ import javax.tools.ToolProvider;
  */
 final class HouseFigures {
     static final int COMMENT_COLUMNS = 120;
+    static final int PROSE_COLUMNS = 100;
 
     /**
      * Words by which a comment avoids the noun that a reader would search for: caller, subscriber, listener, notify,
@@ -146,6 +147,41 @@ final class HouseFigures {
             }
         }
         return places;
+    }
+
+    // ---- Markdown
+
+    /**
+     * What is wrong in the prose of a Markdown page: a paragraph that is broken although a line of it is longer than
+     * {@link #PROSE_COLUMNS}, and house words. Code and tables are left out, but words in tables are read.
+     */
+    static List<String> markdownProblems(String page, String text) {
+        List<String> problems = new ArrayList<>();
+        boolean code = false;
+        String open = "";
+        int number = 0;
+        for (String line : text.lines().toList()) {
+            number++;
+            if (line.strip().startsWith("```")) {
+                code = !code;
+                open = "";
+                continue;
+            }
+            if (code) {
+                continue;
+            }
+            boolean begins = line.isBlank() || line.matches("\\s*(?:[-*+] |\\d+\\. |#|\\||>|<|!\\[).*");
+            if (!begins && open.length() > PROSE_COLUMNS) {
+                problems.add(page + ":" + number + ": a broken paragraph with a line of " + open.length() + " columns");
+            }
+            open = line.isBlank() || line.matches("\\s*(?:#|\\||<|!\\[).*") ? "" : line;
+            String words = line.replaceAll("`[^`]*`|\\]\\([^)]*\\)", " ");
+            int at = number;
+            HOUSE_WORDS.forEach((pattern, better) -> pattern.matcher(words)
+                    .results()
+                    .forEach(hit -> problems.add(page + ":" + at + ": \"" + hit.group() + "\", better: " + better)));
+        }
+        return problems;
     }
 
     // ---- the report

@@ -6,8 +6,11 @@ import io.troupe.checks.Repository;
 import io.troupe.checks.house.HouseFigures.Comment;
 import io.troupe.checks.house.HouseFigures.SourceFile;
 import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 
@@ -25,6 +28,46 @@ class HouseTest {
     @Test
     void commentLines_haveAtMost120Columns() {
         assertThat(HouseFigures.longCommentLines(sources)).isEmpty();
+    }
+
+    @Test
+    void topLevelTypesOfMainCode_haveDifferentNames() {
+        assertThat(new HouseFigures(sources).namesThatExistTwice()).isEmpty();
+    }
+
+    @Test
+    void comments_nameThingsByTheirNouns() {
+        assertThat(HouseFigures.houseWordsIn(sources)).isEmpty();
+    }
+
+    @Test
+    void markdownPages_haveParagraphsOfOneLine_andNameThingsByTheirNouns() throws IOException {
+        List<String> problems = new ArrayList<>();
+        List<Path> pages = Repository.markdownPages();
+        assertThat(pages).hasSizeGreaterThan(20);
+        for (Path page : pages) {
+            String name = Repository.root().relativize(page).toString();
+            problems.addAll(HouseFigures.markdownProblems(name, Files.readString(page)));
+        }
+        assertThat(problems).isEmpty();
+    }
+
+    @Test
+    void finder_readsMarkdownProse_butNotCode() {
+        String text = """
+                # Says
+
+                %s
+                more `nobody`
+
+                ```
+                whoever
+                ```
+                """.formatted("long ".repeat(21));
+        assertThat(HouseFigures.markdownProblems("a.md", text))
+                .hasSize(2)
+                .anyMatch(each -> each.startsWith("a.md:1: \"Says\""))
+                .anyMatch(each -> each.startsWith("a.md:4: a broken paragraph"));
     }
 
     @Test
@@ -47,13 +90,7 @@ class HouseTest {
     @Test
     void finder_findsHouseWords_butNotInCode() {
         var comment = new Comment(7, 60, "/** Whoever listens is told; {@code nobody()} is a name. */");
-        var file = new SourceFile(
-                java.nio.file.Path.of("a/src/main/java/A.java"),
-                "a",
-                9,
-                List.of(),
-                List.of(comment),
-                java.util.Set.of());
+        var file = new SourceFile(Path.of("a/src/main/java/A.java"), "a", 9, List.of(), List.of(comment), Set.of());
         assertThat(HouseFigures.houseWordsIn(List.of(file)))
                 .hasSize(2)
                 .anyMatch(each -> each.startsWith("a/src/main/java/A.java:7: \"Whoever\", better: "))
