@@ -30,7 +30,7 @@ class HabitsTest {
             "io.troupe.actor.Watchdog.LOOKS", // the one thread that watches all spaces
             "io.troupe.actor.promise.Home.CURRENT", // the home a thread belongs to, one per thread
             "io.troupe.actor.promise.DetachedListeners.WAITING", // listeners that wait for their turn on a thread
-                                                                 // without a
+            // without a
             // home, one per thread
             "io.troupe.player.PlayerPorts.OPEN"); // the in-process Player ports
 

@@ -49,7 +49,7 @@ final class RemoteConnection implements PlayerConnection {
     private final @Nullable ActorSpace space;
     private final Thread reader;
     private final Clock clock;
-    private final PendingRequests pending;
+    private final PendingReplies pending;
     private final FrameAssembler frames = new FrameAssembler();
     private final Map<DeviceAddress, String> drivers = new ConcurrentHashMap<>();
     private final Queue<Frame> forSpace = new ArrayDeque<>(); // guarded by its own monitor
@@ -75,7 +75,7 @@ final class RemoteConnection implements PlayerConnection {
         this.space = space;
         this.replyLimit = replyLimit;
         this.clock = clock;
-        this.pending = new PendingRequests(clock);
+        this.pending = new PendingReplies(clock);
         this.reader = Thread.ofPlatform()
                 .daemon()
                 .name("player-line-" + name)
@@ -279,7 +279,7 @@ final class RemoteConnection implements PlayerConnection {
      * Sends a request. If that fails in the middle of the message, the request counts as given up: the rest is sent
      * later and gets a reply.
      */
-    private void send(DeviceAddress device, Content content, PendingRequests.Request request, Deadline deadline) {
+    private void send(DeviceAddress device, Content content, PendingReplies.Request request, Deadline deadline) {
         try {
             send(device, MessageType.REQ, content, request.sequence(), deadline, () -> pending.drop(request));
         } catch (RuntimeException e) {
@@ -289,7 +289,7 @@ final class RemoteConnection implements PlayerConnection {
     }
 
     private WireMessage await(
-            CompletableFuture<WireMessage> awaited, PendingRequests.Request sent, Deadline deadline, String what) {
+            CompletableFuture<WireMessage> awaited, PendingReplies.Request sent, Deadline deadline, String what) {
         try {
             return awaited.get(deadline.leftNanos(), TimeUnit.NANOSECONDS);
         } catch (TimeoutException e) {

@@ -29,14 +29,14 @@ final class RemoteReader implements Runnable {
     private final RemoteConnection connection;
     private final String name;
     private final RemoteSocket socket;
-    private final PendingRequests pending;
+    private final PendingReplies pending;
     private final FrameAssembler frames;
 
     RemoteReader(
             RemoteConnection connection,
             String name,
             RemoteSocket socket,
-            PendingRequests pending,
+            PendingReplies pending,
             FrameAssembler frames) {
         this.connection = connection;
         this.name = name;

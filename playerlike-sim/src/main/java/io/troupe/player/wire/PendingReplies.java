@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  * {@link #QUIET}: then the requests that were given up are forgotten. A reply may be matched to a wrong request if it
  * is later than that, or if more than {@value #MAX_GIVEN_UP} requests were given up after its own.
  */
-final class PendingRequests {
+final class PendingReplies {
     /** Bound of requests that were given up and are still remembered; the oldest is forgotten first. */
     private static final int MAX_GIVEN_UP = 256;
 
@@ -65,7 +65,7 @@ final class PendingRequests {
     private int lastSequence;
     private @Nullable RuntimeException failure;
 
-    PendingRequests(Clock clock) {
+    PendingReplies(Clock clock) {
         this.clock = clock;
     }
 

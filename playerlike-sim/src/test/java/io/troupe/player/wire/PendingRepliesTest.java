@@ -3,15 +3,15 @@ package io.troupe.player.wire;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.time.ManualClock;
-import io.troupe.player.wire.PendingRequests.Request;
+import io.troupe.player.wire.PendingReplies.Request;
 import org.junit.jupiter.api.Test;
 
 /** Matching of replies to requests. */
-class PendingRequestsTest {
+class PendingRepliesTest {
     private static final DeviceAddress SIMULATION = new DeviceAddress(1, 2, 31, 0);
 
     private final ManualClock clock = new ManualClock();
-    private final PendingRequests open = new PendingRequests(clock);
+    private final PendingReplies open = new PendingReplies(clock);
 
     private static WireMessage reply(int subtype, int sequence) {
         return new WireMessage(new Header(SIMULATION, MessageType.ACK, subtype, 0, sequence, 0), Content.NONE);
@@ -74,12 +74,12 @@ class PendingRequestsTest {
         assertThat(isAnswered(other)).isTrue();
 
         for (int i = 0; i < 4; i++) {
-            clock.advance(PendingRequests.QUIET.minusNanos(1));
+            clock.advance(PendingReplies.QUIET.minusNanos(1));
             Request spoiled = open.add(SIMULATION, 1);
             assertThat(open.answer(reply(1, 0))).isFalse();
             open.giveUp(spoiled);
         }
-        clock.advance(PendingRequests.QUIET);
+        clock.advance(PendingReplies.QUIET);
         Request afterQuiet = open.add(SIMULATION, 1);
         assertThat(open.answer(reply(1, 0))).isTrue();
         assertThat(isAnswered(afterQuiet)).isTrue();
