@@ -59,8 +59,8 @@ final class Dispatcher {
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
-    private int callbackQuota =
-            QUOTA; // reduced within a row of callbacks, or if a message waits for that many callbacks only
+    // reduced within a row of callbacks, or if a message waits for that many callbacks only
+    private int callbackQuota = QUOTA;
     private int stride = STRIDE;
     private long lastLookNanos;
 
