@@ -35,8 +35,8 @@ public final class ActorCell {
     private @Nullable Throwable endedBy; // the failure that led to the end of the last instance
     private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as are writes of stopped
     private Incarnation life;
-    private @Nullable ArrayDeque<Node>
-            held; // calls held back while a restart waits, until all of them have been delivered
+    // calls held back while a restart waits, until all of them have been delivered
+    private @Nullable ArrayDeque<Node> held;
     private @Nullable Timer restartTimer; // the timer of the pause before a restart
     private boolean releasing;
     private boolean stopHeld; // a stop is queued among the held calls

@@ -35,10 +35,10 @@ import org.jspecify.annotations.Nullable;
  * that runs next, until the space sleeps. (Clearing the flag after each message would cost a fifth of a message.)
  *
  * <p><b>Order.</b> Work arrives in two queues. A <i>message</i> is a call of an actor, one-way or a request. A
- * <i>callback</i> is the call of a promise's listener, or a result for a {@link Callback}. Messages from one sender to
- * one actor are handled in the order in which they were sent. Callbacks, from this and from other spaces, are handled
- * before messages, but at most 256 of them in a row. A timer that is due waits for at most 16 messages, and for the
- * callbacks that come before these.
+ * <i>callback</i> is the call of a promise's listener, or a result for a {@link Callback}. Processing one of them is a
+ * <i>turn</i>. Messages from one sender to one actor are handled in the order in which they were sent. Callbacks, from
+ * this and from other spaces, are handled before messages, but at most 256 of them in a row. A timer that is due waits
+ * for at most 16 messages, and for the callbacks that come before these.
  *
  * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed. No error ends a space: everything that an actor, a
  * listener or a handler throws is reported, even an {@link OutOfMemoryError} or an {@link InternalError}, and the space

@@ -175,8 +175,8 @@ final class Closing {
         if (frames > 0) {
             descend(frames - 1, current);
         } else {
-            SpaceHome.leave(
-                    current); // no effect: verifies that the call that must succeed at the end has room on the stack
+            // no effect: verifies that the call that must succeed at the end has room on the stack
+            SpaceHome.leave(current);
         }
     }
 
@@ -201,9 +201,8 @@ final class Closing {
                     space.giveUpThread();
                     SpaceHome.leave(before);
                 } finally {
-                    rejecting =
-                            false; // a plain store, not a call: it succeeds whatever was thrown, so the next caller can
-                    // go on
+                    // a plain store, not a call: it succeeds whatever was thrown, so the next caller can go on
+                    rejecting = false;
                 }
             }
         }

@@ -16,8 +16,8 @@ import org.jspecify.annotations.Nullable;
  * {@link #served}.
  *
  * <p><b>Queues.</b> A <i>message</i> is a call of an actor or a task in message order; a <i>callback</i> is a listener,
- * a result for a {@link Callback}, or the resumption of a sequential body. Both kinds have an inbox for entries from
- * other threads and a ring for entries from the space's own thread.
+ * a result for a {@link Callback}, or the resumption of a sequential body. Processing one of them is a <i>turn</i>.
+ * Both kinds have an inbox for entries from other threads and a ring for entries from the space's own thread.
  *
  * <p><b>Order.</b> A pass drains the queues in these steps:
  *
@@ -59,8 +59,8 @@ final class Dispatcher {
     private int passes;
     private boolean turnLeavesWork;
     private int quota = QUOTA;
-    private int callbackQuota =
-            QUOTA; // reduced within a row of callbacks, or if a message waits for that many callbacks only
+    // reduced within a row of callbacks, or if a message waits for that many callbacks only
+    private int callbackQuota = QUOTA;
     private int stride = STRIDE;
     private long lastLookNanos;
 

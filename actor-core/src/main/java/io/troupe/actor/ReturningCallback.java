@@ -12,7 +12,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     private final @Nullable Incarnation owner;
     private volatile boolean ended;
     private volatile boolean readerGone;
-    private volatile @Nullable Queue<Delivery> line;
+    private volatile @Nullable Queue<Delivery> pending;
 
     private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Incarnation owner) {
         this.reader = reader;
@@ -128,7 +128,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     private void queue(Runnable delivery, boolean evenIfClosed) {
         var next = new Delivery(delivery, evenIfClosed);
-        Queue<Delivery> waiting = home.isCurrent() ? line : lineUp();
+        Queue<Delivery> waiting = home.isCurrent() ? pending : pendingQueue();
         if (waiting == null) {
             home.enqueueCallback(next);
         } else {
@@ -137,11 +137,11 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
     }
 
-    private synchronized Queue<Delivery> lineUp() {
-        if (line == null) {
-            line = new ConcurrentLinkedQueue<>();
+    private synchronized Queue<Delivery> pendingQueue() {
+        if (pending == null) {
+            pending = new ConcurrentLinkedQueue<>();
         }
-        return line;
+        return pending;
     }
 
     /**

@@ -56,8 +56,8 @@ final class SequentialBody<T extends @Nullable Object> {
         }
         boolean interrupted = false;
         while (hasControl) {
-            LockSupport.parkNanos(
-                    this, IdleStrategy.LONGEST_SLEEP_NANOS); // limited, because the body may be unable to wake it
+            // limited, because the body may be unable to wake it
+            LockSupport.parkNanos(this, IdleStrategy.LONGEST_SLEEP_NANOS);
             interrupted |= Thread.interrupted();
         }
         if (interrupted) {
@@ -124,8 +124,8 @@ final class SequentialBody<T extends @Nullable Object> {
             space.reports().error("a sequential body", space, broken, null);
         } finally {
             over = true;
-            space.handThreadTo(
-                    spaceThread); // this thread may run a body of another space before the other thread wakes up
+            // this thread may run a body of another space before the other thread wakes up
+            space.handThreadTo(spaceThread);
             hasControl = false;
             LockSupport.unpark(spaceThread);
         }

@@ -126,10 +126,8 @@ final class Watchdog {
             return; // the space was about to continue, or it waits for a processor, which is not a stall
         }
         var stall = new Stall(space.toString(), Duration.ofNanos(nanos), stack);
-        HelperThreads.run(
-                space + "-stall",
-                () -> notifyListener(
-                        stall)); // on another thread, because the listener may block and other spaces are watched too
+        // on another thread, because the listener may block and other spaces are watched too
+        HelperThreads.run(space + "-stall", () -> notifyListener(stall));
         reported = true; // once per message
     }
 

@@ -202,8 +202,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         Objects.requireNonNull(other, "other");
         Objects.requireNonNull(function, "function");
         Promise<R> both = thenCompose(mine -> other.<R>thenApply(theirs -> function.apply(mine, theirs)));
-        other.register(new InlineListener(
-                () -> {}, both)); // a listener, so that an error of the other promise is not reported as unhandled
+        // a listener, so that an error of the other promise is not reported as unhandled
+        other.register(new InlineListener(() -> {}, both));
         return both;
     }
 

@@ -169,8 +169,8 @@ public final class TimerWheel {
         }
         long now = clock.nanos();
         moveTo(tick(now));
-        long firstNew =
-                sequence; // timers set from now on run after all others that are due: their deadline is not before now
+        // timers set from now on run after all others that are due: their deadline is not before now
+        long firstNew = sequence;
         int count = 0;
         try {
             for (Timer timer = near.first(); timer != null; timer = near.first()) {

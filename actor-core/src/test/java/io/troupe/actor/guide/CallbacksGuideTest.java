@@ -62,8 +62,7 @@ class CallbacksGuideTest {
         var slow = new SlowRobot();
         Robot robot = test.spawn(Robot.class, () -> slow);
         robot.wander((colour, error) -> show(colour)); // as the paper writes it
-        var stream =
-                new Callback.Stream<Integer>(this::show, end -> done()); // is notified of the end, and can be cancelled
+        var stream = new Callback.Stream<Integer>(this::show, end -> done()); // notified of the end; can be cancelled
         robot.wander(stream);
         stream.cancel(); // the robot sees colours.isCancelled()
         test.crank();

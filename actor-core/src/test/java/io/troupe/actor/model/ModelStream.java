@@ -76,8 +76,8 @@ final class ModelStream {
 
     private void send(Runnable delivery) {
         if (!isCancelled()) {
-            line.add(
-                    () -> deliver(delivery)); // in the order in which they were sent, independent of the order of turns
+            // in the order in which they were sent, independent of the order of turns
+            line.add(() -> deliver(delivery));
             space.enqueue(ModelTask.callback(() -> line.removeFirst().run()));
         }
     }

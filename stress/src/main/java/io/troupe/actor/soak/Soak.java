@@ -40,9 +40,8 @@ final class Soak {
      * @return the problems found; empty if there are none
      */
     List<String> run() throws InterruptedException {
-        var heap = new HeapWatch(
-                options.heapBoundMib()); // created before both runs, so that neither counts what it retains as part of
-        // its beginning
+        // created before both runs, so that neither counts what it retains as part of its beginning
+        var heap = new HeapWatch(options.heapBoundMib());
         run("unbounded", ActorSettings.DEFAULT, false, heap);
         run("bounded", ActorSettings.DEFAULT.withMailbox(options.capacity(), Overflow.BLOCK), true, heap);
         if (heap.isExceeded()) {
