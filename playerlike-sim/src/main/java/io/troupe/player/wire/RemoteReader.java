@@ -163,14 +163,14 @@ final class RemoteReader implements Runnable {
                     asked = false;
                     return count;
                 } catch (SocketTimeoutException nothingCame) {
-                    look(limit.get());
+                    checkLimit(limit.get());
                 }
             }
         }
 
-        private void look(Duration most) {
+        private void checkLimit(Duration silenceLimit) {
             long now = clock.nanos();
-            if (most.isZero() || reported || now - sinceNanos < Deadline.nanos(most) / 2) {
+            if (silenceLimit.isZero() || reported || now - sinceNanos < Deadline.nanos(silenceLimit) / 2) {
                 return;
             }
             if (asked) {
