@@ -1,5 +1,11 @@
 package io.troupe.bench;
 
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CyclicBarrier;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import org.jspecify.annotations.Nullable;
 
 /** A contender, with the helpers that some workloads need. */
@@ -43,5 +49,40 @@ final class Subject implements AutoCloseable {
     public void close() {
         four.close();
         contender.close();
+    }
+
+    /**
+     * Four threads that start together and send a quarter of the messages each. They live through all turns, and park
+     * between two of them.
+     */
+    static final class FourSenders implements Senders, AutoCloseable {
+        private static final int COUNT = 4;
+
+        private final ExecutorService threads = Executors.newFixedThreadPool(
+                COUNT, Thread.ofPlatform().daemon().name("sender-", 1).factory());
+
+        /** Without it a thread that ends early could send the quarter of one that wakes late. */
+        private final CyclicBarrier start = new CyclicBarrier(COUNT);
+
+        @Override
+        public void send(int messages, Loop loop) throws Exception {
+            List<Future<?>> quarters = new ArrayList<>();
+            for (int i = 0; i < COUNT; i++) {
+                int share = messages / COUNT + (i < messages % COUNT ? 1 : 0);
+                quarters.add(threads.submit(() -> {
+                    start.await();
+                    loop.send(share);
+                    return null;
+                }));
+            }
+            for (Future<?> quarter : quarters) {
+                quarter.get();
+            }
+        }
+
+        @Override
+        public void close() {
+            threads.shutdown();
+        }
     }
 }

@@ -11,7 +11,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 class FourSendersTest {
-    private final FourSenders four = new FourSenders();
+    private final Subject.FourSenders four = new Subject.FourSenders();
 
     @AfterEach
     void close() {

@@ -10,9 +10,9 @@ class MeasureNetsTest {
     @Test
     void row_hasWhatWasFound_afterWarmUpsRunsAndOneForTheHeap() {
         var runs = new AtomicInteger();
-        var task = new NetTask("count", () -> {
+        var task = new MeasureNets.NetTask("count", () -> {
             runs.incrementAndGet();
-            return new NetTask.Found(12_345, "markings", "none dead", runs);
+            return new MeasureNets.NetTask.Found(12_345, "markings", "none dead", runs);
         });
 
         var row = MeasureNets.measure(task, 2);
@@ -23,7 +23,7 @@ class MeasureNetsTest {
 
     @Test
     void tasks_findTheKnownNumbers() {
-        assertThat(NetTask.all())
+        assertThat(MeasureNets.NetTask.all())
                 .filteredOn(task -> !task.name().contains("full graph"))
                 .extracting(task -> task.work().get())
                 .extracting(found -> found.items() + " " + found.unit() + "; " + found.text())

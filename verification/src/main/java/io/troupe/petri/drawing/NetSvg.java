@@ -33,7 +33,7 @@ final class NetSvg {
     private final Set<Transition> highlighted;
     private final List<String> components;
     private final Map<Place, String> tints = new HashMap<>();
-    private final List<NetArcs.Drawn> arcs = new ArrayList<>();
+    private final List<ArcWriter.DrawnArc> arcs = new ArrayList<>();
     private final Layout layout;
     private final Svg svg;
 
@@ -49,10 +49,10 @@ final class NetSvg {
         for (var transition : net.transitions()) {
             transition
                     .inputs()
-                    .forEach(arc -> arcs.add(new NetArcs.Drawn(transition, arc.place(), true, arc.weight())));
+                    .forEach(arc -> arcs.add(new ArcWriter.DrawnArc(transition, arc.place(), true, arc.weight())));
             transition
                     .outputs()
-                    .forEach(arc -> arcs.add(new NetArcs.Drawn(transition, arc.place(), false, arc.weight())));
+                    .forEach(arc -> arcs.add(new ArcWriter.DrawnArc(transition, arc.place(), false, arc.weight())));
         }
         layout = layout();
         var legend = this.components.isEmpty() ? 0 : LEGEND_PX;
@@ -107,7 +107,7 @@ final class NetSvg {
     }
 
     String write() {
-        new NetArcs(svg, layout, highlighted).write(arcs);
+        new ArcWriter(svg, layout, highlighted).write(arcs);
         net.places().forEach(this::place);
         net.transitions().forEach(this::transition);
         legend();
@@ -240,5 +240,79 @@ final class NetSvg {
             svg.lines(List.of(priority(transition)), below, SMALL_FONT_PX, Palette.LINE);
         }
         svg.close("g");
+    }
+
+    /** Writes the arcs of a net. */
+    private static final class ArcWriter {
+        /** An arc to draw. */
+        record DrawnArc(Transition transition, Place place, boolean input, int weight) {
+            String from() {
+                return input ? place.name() : transition.name();
+            }
+
+            String to() {
+                return input ? transition.name() : place.name();
+            }
+        }
+
+        private final Svg svg;
+        private final Layout layout;
+        private final Set<Transition> highlighted;
+
+        ArcWriter(Svg svg, Layout layout, Set<Transition> highlighted) {
+            this.svg = svg;
+            this.layout = layout;
+            this.highlighted = highlighted;
+        }
+
+        /** Writes the arcs, which are in the order of the layout's edges. */
+        void write(List<DrawnArc> arcs) {
+            // coloured arcs last, so that they lie on top
+            for (var coloured : List.of(false, true)) {
+                for (var i = 0; i < arcs.size(); i++) {
+                    if (highlighted.contains(arcs.get(i).transition()) == coloured) {
+                        arc(i, arcs.get(i), coloured);
+                    }
+                }
+            }
+        }
+
+        private void arc(int number, DrawnArc arc, boolean coloured) {
+            svg.open("g", "class", coloured ? "arc path" : "arc");
+            svg.title(arc.from() + " → " + arc.to() + (arc.weight == 1 ? "" : ", weight " + arc.weight));
+            var route = new ArrayList<>(layout.route(number));
+            var corner = layout.node(arc.place.index());
+            var centre = new PixelPoint(corner.x() + RADIUS, corner.y() + RADIUS);
+            var end = arc.input ? 0 : route.size() - 1;
+            route.set(end, ontoCircle(route.get(end), route.get(arc.input ? 1 : end - 1), centre));
+            svg.arrow(route, coloured ? Palette.PATH : Palette.LINE, coloured ? 2 : 1, 8);
+            var label = layout.label(number);
+            if (label != null) {
+                weight(arc.weight, label, coloured);
+            }
+            svg.close("g");
+        }
+
+        private void weight(int weight, PixelPoint corner, boolean coloured) {
+            var text = List.of(String.valueOf(weight));
+            var size = TextMetrics.size(text, FONT_PX);
+            svg.lines(
+                    text,
+                    new PixelPoint(corner.x() + size.width() / 2, corner.y() + size.height() / 2),
+                    FONT_PX,
+                    coloured ? Palette.PATH : Palette.LINE);
+        }
+
+        /** Extends the end of an arc to the circle: the layout ends it at the square around the circle. */
+        private static PixelPoint ontoCircle(PixelPoint end, PixelPoint before, PixelPoint centre) {
+            if (before.y() == end.y()) {
+                var dy = end.y() - centre.y();
+                var dx = Math.sqrt(Math.max(0, RADIUS * RADIUS - dy * dy));
+                return new PixelPoint(centre.x() + Math.copySign(dx, end.x() - centre.x()), end.y());
+            }
+            var dx = end.x() - centre.x();
+            var dy = Math.sqrt(Math.max(0, RADIUS * RADIUS - dx * dx));
+            return new PixelPoint(end.x(), centre.y() + Math.copySign(dy, end.y() - centre.y()));
+        }
     }
 }

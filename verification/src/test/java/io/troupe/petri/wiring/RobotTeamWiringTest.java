@@ -83,7 +83,7 @@ class RobotTeamWiringTest {
 
     @Test
     void pairs_thatAreAlike_areSearchedOnceAndToldByTheirOwnNames() {
-        var check = new PairCheck(PaperWiring.robots(6), SMALL);
+        var check = new WiringCheck.PairCheck(PaperWiring.robots(6), SMALL);
 
         var results = check.results();
 
