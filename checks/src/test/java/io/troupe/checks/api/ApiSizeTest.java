@@ -47,8 +47,8 @@ class ApiSizeTest {
     void reader_seesPublicTypesOnly_andTheirMarks(@TempDir Path folder) throws IOException {
         Files.writeString(folder.resolve("Marked.java"), """
                 package some;
-                /** Helps. For the
-                 * rooms of this library. */
+                /** Helps. Internal
+                 * to this library. */
                 @Deprecated
                 public class Marked { public static class Inner {} }
                 class Hidden {}
@@ -61,7 +61,7 @@ class ApiSizeTest {
         assertThat(PublicTypes.in(folder))
                 .containsExactly(
                         new PublicType("some.Bare", ""),
-                        new PublicType("some.Marked", "Helps. For the rooms of this library."));
+                        new PublicType("some.Marked", "Helps. Internal to this library."));
         assertThat(PublicTypes.in(folder))
                 .extracting(PublicType::isForTheLibraryOnly)
                 .containsExactly(false, true);

@@ -26,7 +26,7 @@ public final class PublicTypes {
         /** Whether its comment marks it as public for technical reasons only. */
         public boolean isForTheLibraryOnly() {
             String text = javadoc.toLowerCase(java.util.Locale.ROOT);
-            return text.contains("for generated code") || text.contains("for the rooms of this library");
+            return text.contains("for generated code") || text.contains("internal to this library");
         }
     }
 

@@ -167,7 +167,7 @@ final class HouseFigures {
                 open = "";
                 continue;
             }
-            if (code) {
+            if (code || open.isEmpty() && line.startsWith("    ")) {
                 continue;
             }
             boolean begins = line.isBlank() || line.matches("\\s*(?:[-*+] |\\d+\\. |#|\\||>|<|!\\[).*");
@@ -244,7 +244,7 @@ final class HouseFigures {
         words.put("no ?one", "no caller, no subscriber");
         words.put("hears?|heard|hearing", "receives, is notified, subscription");
         words.put("says|say|said", "specifies, reports, names, prints");
-        words.put("(?:is|are|was|were|be|been|being) told", "is notified, receives");
+        words.put("(?:is|are|was|were|(?<!cannot )be|been|being) told", "is notified, receives");
         words.put("tells|told of", "notifies, reports, sends");
         words.put("(?:of|on) (?:its|his|their|our|your|her) own", "separate, private, dedicated; or leave it out");
         words.put("turn(?:s|ed|ing)? away", "reject");
