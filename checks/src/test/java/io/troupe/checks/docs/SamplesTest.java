@@ -25,7 +25,11 @@ class SamplesTest {
                 "docs/guide/03-proving-a-wiring.md",
                 "docs/guide/04-bring-your-player-program.md",
                 "docs/guide/06-subsumption.md",
-                "docs/guide/07-components-bus-broker.md"
+                "docs/guide/07-components-bus-broker.md",
+                "actor-core/README.md",
+                "playerlike-sim/README.md",
+                "services/README.md",
+                "verification/README.md"
             })
     void samples_occurInCompiledSources(String page) throws IOException {
         var samples = Samples.of(page, Files.readString(Repository.root().resolve(page)));
