@@ -13,7 +13,7 @@ import org.junit.jupiter.api.io.TempDir;
 
 /**
  * The API of actor-core stays small, and is documented. Types that are public only because generated code or another
- * package of the library uses them do not count: their Javadoc contains "for generated code" or "for the rooms of this
+ * package of the library uses them do not count: their Javadoc contains "for generated code" or "internal to this
  * library".
  */
 class ApiSizeTest {
