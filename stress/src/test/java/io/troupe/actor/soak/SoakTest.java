@@ -16,9 +16,11 @@ class SoakTest {
         var lines = new ArrayList<String>();
         var options = SoakOptions.parse(List.of("--messages", "200_000", "--window", "1_000", "--capacity", "100"));
         assertThat(new Soak(options, lines::add).run()).isEmpty();
+        // a sample may be taken between the last message and the end of a phase: then its line appears twice
         assertThat(lines)
                 .filteredOn(line -> line.contains("100,000 of 100,000"))
-                .hasSize(2);
+                .extracting(line -> line.split(" ")[0])
+                .containsOnly("unbounded", "bounded");
     }
 
     @Test
