@@ -21,8 +21,8 @@ class ArrowsTest {
     private static final String PROMISE = "io.troupe.actor.promise";
     private static final String TIME = "io.troupe.actor.time";
     private static final String ACTOR = "io.troupe.actor";
-    private static final String BUS = "io.troupe.services.bus";
-    private static final String BROKER = "io.troupe.services.broker";
+    private static final String BUS = "io.troupe.bus";
+    private static final String BROKER = "io.troupe.broker";
 
     @ParameterizedTest
     @CsvSource({
@@ -78,12 +78,12 @@ class ArrowsTest {
 
     @Test
     void bus_importsTheActorsAndTexts() {
-        arrow(BUS, "io.troupe.actor..", "io.troupe.services.text").check(Classes.MAIN);
+        arrow(BUS, "io.troupe.actor..", "io.troupe.text").check(Classes.MAIN);
     }
 
     @Test
     void broker_knowsOfTheBusOnlyItsAddresses() {
-        arrow(BROKER, "io.troupe.actor..", "io.troupe.services.text", BUS).check(Classes.MAIN);
+        arrow(BROKER, "io.troupe.actor..", "io.troupe.text", BUS).check(Classes.MAIN);
         noClasses()
                 .that()
                 .resideInAPackage(BROKER)

@@ -1,8 +1,8 @@
 package io.troupe.demo.app;
 
-import io.troupe.services.broker.BrokerEvent;
-import io.troupe.services.broker.ServiceRecord;
-import io.troupe.services.bus.Address;
+import io.troupe.broker.BrokerEvent;
+import io.troupe.broker.ServiceRecord;
+import io.troupe.bus.Address;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.application.ApplicationEvent;

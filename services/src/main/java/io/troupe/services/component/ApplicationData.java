@@ -1,6 +1,6 @@
 package io.troupe.services.component;
 
-import io.troupe.services.bus.BusTopic;
+import io.troupe.bus.BusTopic;
 
 /**
  * A value in the application's format: a record published on a topic. The component behind an interface may use another

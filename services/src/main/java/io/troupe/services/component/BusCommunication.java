@@ -1,11 +1,11 @@
 package io.troupe.services.component;
 
 import io.troupe.actor.promise.Promise;
-import io.troupe.services.bus.Address;
-import io.troupe.services.bus.Bus;
-import io.troupe.services.bus.BusPort;
-import io.troupe.services.bus.BusTopic;
-import io.troupe.services.bus.Operation;
+import io.troupe.bus.Address;
+import io.troupe.bus.Bus;
+import io.troupe.bus.BusPort;
+import io.troupe.bus.BusTopic;
+import io.troupe.bus.Operation;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;

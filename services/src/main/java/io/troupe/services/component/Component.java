@@ -1,6 +1,6 @@
 package io.troupe.services.component;
 
-import io.troupe.services.bus.BusTopic;
+import io.troupe.bus.BusTopic;
 import java.util.List;
 import java.util.function.Supplier;
 

@@ -1,6 +1,6 @@
 package io.troupe.services.component;
 
-import io.troupe.services.bus.Operation;
+import io.troupe.bus.Operation;
 
 /**
  * Control messages that every component interface answers: requests of kind {@link Operation.Kind#CONTROL} to the

@@ -1,12 +1,12 @@
 package io.troupe.services.component;
 
 import io.troupe.actor.promise.Promise;
-import io.troupe.services.broker.Provider;
-import io.troupe.services.broker.ProviderException;
-import io.troupe.services.bus.Address;
-import io.troupe.services.bus.BusPort;
-import io.troupe.services.bus.BusTimeoutException;
-import io.troupe.services.bus.Operation;
+import io.troupe.broker.Provider;
+import io.troupe.broker.ProviderException;
+import io.troupe.bus.Address;
+import io.troupe.bus.BusPort;
+import io.troupe.bus.BusTimeoutException;
+import io.troupe.bus.Operation;
 import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 

@@ -1,6 +1,6 @@
 package io.troupe.services.component;
 
-import io.troupe.services.bus.Address;
+import io.troupe.bus.Address;
 import java.util.ArrayList;
 import java.util.List;
 

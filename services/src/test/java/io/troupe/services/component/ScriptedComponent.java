@@ -2,7 +2,7 @@ package io.troupe.services.component;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import io.troupe.services.bus.BusTopic;
+import io.troupe.bus.BusTopic;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;

@@ -1,8 +1,8 @@
 package io.troupe.services.component.application;
 
-import io.troupe.services.broker.MissingServiceException;
-import io.troupe.services.broker.Need;
-import io.troupe.services.broker.ServiceRecord;
+import io.troupe.broker.MissingServiceException;
+import io.troupe.broker.Need;
+import io.troupe.broker.ServiceRecord;
 import io.troupe.services.component.application.ApplicationPlan.Replacement;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import java.util.List;

@@ -1,7 +1,7 @@
 package io.troupe.services.component.application;
 
-import io.troupe.services.broker.Need;
-import io.troupe.services.bus.BusTopic;
+import io.troupe.broker.Need;
+import io.troupe.bus.BusTopic;
 import io.troupe.services.component.Component;
 import java.time.Duration;
 import java.util.ArrayDeque;

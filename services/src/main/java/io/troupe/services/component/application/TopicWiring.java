@@ -1,8 +1,8 @@
 package io.troupe.services.component.application;
 
-import io.troupe.services.broker.Need;
-import io.troupe.services.bus.BusPort;
-import io.troupe.services.bus.BusTopic;
+import io.troupe.broker.Need;
+import io.troupe.bus.BusPort;
+import io.troupe.bus.BusTopic;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import java.util.ArrayList;

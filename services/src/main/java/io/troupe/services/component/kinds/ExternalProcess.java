@@ -1,7 +1,7 @@
 package io.troupe.services.component.kinds;
 
 import io.troupe.actor.promise.Promise;
-import io.troupe.services.broker.ProviderException;
+import io.troupe.broker.ProviderException;
 import io.troupe.services.component.ComponentCommunication;
 import java.io.IOException;
 import java.io.InputStream;

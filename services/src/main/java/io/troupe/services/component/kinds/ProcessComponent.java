@@ -1,6 +1,6 @@
 package io.troupe.services.component.kinds;
 
-import io.troupe.services.bus.BusTopic;
+import io.troupe.bus.BusTopic;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;

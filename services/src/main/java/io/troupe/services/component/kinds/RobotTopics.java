@@ -2,7 +2,7 @@ package io.troupe.services.component.kinds;
 
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.services.bus.BusTopic;
+import io.troupe.bus.BusTopic;
 import java.util.List;
 
 /**

@@ -3,7 +3,7 @@ package io.troupe.services.component.application;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.services.broker.Need;
+import io.troupe.broker.Need;
 import io.troupe.services.component.application.ApplicationPlan.Replacement;
 import io.troupe.services.component.kinds.ComponentKinds;
 import java.io.IOException;

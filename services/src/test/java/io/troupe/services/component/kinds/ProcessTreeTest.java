@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import io.troupe.services.broker.ProviderException;
+import io.troupe.broker.ProviderException;
 import io.troupe.services.component.ComponentCommunication;
 import java.io.IOException;
 import java.io.UncheckedIOException;

@@ -1,0 +1,175 @@
+package io.troupe.broker;
+
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.promise.Promise;
+import io.troupe.bus.Address;
+import java.util.List;
+import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentMap;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Actors as services: actors of this process are registered at a broker, and clients call them through the broker by
+ * their own interfaces.
+ *
+ * <p><b>Role.</b> Create one per broker and process. Actors that are published here can be called through
+ * {@link #connect} of the same object. An actor can be publisher and subscriber at the same time.
+ *
+ * <p><b>Threads.</b> Any thread.
+ *
+ * <p><b>Errors.</b> The health check of an actor is an entry in its space's queue, fulfilled after all earlier entries.
+ * It detects a space that hangs or is far behind, but only if the broker runs on another space: a broker on the same
+ * space hangs with it. An actor that stops, for whatever cause, is detected at once on every space. An actor whose
+ * message throws continues and stays healthy, unless its {@link ActorSettings} make it stop.
+ *
+ * <p><b>Source.</b> Paper, section 1: actors that expose services, each a publisher and a subscriber.
+ */
+public final class ActorServices {
+    private final Broker broker;
+    private final String node;
+    private final ActorSpace home;
+    private final BrokerObserver observer;
+    private final ConcurrentMap<Address, ActorProvider.Running> directory = new ConcurrentHashMap<>();
+    private final ConcurrentMap<String, Integer> published = new ConcurrentHashMap<>();
+
+    /**
+     * Creates the actor services of one process.
+     *
+     * @param node the name of this process, used in addresses
+     * @param home the space of connections that are created outside every actor space
+     * @param observer receives events about calls that were not delivered, and about late answers
+     */
+    public ActorServices(Broker broker, String node, ActorSpace home, BrokerObserver observer) {
+        this.broker = Objects.requireNonNull(broker, "broker");
+        this.node = Objects.requireNonNull(node, "node");
+        this.home = Objects.requireNonNull(home, "home");
+        this.observer = Objects.requireNonNull(observer, "observer");
+    }
+
+    /**
+     * Publishes an actor that the broker spawns on demand. Its address is the service's name, with a number appended
+     * from the second actor of the same service on.
+     *
+     * @param space where it runs
+     * @param type an actor type; clients connect by this interface or one that it extends
+     * @param factory creates the actor, on its space, at each start
+     */
+    public <A> Promise<ServiceRecord> publish(
+            ActorSpace space, Class<A> type, String service, List<String> capabilities, Supplier<? extends A> factory) {
+        Address address = nextAddress(service);
+        return broker.register(service, capabilities, address, provider(address, space, type, factory, named(address)));
+    }
+
+    /**
+     * Publishes an existing actor. The broker watches it, but neither starts nor stops it: the code that spawned it
+     * does.
+     */
+    public <A> Promise<ServiceRecord> publishSpawned(
+            ActorSpace space, String service, List<String> capabilities, A proxy) {
+        Address address = nextAddress(service);
+        return broker.register(service, capabilities, address, new SpawnedProvider(address, space, proxy, directory));
+    }
+
+    /** Publishes an actor in place of another one that may be in use; see {@link Broker#replace}. */
+    public <A> Promise<ServiceRecord> replace(
+            Address old,
+            ActorSpace space,
+            Class<A> type,
+            String service,
+            List<String> capabilities,
+            Supplier<? extends A> factory) {
+        Address address = nextAddress(service);
+        return broker.replace(
+                old, service, capabilities, address, provider(address, space, type, factory, named(address)));
+    }
+
+    /** A provider for the broker that spawns an actor, with the given address and actor settings. */
+    public <A> Provider provider(
+            Address address, ActorSpace space, Class<A> type, Supplier<? extends A> factory, ActorSettings settings) {
+        return new ActorProvider<>(address, space, type, factory, settings, directory);
+    }
+
+    /** Connects with the default limits; see {@link #connect(Class, Need, ConnectionSettings)}. */
+    public <A> ActorConnection<A> connect(Class<A> type, Need need) {
+        return connect(type, need, ConnectionSettings.DEFAULT);
+    }
+
+    /**
+     * Connects to the current provider of a service, and after a failover or replacement to the next one.
+     *
+     * @param type the interface to call; providers must be published by this interface or one that extends it
+     * @throws IllegalArgumentException if it is not an interface whose methods return {@code void} or {@link Promise}
+     */
+    public <A> ActorConnection<A> connect(Class<A> type, Need need, ConnectionSettings settings) {
+        ServiceProxy.check(type);
+        ActorSpace current = ActorSpace.current();
+        return ActorConnection.open(current == null ? home : current, this, type, need, settings);
+    }
+
+    Broker broker() {
+        return broker;
+    }
+
+    BrokerObserver observer() {
+        return observer;
+    }
+
+    ActorProvider.@Nullable Running running(Address address) {
+        return directory.get(address);
+    }
+
+    private Address nextAddress(String service) {
+        int number = published.merge(service, 1, Integer::sum);
+        return new Address(node, number == 1 ? service : service + "-" + number);
+    }
+
+    private static ActorSettings named(Address address) {
+        return ActorSettings.named(address.toString());
+    }
+
+    /** A provider for an existing actor: the code that spawned the actor also stops it. */
+    private static final class SpawnedProvider implements Provider {
+        private final ActorSpace space;
+        private final ActorProvider.Running life;
+        private final ConcurrentMap<Address, ActorProvider.Running> directory;
+
+        SpawnedProvider(
+                Address address,
+                ActorSpace space,
+                Object proxy,
+                ConcurrentMap<Address, ActorProvider.Running> directory) {
+            this.space = space;
+            this.life = ActorProvider.Running.of(address, space, proxy, directory);
+            this.directory = directory;
+        }
+
+        @Override
+        public Promise<@Nullable Void> start() {
+            if (life.hasEnded()) {
+                return Promise.failed(new ProviderException(
+                        life.address() + " has stopped, and only who spawned it can spawn it again", null));
+            }
+            life.enter(directory);
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> stop() {
+            directory.remove(life.address(), life);
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> check() {
+            return ActorProvider.check(space, life);
+        }
+
+        @Override
+        public Promise<@Nullable Void> whenEnded() {
+            return space.whenStopped(life.proxy());
+        }
+    }
+}

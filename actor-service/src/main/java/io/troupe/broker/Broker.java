@@ -1,0 +1,106 @@
+package io.troupe.broker;
+
+import io.troupe.actor.promise.Promise;
+import io.troupe.bus.Address;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The service registry: finds providers, starts them on demand, checks their health, and notifies connected clients
+ * when another provider takes over.
+ *
+ * <p><b>Threads.</b> Methods may be called from any thread; listeners run on the actor space on which they were
+ * registered.
+ *
+ * <p><b>Errors.</b> A need without a provider is rejected with a {@link MissingServiceException}.
+ *
+ * <p><b>Source.</b> Paper, section 2.2.4; "in case a service is not present the system should terminate gracefully",
+ * section 1.
+ */
+public interface Broker extends AutoCloseable {
+    /**
+     * Registers a provider of a service. It is started on demand. If a provider at the same address, or the same
+     * {@code provider}, was withdrawn or replaced before and has not stopped yet, that one is stopped at once when the
+     * new one is needed, and the new one is started when it has stopped or its time limit is over. Connected clients
+     * without a provider are connected to the new one.
+     *
+     * @param capabilities may be empty
+     * @return rejected with an {@link IllegalArgumentException} if the address is already registered
+     */
+    Promise<ServiceRecord> register(String service, List<String> capabilities, Address address, Provider provider);
+
+    /**
+     * Withdraws a provider. Its clients get another provider, or are notified that there is none; then it is stopped. A
+     * start of it that is still waiting for the stop of another provider is dropped.
+     *
+     * @return fulfilled when it has stopped; rejected with a {@link ProviderException} if it does not stop, and with an
+     *     {@link IllegalArgumentException} if the address is not registered
+     */
+    Promise<@Nullable Void> withdraw(Address provider);
+
+    /**
+     * Replaces a provider at run time: the new one is started, clients are notified, then the old one is stopped. The
+     * new provider keeps the old one's position in the order of registration, and may have the same address. The
+     * replaced provider can be registered again at any time: it is stopped and started again as described at
+     * {@link #register}.
+     *
+     * @return fulfilled when the replacement is complete; rejected with a {@link ProviderException} if the new provider
+     *     cannot be started, in which case the old one stays in use; with an {@link IllegalStateException} if the old
+     *     one is already being replaced
+     */
+    Promise<ServiceRecord> replace(
+            Address old, String service, List<String> capabilities, Address address, Provider provider);
+
+    /** All registered providers, in the order of registration. */
+    Promise<List<ServiceRecord>> registered();
+
+    /**
+     * All providers that meet a need, best first: healthy before suspect, then in the order of registration. Starts
+     * nothing.
+     */
+    Promise<List<ServiceRecord>> find(Need need);
+
+    /**
+     * Returns one running provider: healthy before suspect. If none runs, the first one that can be started, those that
+     * have failed before last. Concurrent callers with the same need share one start.
+     *
+     * @return rejected with a {@link MissingServiceException} that names each provider and why it does not run
+     */
+    Promise<ServiceRecord> require(Need need);
+
+    /**
+     * Connects a client: the listener is notified of the provider to use, first now, and again whenever another one
+     * takes its place because the provider failed, was withdrawn or was replaced. The connection ends with
+     * {@link #disconnect}, or when the calling actor stops.
+     *
+     * @return fulfilled with the first provider; rejected with a {@link MissingServiceException} if there is none now.
+     *     The connection stays open even then, and its listener is notified when there is a provider
+     */
+    Promise<ServiceRecord> connect(Need need, Connection connection);
+
+    /** Ends a connection: its listener is not called any more. Providers keep running without connections. */
+    Promise<@Nullable Void> disconnect(Connection connection);
+
+    /**
+     * Notifies clients that there is no provider any more, then stops all providers that the broker has started, one by
+     * one in reverse order of their starts, each within its limit. From this call on, methods that start or change
+     * something are rejected with an {@link IllegalStateException}; {@link #registered} and {@link #find} still return
+     * the known state, {@link #disconnect} has no effect, and another shutDown returns the same promise.
+     *
+     * @return fulfilled, when that is done, with the providers that did not stop
+     */
+    Promise<List<ServiceRecord>> shutDown();
+
+    /** Starts {@link #shutDown} without waiting for its end. To wait, use {@code broker.shutDown().get(..)}. */
+    @Override
+    void close();
+
+    /** The listener of a connection: is notified which provider to use. */
+    interface Connection {
+        /** Use this provider from now on. */
+        void use(ServiceRecord provider);
+
+        /** There is no provider at the moment; {@link #use} may follow later. */
+        void lost(MissingServiceException why);
+    }
+}

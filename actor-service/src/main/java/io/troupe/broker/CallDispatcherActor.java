@@ -1,0 +1,347 @@
+package io.troupe.broker;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Timer;
+import java.lang.reflect.InvocationTargetException;
+import java.time.Duration;
+import java.util.HashMap;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.CancellationException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Sends calls to the current provider. Keeps the calls that are queued for a provider, and those without an answer yet.
+ */
+final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.Connection {
+    private final ActorServices services;
+    private final Class<?> type;
+    private final Need need;
+    private final ConnectionSettings settings;
+    private final Deferred<ServiceRecord> first;
+    private final LinkedHashMap<Call, PendingCall> waiting = new LinkedHashMap<>(); // in the order of their arrival
+    private final Map<Call, PendingCall> underWay = new LinkedHashMap<>();
+    private ActorProvider.@Nullable Running current;
+    private @Nullable IllegalArgumentException mismatch;
+    private String noProvider = "none has been found yet";
+    private @Nullable EventPublisher events;
+    // of instances that have not ended
+    private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches = new HashMap<>();
+
+    CallDispatcherActor(
+            ActorServices services,
+            Class<?> type,
+            Need need,
+            ConnectionSettings settings,
+            Deferred<ServiceRecord> first) {
+        this.services = services;
+        this.type = type;
+        this.need = need;
+        this.settings = settings;
+        this.first = first;
+    }
+
+    @Override
+    protected void started() {
+        events = new EventPublisher(services.observer(), space());
+        services.broker().connect(need, this).handle((provider, error) -> {
+            if (error != null) {
+                noProvider = Reasons.of(error);
+                return first.reject(error);
+            }
+            return mismatch != null ? first.reject(mismatch) : first.resolve(provider);
+        });
+    }
+
+    // ---- the current provider
+
+    @Override
+    public void use(ServiceRecord provider) {
+        var next = services.running(provider.provider());
+        current = next;
+        mismatch = null;
+        if (next == null) {
+            noProvider = provider.provider() + " has ended, or is not an actor that was published in this process";
+        } else if (!type.isInstance(next.proxy())) {
+            current = null;
+            mismatch =
+                    new IllegalArgumentException("\"" + need.by() + "\" calls " + ProviderRegistry.what(need) + " as "
+                            + type.getName() + ", and its provider " + provider.provider() + " is a "
+                            + interfacesOf(next.proxy()));
+            refuseAllWaiting(mismatch);
+        } else {
+            watch(next);
+            sendWaiting();
+        }
+    }
+
+    private void watch(ActorProvider.Running life) {
+        watches.computeIfAbsent(life, one -> {
+            var watch = one.watch();
+            watch.thenRun(() -> hasEnded(one));
+            return watch;
+        });
+    }
+
+    private static String interfacesOf(Object proxy) {
+        Class<?>[] interfaces = proxy.getClass().getInterfaces();
+        return interfaces.length > 0
+                ? interfaces[0].getName()
+                : proxy.getClass().getName();
+    }
+
+    @Override
+    public void lost(MissingServiceException why) {
+        current = null;
+        mismatch = null;
+        noProvider = Reasons.of(why);
+    }
+
+    private void hasEnded(ActorProvider.Running life) {
+        watches.remove(life);
+        if (current == life) {
+            current = null;
+            noProvider = life.address() + " has ended";
+        }
+        for (PendingCall call : List.copyOf(underWay.values())) {
+            if (call.sentTo == life) {
+                underWay.remove(call.call);
+                call.reject(ended(call, null));
+            }
+        }
+    }
+
+    private ServiceCallException ended(PendingCall call, @Nullable Throwable cause) {
+        return new ServiceCallException(
+                call.receiver() + " ended while \"" + need.by() + "\" waited for its answer to " + call, true, cause);
+    }
+
+    // ---- calls
+
+    @Override
+    public void tell(Call call) {
+        take(new PendingCall(call, null));
+    }
+
+    @Override
+    public Promise<@Nullable Object> ask(Call call) {
+        var answer = new Deferred<@Nullable Object>();
+        take(new PendingCall(call, answer));
+        return answer;
+    }
+
+    @Override
+    public void bind(@Nullable Callback<@Nullable Object> callback, BoundCallback into) {
+        into.callback = callback;
+    }
+
+    @Override
+    public Promise<@Nullable Void> cancel(Call call) {
+        PendingCall waited = waiting.remove(call);
+        PendingCall cancelled = waited == null ? underWay.remove(call) : waited;
+        if (cancelled != null) {
+            cancelled.cancel();
+        }
+        return Promise.done();
+    }
+
+    private void take(PendingCall call) {
+        if (mismatch != null) {
+            refuse(call, mismatch);
+        } else if (canSend()) {
+            send(call);
+        } else if (waiting.size() >= settings.mostWaiting()) {
+            refuse(call, notSent(call, "was refused: " + waiting.size() + " calls wait already, and " + noProvider));
+        } else {
+            waiting.put(call.call, call);
+            Duration limit = call.call.isOneWay() ? settings.oneWayLimit() : settings.waitLimit();
+            call.limit = after(limit, () -> {
+                waiting.remove(call.call);
+                refuse(call, notSent(call, "found no provider within " + limit + ": " + noProvider));
+            });
+        }
+    }
+
+    /** Returns whether the provider can be called. Its end may already be known before this actor is notified. */
+    private boolean canSend() {
+        return current != null && !current.hasEnded();
+    }
+
+    private void sendWaiting() {
+        while (canSend() && !waiting.isEmpty()) {
+            PendingCall call = waiting.pollFirstEntry().getValue();
+            call.cancelLimit();
+            send(call);
+        }
+    }
+
+    private void send(PendingCall call) {
+        if (call.call.isCancelled()) {
+            call.reject(new CancellationException(call + " was given up by its caller before it was sent"));
+            return;
+        }
+        var to = Objects.requireNonNull(current);
+        call.sentTo = to;
+        Object result;
+        try {
+            result = call.call.method.invoke(to.proxy(), call.call.toInvoke());
+        } catch (InvocationTargetException thrown) {
+            refuse(call, notSent(call, "was refused: " + Reasons.of(thrown.getTargetException())));
+            return;
+        } catch (IllegalAccessException impossible) {
+            throw new AssertionError("the connection was made with access to " + call, impossible);
+        }
+        if (result instanceof Promise<?> answer) {
+            underWay.put(call.call, call);
+            call.sent = answer;
+            if (!settings.answerLimit().isZero()) {
+                call.limit = after(settings.answerLimit(), () -> isOverdue(call));
+            }
+            answer.handle((value, error) -> {
+                answered(call, value, error);
+                return null;
+            });
+        }
+    }
+
+    private void answered(PendingCall call, @Nullable Object value, @Nullable Throwable error) {
+        if (underWay.remove(call.call) == null) {
+            if (!(error instanceof ActorStoppedException) && !call.isCancelled()) { // neither is an answer
+                events().publish(new BrokerEvent.Late(call.receiver(), call.toString(), error));
+            }
+        } else if (error == null) {
+            call.resolve(value);
+        } else if (error instanceof ActorStoppedException && call.receiverHasEnded()) {
+            call.reject(ended(call, error));
+        } else {
+            call.reject(error);
+        }
+    }
+
+    private void isOverdue(PendingCall call) {
+        underWay.remove(call.call);
+        call.reject(new ServiceCallException(
+                call.receiver() + " did not answer " + call + " to \"" + need.by() + "\" within "
+                        + settings.answerLimit(),
+                true,
+                null));
+    }
+
+    private ServiceCallException notSent(PendingCall call, String what) {
+        return new ServiceCallException(
+                call + " of \"" + need.by() + "\", which needs " + ProviderRegistry.what(need) + ", " + what,
+                false,
+                null);
+    }
+
+    private void refuseAllWaiting(Throwable why) {
+        while (!waiting.isEmpty()) {
+            refuse(waiting.pollFirstEntry().getValue(), why);
+        }
+    }
+
+    /** Rejects a call that was not sent to any provider. */
+    private void refuse(PendingCall call, Throwable why) {
+        if (!call.reject(why)) {
+            events().publish(new BrokerEvent.Undelivered(need, call.toString(), why));
+        }
+    }
+
+    private EventPublisher events() {
+        return Objects.requireNonNull(events);
+    }
+
+    @Override
+    protected void stopped() {
+        watches.forEach(ActorProvider.Running::unwatch);
+        first.reject(new IllegalStateException("the connection of \"" + need.by() + "\" was closed"));
+        while (!waiting.isEmpty()) {
+            PendingCall call = waiting.pollFirstEntry().getValue();
+            refuse(call, notSent(call, "was not sent: the connection is closed"));
+        }
+        for (PendingCall call : underWay.values()) {
+            call.reject(new ServiceCallException(
+                    "the connection of \"" + need.by() + "\" was closed while it waited for the answer of "
+                            + call.receiver() + " to " + call,
+                    true,
+                    null));
+        }
+        services.broker().disconnect(this);
+    }
+
+    /** A call that is queued or waits for its answer. Used on the connection's space. */
+    private static final class PendingCall {
+        final CallDispatcher.Call call;
+        private final @Nullable Deferred<@Nullable Object> answer; // null: a one-way call
+        ActorProvider.@Nullable Running sentTo;
+
+        @Nullable
+        Promise<?> sent; // the provider's promise
+
+        private boolean cancelled;
+
+        @Nullable
+        Timer limit;
+
+        PendingCall(CallDispatcher.Call call, @Nullable Deferred<@Nullable Object> answer) {
+            this.call = call;
+            this.answer = answer;
+        }
+
+        void resolve(@Nullable Object value) {
+            cancelLimit();
+            if (answer != null) {
+                answer.resolve(value);
+            }
+        }
+
+        /** Rejects the call. Returns false for a one-way call, whose error has to be reported in another way. */
+        boolean reject(Throwable error) {
+            cancelLimit();
+            if (answer == null) {
+                return false;
+            }
+            answer.reject(error);
+            return true;
+        }
+
+        /** Cancels the call: a provider that has not begun it does not execute it. */
+        void cancel() {
+            cancelled = true;
+            cancelLimit();
+            if (sent != null) {
+                sent.cancel();
+            }
+        }
+
+        boolean isCancelled() {
+            return cancelled;
+        }
+
+        void cancelLimit() {
+            if (limit != null) {
+                limit.cancel();
+                limit = null;
+            }
+        }
+
+        String receiver() {
+            return sentTo == null ? "nobody" : sentTo.address().toString();
+        }
+
+        boolean receiverHasEnded() {
+            return sentTo != null && sentTo.hasEnded();
+        }
+
+        @Override
+        public String toString() {
+            return call.toString();
+        }
+    }
+}

@@ -1,0 +1,20 @@
+package io.troupe.broker;
+
+/**
+ * No provider can meet a need. The message names the service, the client, what is registered (the first 20 and the
+ * number of others), and a similar name.
+ */
+public final class MissingServiceException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private final transient Need need;
+
+    public MissingServiceException(Need need, String message) {
+        super(message);
+        this.need = need;
+    }
+
+    public Need need() {
+        return need;
+    }
+}

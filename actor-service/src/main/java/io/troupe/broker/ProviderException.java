@@ -1,0 +1,38 @@
+package io.troupe.broker;
+
+import org.jspecify.annotations.Nullable;
+
+/** A provider failed to start, stop or pass a check. The message names the provider, the call and the problem. */
+public final class ProviderException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private final boolean overdue;
+
+    /** May be used by providers themselves: the broker's messages then show only the text, without a class name. */
+    public ProviderException(String message) {
+        this(message, null);
+    }
+
+    /** The same with a cause. */
+    public ProviderException(String message, @Nullable Throwable cause) {
+        this(message, cause, false);
+    }
+
+    private ProviderException(String message, @Nullable Throwable cause, boolean overdue) {
+        super(message, cause);
+        this.overdue = overdue;
+    }
+
+    /**
+     * For providers with a time limit of their choice: the operation was not answered within it. Any other rejection
+     * means that the operation was not carried out and will not be.
+     */
+    public static ProviderException overdue(String message, @Nullable Throwable cause) {
+        return new ProviderException(message, cause, true);
+    }
+
+    /** Returns whether the operation timed out. It may have been carried out, or may be carried out later. */
+    public boolean isOverdue() {
+        return overdue;
+    }
+}

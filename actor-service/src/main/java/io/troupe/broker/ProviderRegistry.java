@@ -1,0 +1,192 @@
+package io.troupe.broker;
+
+import io.troupe.bus.Address;
+import io.troupe.text.Suggestions;
+import java.util.ArrayList;
+import java.util.Comparator;
+import java.util.HashSet;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
+import java.util.function.Function;
+import java.util.function.Predicate;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+
+/** The registry: all providers in the order of registration. Used on the broker's space. */
+final class ProviderRegistry {
+    private static final int MOST_LISTED = 20; // in an error message
+
+    private final List<Registration> all = new ArrayList<>();
+    private final Set<Registration> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not stopped yet
+    private final Set<Address> reserved = new HashSet<>(); // for replacements that are being started
+
+    void add(Registration registration) {
+        checkFree(registration.address, null);
+        all.add(registration);
+    }
+
+    void checkFree(Address address, @Nullable Address butFor) {
+        if (!address.equals(butFor) && (at(address).isPresent() || reserved.contains(address))) {
+            String who = at(address)
+                    .map(other -> "the service \"" + other.service + "\"")
+                    .orElse("another");
+            throw new IllegalArgumentException(
+                    "the address " + address + " is taken by " + who + ", expected a free one");
+        }
+    }
+
+    void reserve(Registration registration) {
+        reserved.add(registration.address);
+    }
+
+    void free(Address address) {
+        reserved.remove(address);
+    }
+
+    /**
+     * Puts a provider in the position of the old one, or at the end if that was removed. The old one may run until
+     * {@link #forget} is called.
+     */
+    void put(Registration registration, Registration old) {
+        int place = all.indexOf(old);
+        if (place >= 0) {
+            all.set(place, registration);
+            leaving.add(old);
+        } else {
+            all.add(registration);
+        }
+    }
+
+    /** Removes a withdrawn provider. It may run until {@link #forget} is called. */
+    void remove(Registration registration) {
+        all.remove(registration);
+        leaving.add(registration);
+    }
+
+    void forget(Registration registration) {
+        leaving.remove(registration);
+    }
+
+    /**
+     * Withdrawn or replaced providers that may still run and have the same address or the same provider object. They
+     * must stop before the given one is started.
+     */
+    List<Registration> predecessors(Registration registration) {
+        return leaving.stream()
+                .filter(each -> each.address.equals(registration.address) || each.provider == registration.provider)
+                .toList();
+    }
+
+    boolean has(Registration registration) {
+        return all.contains(registration);
+    }
+
+    Optional<Registration> at(Address address) {
+        return all.stream().filter(each -> each.address.equals(address)).findFirst();
+    }
+
+    Registration known(Address address) {
+        return at(address)
+                .orElseThrow(() -> new IllegalArgumentException("nothing is registered at " + address + "; registered: "
+                        + listed(all, Registration::toString)));
+    }
+
+    List<ServiceRecord> records() {
+        return all.stream().map(Registration::toRecord).toList();
+    }
+
+    List<Registration> meeting(Need need) {
+        return all.stream()
+                .filter(each -> each.meets(need))
+                .sorted(Comparator.comparingInt(Registration::rank)) // a stable sort keeps the order of registration
+                .toList();
+    }
+
+    Optional<Registration> best(Need need, Predicate<Registration> eligible) {
+        return meeting(need).stream().filter(eligible).findFirst();
+    }
+
+    /**
+     * The error for a need that no provider can meet.
+     *
+     * @param tried the providers that could not be started, with the reason
+     */
+    MissingServiceException missing(Need need, Map<Registration, Throwable> tried) {
+        var text = new StringBuilder("\"" + need.by() + "\" needs " + what(need));
+        List<Registration> offers = meeting(need);
+        if (offers.isEmpty() && tried.isEmpty()) {
+            text.append(", which nobody offers");
+            similar(need)
+                    .ifPresent(name ->
+                            text.append("; did you mean \"").append(name).append("\"?"));
+            text.append(text.charAt(text.length() - 1) == '?' ? " registered: " : "; registered: ");
+        } else {
+            List<Registration> these = Stream.concat(tried.keySet().stream(), offers.stream())
+                    .distinct()
+                    .toList();
+            String why = listed(these, each -> each + " (" + reason(each, tried.get(each)) + ")");
+            text.append(", which is offered, but runs nowhere: ").append(why).append("; registered: ");
+        }
+        text.append(all.isEmpty() ? "nothing" : listed(all, ProviderRegistry::show));
+        var missing = new MissingServiceException(need, Reasons.oneLine(text.toString()));
+        tried.values().stream().limit(MOST_LISTED).forEach(missing::addSuppressed);
+        return missing;
+    }
+
+    /** The first of them, and the number of others. */
+    private static String listed(List<Registration> some, Function<Registration, String> words) {
+        String first = some.stream().limit(MOST_LISTED).map(words).collect(Collectors.joining(", "));
+        return some.size() <= MOST_LISTED ? first : first + " and " + (some.size() - MOST_LISTED) + " more";
+    }
+
+    private static String reason(Registration registration, @Nullable Throwable tried) {
+        Throwable why = tried != null ? tried : registration.why;
+        return why == null ? words(registration.health) : Reasons.of(why);
+    }
+
+    /** The error for a need while the broker is shutting down. */
+    static MissingServiceException closing(Need need) {
+        return new MissingServiceException(
+                need,
+                Reasons.oneLine("\"" + need.by() + "\" needs " + what(need) + ", and the broker is being closed"));
+    }
+
+    static String what(Need need) {
+        if (need.service() == null) {
+            return "the capability \"" + need.capability() + "\"";
+        }
+        return "the service \"" + need.service() + "\""
+                + (need.capability() == null ? "" : " with the capability \"" + need.capability() + "\"");
+    }
+
+    private Optional<String> similar(Need need) {
+        List<String> services = all.stream().map(each -> each.service).toList();
+        if (need.service() != null && !services.contains(need.service())) {
+            return Suggestions.nearest(need.service(), services);
+        }
+        String capability = need.capability();
+        return capability == null
+                ? Optional.empty()
+                : Suggestions.nearest(
+                        capability,
+                        all.stream()
+                                .filter(each -> need.service() == null || each.service.equals(need.service()))
+                                .flatMap(each -> each.capabilities.stream())
+                                .toList());
+    }
+
+    private static String show(Registration registration) {
+        String capabilities =
+                registration.capabilities.isEmpty() ? "" : String.join(", ", registration.capabilities) + "; ";
+        return registration.service + " (" + capabilities + words(registration.health) + ")";
+    }
+
+    private static String words(Health health) {
+        return health.name().toLowerCase(Locale.ROOT).replace('_', ' ');
+    }
+}

@@ -1,0 +1,16 @@
+package io.troupe.broker;
+
+/** Formats errors as part of a sentence. */
+final class Reasons {
+    private Reasons() {}
+
+    /** The error on one line; exceptions of the broker by their message only. */
+    static String of(Throwable error) {
+        boolean ours = error instanceof ProviderException || error instanceof MissingServiceException;
+        return oneLine(String.valueOf(ours ? error.getMessage() : error));
+    }
+
+    static String oneLine(String text) {
+        return text.replaceAll("\\s*\\R\\s*", " ");
+    }
+}

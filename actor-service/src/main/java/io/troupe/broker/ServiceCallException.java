@@ -1,0 +1,26 @@
+package io.troupe.broker;
+
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A call through an {@link ActorConnection} that was not answered. The message names the caller, the method, the
+ * provider and the reason. Answers of the provider, including its errors, are passed to the caller unchanged.
+ */
+public final class ServiceCallException extends RuntimeException {
+    private static final long serialVersionUID = 1L;
+
+    private final boolean sent;
+
+    ServiceCallException(String message, boolean sent, @Nullable Throwable cause) {
+        super(Reasons.oneLine(message), cause);
+        this.sent = sent;
+    }
+
+    /**
+     * Returns whether the call was sent to a provider, which may have executed it. If false, no provider has received
+     * it, and it is safe to repeat it.
+     */
+    public boolean wasSent() {
+        return sent;
+    }
+}

@@ -1,0 +1,25 @@
+package io.troupe.bus;
+
+/**
+ * The address of a port on a bus: the node (the process) and the name of the port on that node.
+ *
+ * <p><b>Units and shapes.</b> Written {@code node/name}; neither part is blank or contains a slash.
+ */
+public record Address(String node, String name) {
+    public Address {
+        check("node", node);
+        check("name", name);
+    }
+
+    private static void check(String part, String value) {
+        if (value.isBlank() || value.indexOf('/') >= 0) {
+            throw new IllegalArgumentException(
+                    "the " + part + " of an address is \"" + value + "\", expected a name without a slash");
+        }
+    }
+
+    @Override
+    public String toString() {
+        return node + "/" + name;
+    }
+}

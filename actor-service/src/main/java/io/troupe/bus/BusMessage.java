@@ -1,0 +1,91 @@
+package io.troupe.bus;
+
+/**
+ * A message on the bus. Nothing else crosses it.
+ *
+ * <p><b>Role.</b> A bus between processes encodes exactly these records. They contain only names, numbers and records
+ * of values.
+ *
+ * <p><b>Source.</b> Paper, section 2.2.3: control messages manage services, data messages are their input and output.
+ */
+public sealed interface BusMessage {
+    Address from();
+
+    Purpose purpose();
+
+    /** The sequence number of the message: one counter per node for all its ports, starting at 1. */
+    long sequence();
+
+    /** A value of the topic's or operation's type; a {@link Failure} in a refusal. */
+    Record payload();
+
+    /** Creates a message of that kind. */
+    static BusMessage of(Operation.Kind kind, Address from, Purpose purpose, long sequence, Record payload) {
+        return switch (kind) {
+            case DATA -> new Data(from, purpose, sequence, payload);
+            case CONTROL -> new Control(from, purpose, sequence, payload);
+        };
+    }
+
+    /** The kind of the operation; publications are data. */
+    default Operation.Kind kind() {
+        return switch (this) {
+            case Data data -> Operation.Kind.DATA;
+            case Control control -> Operation.Kind.CONTROL;
+        };
+    }
+
+    /** Input or output of a service. */
+    record Data(Address from, Purpose purpose, long sequence, Record payload) implements BusMessage {}
+
+    /** Manages a service: invokes it, terminates it, checks its health. */
+    record Control(Address from, Purpose purpose, long sequence, Record payload) implements BusMessage {}
+
+    /** The purpose of a message, which also determines its receivers. */
+    sealed interface Purpose {
+        /** For all subscribers of the topic. */
+        record Publication(String topic) implements Purpose {
+            @Override
+            public String toString() {
+                return "publication on " + topic;
+            }
+        }
+
+        /** A request to one address. */
+        record Request(Address to, String operation) implements Purpose {
+            @Override
+            public String toString() {
+                return "question to " + to + " for " + operation;
+            }
+        }
+
+        /**
+         * The reply to a request.
+         *
+         * @param request the sequence number of the request
+         */
+        record Reply(Address to, String operation, long request) implements Purpose {
+            @Override
+            public String toString() {
+                return "answer to " + to + " for " + operation;
+            }
+        }
+
+        /** Rejects a request; sent in place of a reply. */
+        record Rejection(Address to, String operation, long request) implements Purpose {
+            @Override
+            public String toString() {
+                return "refusal to " + to + " for " + operation;
+            }
+        }
+    }
+
+    /** The reason why a request has no reply. */
+    sealed interface Failure {
+        /** The bus could not deliver the request to a request handler. */
+        record NotDelivered(String why) implements Failure {}
+
+        /** The request handler failed with an error of this class name and message. */
+        record Failed(String type, String message) implements Failure {}
+    }
+}

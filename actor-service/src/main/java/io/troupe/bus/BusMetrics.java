@@ -1,0 +1,34 @@
+package io.troupe.bus;
+
+/**
+ * Message counts of one node of a bus since it was opened.
+ *
+ * <p><b>Units and shapes.</b> When no message is queued and no request is pending, {@code queued = delivered + failed +
+ * dropped + discarded}, and {@code asked = answered + refused + timedOut}, unless a requester has cancelled.
+ *
+ * @param published values published from this node
+ * @param queued values queued for subscribers on this node: one for each value and subscriber
+ * @param delivered values that subscribers received
+ * @param failed values whose subscriber threw an exception
+ * @param dropped values removed from a full queue to make room for newer ones
+ * @param discarded values still queued when their subscription ended
+ * @param undeliverable messages that could not be sent, or that no port on this node accepts
+ * @param asked requests sent from this node
+ * @param answered requests from this node that were fulfilled by a reply
+ * @param refused requests from this node that were rejected for another reason than their time limit
+ * @param timedOut requests from this node that got no reply within their limit
+ * @param late replies that arrived when their request was no longer pending
+ */
+public record BusMetrics(
+        long published,
+        long queued,
+        long delivered,
+        long failed,
+        long dropped,
+        long discarded,
+        long undeliverable,
+        long asked,
+        long answered,
+        long refused,
+        long timedOut,
+        long late) {}

@@ -1,0 +1,35 @@
+package io.troupe.bus;
+
+import java.util.concurrent.atomic.LongAdder;
+
+/** The message counters of a node; incremented from any thread. */
+final class Counters {
+    final LongAdder published = new LongAdder();
+    final LongAdder queued = new LongAdder();
+    final LongAdder delivered = new LongAdder();
+    final LongAdder failed = new LongAdder();
+    final LongAdder dropped = new LongAdder();
+    final LongAdder discarded = new LongAdder();
+    final LongAdder undeliverable = new LongAdder();
+    final LongAdder asked = new LongAdder();
+    final LongAdder answered = new LongAdder();
+    final LongAdder refused = new LongAdder();
+    final LongAdder timedOut = new LongAdder();
+    final LongAdder late = new LongAdder();
+
+    BusMetrics now() {
+        return new BusMetrics(
+                published.sum(),
+                queued.sum(),
+                delivered.sum(),
+                failed.sum(),
+                dropped.sum(),
+                discarded.sum(),
+                undeliverable.sum(),
+                asked.sum(),
+                answered.sum(),
+                refused.sum(),
+                timedOut.sum(),
+                late.sum());
+    }
+}

@@ -1,0 +1,54 @@
+package io.troupe.bus;
+
+/**
+ * A message that was not delivered, or a reply that was no longer awaited. Each is reported once to the bus's observer.
+ */
+public sealed interface Loss {
+    /**
+     * The queue of a subscriber was full, and its oldest value was removed.
+     *
+     * @param soFar the number of values that this subscription has dropped, including this one
+     */
+    record Dropped(Address subscriber, BusMessage oldest, long soFar) implements Loss {
+        @Override
+        public String toString() {
+            return subscriber + " is too slow: its oldest " + describe(oldest) + " was dropped, " + soFar + " so far";
+        }
+    }
+
+    /** A subscription ended with values still queued, which are not delivered. */
+    record Discarded(Address subscriber, String topic, int count, String why) implements Loss {
+        @Override
+        public String toString() {
+            return subscriber + " does not hear " + count + " values of " + topic + " that waited: " + why;
+        }
+    }
+
+    /** A reply or refusal arrived when its request was no longer pending. */
+    record Late(BusMessage reply, String why) implements Loss {
+        @Override
+        public String toString() {
+            return describe(reply) + " is late: " + why;
+        }
+    }
+
+    /** The receiver of the message cannot be reached. If it is a request, the request is rejected as well. */
+    record Undeliverable(BusMessage message, String why) implements Loss {
+        @Override
+        public String toString() {
+            return describe(message) + " cannot be delivered: " + why;
+        }
+    }
+
+    /** A subscriber threw an exception. Other subscribers received the value. */
+    record SubscriberFailed(Address subscriber, BusMessage message, Throwable error) implements Loss {
+        @Override
+        public String toString() {
+            return subscriber + " failed to hear " + describe(message) + ": " + error;
+        }
+    }
+
+    private static String describe(BusMessage message) {
+        return message.purpose() + " from " + message.from() + " (number " + message.sequence() + ")";
+    }
+}

@@ -1,0 +1,283 @@
+package io.troupe.bus;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Home;
+import io.troupe.actor.promise.Promise;
+import io.troupe.bus.BusMessage.Purpose;
+import java.time.Duration;
+import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.TimeoutException;
+import java.util.concurrent.atomic.LongAdder;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** The pending requests of one node. */
+final class PendingRequests {
+    private final BusNode node;
+    private final Map<Long, PendingRequest<?>> pending = new ConcurrentHashMap<>(); // by sequence number
+
+    PendingRequests(BusNode node) {
+        this.node = node;
+    }
+
+    <Q extends Record, A extends Record> Promise<A> ask(
+            Port requester, Address to, Operation<Q, A> operation, Q request, Duration limit) {
+        if (limit.isNegative() || limit.isZero()) {
+            throw new IllegalArgumentException(
+                    "the limit for " + operation.name() + " is " + limit + ", expected more than zero");
+        }
+        var message = BusMessage.of(
+                operation.kind(),
+                requester.address(),
+                new Purpose.Request(to, operation.name()),
+                node.nextNumber(),
+                node.copy(operation.request().cast(Objects.requireNonNull(request, "question"))));
+        ActorSpace here = ActorSpace.current();
+        var waiting =
+                new PendingRequest<A>(requester, to, operation, message, here == null ? node.settings.space() : here);
+        long number = message.sequence();
+        node.counters.asked.increment();
+        pending.put(number, waiting);
+        waiting.whenCancelled(() -> take(number));
+        // read after put(): either this thread or close() sees the other's change
+        String closed = requester.whyClosed();
+        if (closed != null) {
+            reject(number, "the asker has left: " + closed);
+        } else {
+            node.route(message);
+        }
+        if (!waiting.answer().isDone()) {
+            waiting.limit(limit, inTime -> expire(number, inTime, limit));
+        }
+        return waiting.answer();
+    }
+
+    /** Removes a pending request; null if it was no longer pending. */
+    private @Nullable PendingRequest<?> take(long number) {
+        PendingRequest<?> asked = pending.remove(number);
+        if (asked != null) {
+            node.requestCancelled(asked.request());
+        }
+        return asked;
+    }
+
+    /** Returns whether its requester, on this node, still waits for the reply. */
+    boolean isAwaited(BusMessage request) {
+        return pending.containsKey(request.sequence());
+    }
+
+    private void expire(long number, boolean timeIsOver, Duration limit) {
+        PendingRequest<?> late = take(number);
+        if (late != null && timeIsOver) {
+            PendingRequest.counted(node.counters.timedOut, late.reject(late.timeout(limit)));
+        } else if (late != null) {
+            reject(late, "the space of the asker was closed");
+        }
+    }
+
+    /** A reply or a refusal has arrived. */
+    void settle(BusMessage reply, long request) {
+        PendingRequest<?> asked = pending.get(request);
+        if (asked != null && !asked.isAnsweredBy(reply)) {
+            node.notifier.late(reply, "it is for another question of that number, of an earlier life of this node");
+        } else if (asked == null || !pending.remove(request, asked)) {
+            node.notifier.late(reply, "nobody waits for it any more");
+        } else if (!asked.settle(reply, node.counters)) {
+            node.notifier.late(reply, "the asker has cancelled");
+        }
+    }
+
+    /** Rejects a request because the bus cannot get a reply. */
+    void reject(long number, String why) {
+        PendingRequest<?> asked = take(number);
+        if (asked != null) {
+            reject(asked, why);
+        }
+    }
+
+    void rejectAllOf(Port requester, String why) {
+        pending.forEach((number, asked) -> {
+            if (asked.requester == requester) {
+                reject(number, why);
+            }
+        });
+    }
+
+    private void reject(PendingRequest<?> asked, String why) {
+        PendingRequest.counted(node.counters.refused, asked.reject(asked.error(why)));
+    }
+
+    /** The number of pending requests. */
+    int waiting() {
+        return pending.size();
+    }
+
+    /** A request that waits for its reply. */
+    private static final class PendingRequest<A extends Record> {
+        final Port requester;
+        private final Address to;
+        private final Operation<?, A> operation;
+        private final BusMessage request;
+        private final Reply answer;
+        private final Deferred<@Nullable Void> over;
+
+        PendingRequest(Port requester, Address to, Operation<?, A> operation, BusMessage request, Home home) {
+            this.requester = requester;
+            this.to = to;
+            this.operation = operation;
+            this.request = request;
+            this.answer = new Reply(home);
+            this.over = new Deferred<>(home);
+        }
+
+        Promise<A> answer() {
+            return answer;
+        }
+
+        BusMessage request() {
+            return request;
+        }
+
+        /**
+         * Returns whether a reply belongs to this request: it comes from the address that was asked, and names the same
+         * operation.
+         */
+        boolean isAnsweredBy(BusMessage reply) {
+            String replied = switch (reply.purpose()) {
+                case BusMessage.Purpose.Reply is -> is.operation();
+                case BusMessage.Purpose.Rejection is -> is.operation();
+                case BusMessage.Purpose.Publication none -> "";
+                case BusMessage.Purpose.Request none -> "";
+            };
+            return reply.from().equals(to) && replied.equals(operation.name());
+        }
+
+        /**
+         * Calls the consumer when the limit is over (with true) or the requester's space is closed (with false). Never
+         * called once this request is settled.
+         */
+        void limit(Duration limit, Consumer<Boolean> onEnd) {
+            over.orTimeout(limit).toCompletableFuture().whenComplete((nothing, error) -> {
+                if (error != null) {
+                    onEnd.accept(error instanceof TimeoutException);
+                }
+            });
+        }
+
+        /** Settles the request by a reply and counts the outcome; false if it was settled before. */
+        boolean settle(BusMessage reply, Counters counters) {
+            if (reply.payload() instanceof BusMessage.Failure failure) {
+                return counted(counters.refused, reject(errorOf(failure)));
+            }
+            if (operation.reply().isInstance(reply.payload())) {
+                return counted(counters.answered, resolve(operation.reply().cast(reply.payload())));
+            }
+            return counted(
+                    counters.refused,
+                    reject(error("the answer is a " + reply.payload().getClass().getName() + ", expected a "
+                            + operation.reply().getName())));
+        }
+
+        private RuntimeException errorOf(BusMessage.Failure failure) {
+            return switch (failure) {
+                case BusMessage.Failure.NotDelivered(String why) -> error(why);
+                case BusMessage.Failure.Failed(String type, String message) ->
+                    new RemoteFailure(to, operation.name(), type, message);
+            };
+        }
+
+        BusException error(String why) {
+            return new BusException(about(why));
+        }
+
+        private String about(String why) {
+            return requester.address() + " asked " + to + " for " + operation.name() + ": " + why;
+        }
+
+        BusTimeoutException timeout(Duration limit) {
+            return new BusTimeoutException(about("no answer within " + limit));
+        }
+
+        static boolean counted(LongAdder counter, boolean done) {
+            if (done) {
+                counter.increment();
+            }
+            return done;
+        }
+
+        /** Returns false if it was settled before. */
+        boolean resolve(A value) {
+            boolean first = answer.resolve(value);
+            over.resolve(null);
+            return first;
+        }
+
+        /** Returns false if it was settled before. */
+        boolean reject(RuntimeException error) {
+            boolean first = answer.reject(error);
+            over.resolve(null);
+            return first;
+        }
+
+        /** Registers an action to run when the requester cancels. */
+        void whenCancelled(Runnable action) {
+            answer.whenCancelled = () -> {
+                action.run();
+                over.resolve(null);
+            };
+        }
+
+        /** The promise that the requester gets. */
+        private final class Reply extends Promise<A> {
+            private final Home home;
+            private final boolean madeOutside;
+            private volatile Runnable whenCancelled = () -> {};
+
+            Reply(Home home) {
+                this.home = home;
+                this.madeOutside = Home.current() != home;
+            }
+
+            boolean resolve(A value) {
+                return settleValue(value);
+            }
+
+            boolean reject(Throwable error) {
+                return settleError(error);
+            }
+
+            @Override
+            protected void cancelled() {
+                whenCancelled.run();
+            }
+
+            @Override
+            protected Home home() {
+                return home;
+            }
+
+            @Override
+            protected boolean isLocal() {
+                return false;
+            }
+
+            @Override
+            protected boolean madeOutside() {
+                return madeOutside;
+            }
+
+            @Override
+            protected void run() {
+                throw new IllegalStateException("an answer is never queued");
+            }
+
+            @Override
+            public String toString() {
+                return requester.address() + "'s question to " + to + " for " + operation.name();
+            }
+        }
+    }
+}

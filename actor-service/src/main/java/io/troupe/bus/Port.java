@@ -1,0 +1,178 @@
+package io.troupe.bus;
+
+import io.troupe.actor.promise.Promise;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
+import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
+
+/** A port of a node: its subscriptions, request handlers and topics. */
+final class Port implements BusPort {
+    final BusNode node;
+    private final Address address;
+    private final Object lock = new Object(); // guards all fields below
+    private final Set<TopicSubscription<?>> subscriptions = new LinkedHashSet<>();
+    private final Map<String, OperationHandler<?, ?>> operationHandlers = new LinkedHashMap<>();
+    private final Set<BusTopic<?>> topics = new HashSet<>(); // those it has published or subscribed to
+    private @Nullable String closed;
+
+    Port(BusNode node, Address address) {
+        this.node = node;
+        this.address = address;
+    }
+
+    @Override
+    public Address address() {
+        return address;
+    }
+
+    @Override
+    public <T extends Record> void publish(BusTopic<T> topic, T value) {
+        Record payload = node.copy(topic.type().cast(Objects.requireNonNull(value, "value")));
+        synchronized (lock) {
+            if (closed != null) {
+                throw rejection("publish on " + topic.name(), closed);
+            }
+            use(topic); // after the check of the value: a rejected value does not fix the topic's type
+        }
+        node.publish(this, topic, payload);
+    }
+
+    @Override
+    public <T extends Record> Subscription subscribe(BusTopic<T> topic, Subscriber<? super T> subscriber) {
+        Objects.requireNonNull(subscriber, "subscriber");
+        var subscription = new TopicSubscription<T>(this, topic, subscriber);
+        synchronized (lock) {
+            if (closed != null) {
+                throw rejection("subscribe to " + topic.name(), closed);
+            }
+            use(topic);
+            subscriptions.add(subscription);
+        }
+        subscription.open();
+        node.add(subscription);
+        checkOpen("subscribe to " + topic.name(), subscription);
+        return subscription;
+    }
+
+    @Override
+    public <Q extends Record, A extends Record> void answer(
+            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
+        Objects.requireNonNull(handler, "answerer");
+        var operationHandler = new OperationHandler<Q, A>(this, operation, handler);
+        var before = operationHandler(operation.name());
+        if (before != null && !before.hasEnded()) {
+            throw answeredAlready(operation);
+        }
+        operationHandler.open();
+        synchronized (lock) {
+            if (closed != null) {
+                operationHandler.end(closed);
+            } else if (operationHandlers.putIfAbsent(operation.name(), operationHandler) != null) {
+                operationHandler.end("another answers");
+                throw answeredAlready(operation);
+            }
+        }
+        checkOpen("answer " + operation.name(), operationHandler);
+    }
+
+    private IllegalArgumentException answeredAlready(Operation<?, ?> operation) {
+        return new IllegalArgumentException(address + " answers " + operation.name() + " already");
+    }
+
+    /** Throws if the queue has ended before it was registered, because its space or this port was closed. */
+    private void checkOpen(String what, InboundQueue queue) {
+        String why = queue.whyEnded();
+        if (why != null) {
+            forget(queue);
+            throw rejection(what, why);
+        }
+    }
+
+    @Override
+    public <Q extends Record, A extends Record> Promise<A> ask(
+            Address to, Operation<Q, A> operation, Q request, Duration limit) {
+        return node.ask(this, to, operation, request, limit);
+    }
+
+    @Override
+    public void close() {
+        close("it has left the bus");
+    }
+
+    void close(String why) {
+        List<InboundQueue> queues = new ArrayList<>();
+        synchronized (lock) {
+            if (closed != null) {
+                return;
+            }
+            closed = why;
+            topics.forEach(node::release);
+            topics.clear();
+            queues.addAll(subscriptions);
+            queues.addAll(operationHandlers.values());
+        }
+        node.detach(this);
+        queues.forEach(queue -> queue.end(why));
+        node.rejectRequestsOf(this, "the asker has left: " + why);
+    }
+
+    @Nullable
+    String whyClosed() {
+        synchronized (lock) {
+            return closed;
+        }
+    }
+
+    @Nullable
+    OperationHandler<?, ?> operationHandler(String operation) {
+        synchronized (lock) {
+            return operationHandlers.get(operation);
+        }
+    }
+
+    List<String> operations() {
+        synchronized (lock) {
+            return List.copyOf(operationHandlers.keySet());
+        }
+    }
+
+    /** Removes a queue that has ended. */
+    void forget(InboundQueue queue) {
+        synchronized (lock) {
+            switch (queue) {
+                case TopicSubscription<?> subscription -> subscriptions.remove(subscription);
+                case OperationHandler<?, ?> operationHandler ->
+                    operationHandlers.remove(operationHandler.operation.name(), operationHandler);
+                default -> throw new IllegalStateException("no such queue: " + queue);
+            }
+        }
+        if (queue instanceof TopicSubscription<?> subscription) {
+            node.remove(subscription);
+        }
+    }
+
+    /** Called under the lock. */
+    private void use(BusTopic<?> topic) {
+        if (!topics.contains(topic)) {
+            node.use(topic);
+            topics.add(topic);
+        }
+    }
+
+    private BusException rejection(String what, String why) {
+        return new BusException(address + " cannot " + what + ": " + why);
+    }
+
+    @Override
+    public String toString() {
+        return address.toString();
+    }
+}

@@ -1,0 +1,60 @@
+package io.troupe.bus;
+
+import java.util.List;
+
+/** A port's subscription to one topic, with the queue of its values. */
+final class TopicSubscription<T extends Record> extends InboundQueue implements BusPort.Subscription {
+    final BusTopic<T> topic;
+    private final BusPort.Subscriber<? super T> subscriber;
+    private long dropped; // guarded by this
+
+    TopicSubscription(Port port, BusTopic<T> topic, BusPort.Subscriber<? super T> subscriber) {
+        super(port, port.address() + " hears " + topic.name());
+        this.topic = topic;
+        this.subscriber = subscriber;
+    }
+
+    @Override
+    void handle(BusMessage message) {
+        try {
+            subscriber.receive(topic.type().cast(message.payload()), message.from());
+            node.counters.delivered.increment();
+        } catch (Throwable thrown) {
+            node.counters.failed.increment();
+            node.notifier.lost(new Loss.SubscriberFailed(port.address(), message, thrown));
+        }
+    }
+
+    @Override
+    void accepted() {
+        node.counters.queued.increment();
+    }
+
+    @Override
+    boolean dropsOldest() {
+        return true;
+    }
+
+    @Override
+    void overflow(BusMessage message) {
+        long soFar;
+        synchronized (this) {
+            soFar = ++dropped;
+        }
+        node.counters.dropped.increment();
+        node.notifier.lost(new Loss.Dropped(port.address(), message, soFar));
+    }
+
+    @Override
+    void discard(List<BusMessage> rest, String why) {
+        if (!rest.isEmpty()) {
+            node.counters.discarded.add(rest.size());
+            node.notifier.lost(new Loss.Discarded(port.address(), topic.name(), rest.size(), why));
+        }
+    }
+
+    @Override
+    public void close() {
+        end("it does not subscribe any more");
+    }
+}

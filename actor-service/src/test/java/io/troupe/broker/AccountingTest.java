@@ -1,0 +1,343 @@
+package io.troupe.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.Address;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+
+/**
+ * Runs random programs that call through one connection while providers are published, fail, are withdrawn and
+ * replaced, partly within one turn. A model determines where each call has to end: every request is answered exactly
+ * once, by the provider that executed it, or rejected with a reason; every one-way call was executed once, or reported
+ * to the observer, or is a dead letter.
+ */
+class AccountingTest {
+    /** The actor under test: answers at once, or later. */
+    interface Worker {
+        Promise<String> work(int id, boolean later);
+
+        void note(int id);
+    }
+
+    private static final Duration LIMIT = Duration.ofSeconds(5);
+    private static final int STEPS = 60;
+
+    static Stream<Long> seeds() {
+        return IntStream.range(0, 400).mapToObj(i -> 20_191_121L + i);
+    }
+
+    @ParameterizedTest(name = "seed {0}")
+    @MethodSource("seeds")
+    void everyCall_isAnsweredOnce_orRejectedWithAReason(long seed) {
+        var program = new Program(seed);
+        program.run();
+        program.check();
+    }
+
+    @Test
+    void programs_reachEveryKindOfEnd() {
+        Map<String, Integer> ends = new TreeMap<>();
+        seeds().limit(100).forEach(seed -> {
+            var program = new Program(seed);
+            program.run();
+            program.check();
+            program.ends().forEach(end -> ends.merge(end, 1, Integer::sum));
+        });
+        assertThat(ends.keySet())
+                .contains("answered", "died with it", "too late", "nobody there", "note done", "note undelivered");
+        assertThat(ends.get("answered")).isGreaterThan(1000);
+    }
+
+    /** An answer that is still pending. */
+    private record Late(Deferred<String> answer, String by) {
+        void give() {
+            answer.resolve(by);
+        }
+    }
+
+    /** One program, and its model: the providers in the order of the registry. */
+    private static final class Program {
+        private final Random random;
+        private final TestSpace test = new TestSpace();
+        private final List<BrokerEvent> events = new ArrayList<>();
+        private final ServiceBroker broker = ServiceBroker.open(
+                test.space(), BrokerSettings.DEFAULT.withoutRestart().withObserver(events::add));
+        private final ActorServices services = new ActorServices(broker, "node", test.space(), events::add);
+        private final Map<Integer, List<String>> done = new HashMap<>();
+        private final List<Late> later = new ArrayList<>();
+        private final Map<Integer, Promise<String>> asked = new TreeMap<>();
+        private final Map<Integer, Boolean> notes = new TreeMap<>();
+        private final Map<Integer, String> expected = new HashMap<>(); // provider that must execute it, if certain
+        private final List<Address> alive = new ArrayList<>(); // the model: the first is in use
+        private final Worker worker;
+        private final long seed;
+        private final Set<Address> running = new HashSet<>();
+        private @Nullable Address inUse;
+        private int batch; // steps in this turn
+        private int calls;
+        private int providers;
+
+        Program(long seed) {
+            this.seed = seed;
+            this.random = new Random(seed);
+            var connection = services.connect(Worker.class, Need.ofService("user", "work"));
+            connection.first().handle((record, error) -> null);
+            worker = connection.actor();
+            test.crank();
+        }
+
+        void run() {
+            for (int i = 0; i < STEPS; i++) {
+                boolean settle = random.nextInt(3) > 0; // otherwise the next step runs in the same turn
+                step(settle);
+                batch++;
+                if (settle) {
+                    test.crank();
+                    settled();
+                    batch = 0;
+                }
+            }
+            test.crank();
+            test.advance(LIMIT);
+            later.forEach(Late::give);
+            test.crank();
+            test.get(broker.shutDown());
+            test.crank();
+        }
+
+        /**
+         * Updates the provider that the model expects to get the next calls. After several steps in one turn, the model
+         * takes over the broker's state.
+         */
+        private void settled() {
+            var records = test.get(broker.registered());
+            Address really = null;
+            for (var event : events) {
+                really = switch (event) {
+                    case BrokerEvent.Connected e -> e.to().provider();
+                    case BrokerEvent.FailedOver e -> e.to().provider();
+                    case BrokerEvent.Lost e -> null;
+                    default -> really;
+                };
+            }
+            if (batch > 1) {
+                inUse = really;
+                alive.clear();
+                running.clear();
+                for (var record : records) {
+                    if (record.health() != Health.FAILED) {
+                        alive.add(record.provider());
+                    }
+                    if (record.health() == Health.WELL) {
+                        running.add(record.provider());
+                    }
+                }
+                return;
+            }
+            running.retainAll(alive);
+            if (inUse == null || !alive.contains(inUse)) {
+                inUse = alive.stream()
+                        .filter(running::contains)
+                        .findFirst()
+                        .orElse(alive.isEmpty() ? null : alive.getFirst());
+            }
+            if (inUse != null) {
+                running.add(inUse);
+            }
+            assertThat(really).as("seed %d: in use, by the model", seed).isEqualTo(inUse);
+        }
+
+        private void step(boolean settle) {
+            switch (random.nextInt(12)) {
+                case 0, 1 -> publish();
+                case 2 -> kill();
+                case 3 -> withdraw();
+                case 4 -> replace();
+                case 5 ->
+                    later.stream()
+                            .filter(each -> !each.answer().isDone())
+                            .findFirst()
+                            .ifPresent(Late::give);
+                case 6 -> {
+                    test.crank();
+                    test.advance(Duration.ofSeconds(random.nextInt(3)));
+                }
+                case 7 -> note(settle);
+                default -> ask(settle);
+            }
+        }
+
+        private void publish() {
+            Address address = nextAddress();
+            broker.register("work", List.of(), address, provider(address));
+            alive.add(address);
+        }
+
+        private Address nextAddress() {
+            return new Address("node", "work-" + ++providers);
+        }
+
+        private Provider provider(Address address) {
+            return services.provider(
+                    address, test.space(), Worker.class, () -> worker(address), io.troupe.actor.ActorSettings.DEFAULT);
+        }
+
+        private Worker worker(Address address) {
+            return new Worker() {
+                @Override
+                public Promise<String> work(int id, boolean isLater) {
+                    done.computeIfAbsent(id, each -> new ArrayList<>()).add(address.name());
+                    if (!isLater) {
+                        return Promise.of(address.name());
+                    }
+                    var answer = new Deferred<String>(null);
+                    later.add(new Late(answer, address.name()));
+                    return answer;
+                }
+
+                @Override
+                public void note(int id) {
+                    done.computeIfAbsent(id, each -> new ArrayList<>()).add(address.name());
+                }
+            };
+        }
+
+        private void kill() {
+            if (inUse != null && alive.contains(inUse)) {
+                var life = services.running(inUse);
+                if (life != null) {
+                    test.space().stop(life.proxy());
+                    alive.remove(inUse);
+                }
+            }
+        }
+
+        private void withdraw() {
+            if (!alive.isEmpty()) {
+                Address one = alive.remove(random.nextInt(alive.size()));
+                broker.withdraw(one).handle((gone, error) -> null);
+            }
+        }
+
+        private void replace() {
+            if (!alive.isEmpty()) {
+                int place = random.nextInt(alive.size());
+                Address next = nextAddress();
+                broker.replace(alive.get(place), "work", List.of(), next, provider(next))
+                        .handle((by, error) -> null);
+                if (alive.set(place, next).equals(inUse)) {
+                    inUse = next;
+                }
+                running.add(next);
+            }
+        }
+
+        private void ask(boolean settle) {
+            int id = ++calls;
+            boolean isLater = random.nextInt(3) == 0;
+            boolean quiet = test.space().isQuiet();
+            asked.put(id, worker.work(id, isLater));
+            asked.get(id).handle((value, error) -> null);
+            expect(id, quiet && settle && batch == 0);
+        }
+
+        private void note(boolean settle) {
+            int id = ++calls;
+            boolean quiet = test.space().isQuiet();
+            notes.put(id, true);
+            worker.note(id);
+            expect(id, quiet && settle && batch == 0);
+        }
+
+        /** If nothing else is pending, the model knows who must execute the call: the provider in use. */
+        private void expect(int id, boolean certain) {
+            Address now = inUse;
+            if (certain && now != null) {
+                expected.put(id, now.name());
+            }
+        }
+
+        void check() {
+            String what = "seed " + seed;
+            asked.forEach((id, promise) -> {
+                assertThat(promise.isDone())
+                        .as("%s: call %d has ended", what, id)
+                        .isTrue();
+                var by = done.getOrDefault(id, List.of());
+                assertThat(by.size())
+                        .as("%s: call %d was done once at most", what, id)
+                        .isLessThanOrEqualTo(1);
+                Throwable error = promise.error();
+                if (error == null) {
+                    assertThat(by)
+                            .as("%s: call %d was answered, so it was done", what, id)
+                            .hasSize(1);
+                    assertThat(promise.getNow()).as("%s: call %d", what, id).isEqualTo(by.getFirst());
+                } else {
+                    assertThat(error).as("%s: call %d", what, id).isInstanceOf(ServiceCallException.class);
+                    assertThat(((ServiceCallException) error).wasSent() || by.isEmpty())
+                            .as("%s: call %d says that nobody got it, and %s did it", what, id, by)
+                            .isTrue();
+                }
+            });
+            expected.forEach((id, name) -> assertThat(done.getOrDefault(id, List.of()))
+                    .as("%s: call %d was for %s", what, id, name)
+                    .containsExactly(name));
+            int undelivered = count(BrokerEvent.Undelivered.class);
+            int deadLetters = (int) test.takeDeadLetters().stream()
+                    .filter(letter -> letter.message().contains("note("))
+                    .count();
+            long noted = notes.keySet().stream().filter(done::containsKey).count();
+            assertThat(noted + undelivered + deadLetters)
+                    .as("%s: one-way calls done, undelivered and dead", what)
+                    .isEqualTo(notes.size());
+            assertThat(notes.keySet())
+                    .as(what)
+                    .allSatisfy(id ->
+                            assertThat(done.getOrDefault(id, List.of()).size()).isLessThanOrEqualTo(1));
+            assertThat(test.takeProblems()).as(what).isEmpty();
+            test.close();
+        }
+
+        private int count(Class<? extends BrokerEvent> type) {
+            return (int) events.stream().filter(type::isInstance).count();
+        }
+
+        List<String> ends() {
+            List<String> ends = new ArrayList<>();
+            for (var promise : asked.values()) {
+                Throwable error = promise.error();
+                ends.add(
+                        error == null
+                                ? "answered"
+                                : String.valueOf(error.getMessage()).contains("ended while")
+                                        ? "died with it"
+                                        : String.valueOf(error.getMessage()).contains("did not answer")
+                                                ? "too late"
+                                                : "nobody there");
+            }
+            notes.keySet().stream().filter(done::containsKey).forEach(id -> ends.add("note done"));
+            if (count(BrokerEvent.Undelivered.class) > 0) {
+                ends.add("note undelivered");
+            }
+            return ends;
+        }
+    }
+}

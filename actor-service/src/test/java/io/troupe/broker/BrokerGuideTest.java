@@ -1,0 +1,244 @@
+package io.troupe.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.Address;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+/** Compiles and runs the broker samples of docs/guide/07-components-bus-broker.md. */
+class BrokerGuideTest {
+    /** A component that only records its calls. */
+    private static final class Camera implements Provider {
+        private final List<String> shown;
+
+        Camera(List<String> shown) {
+            this.shown = shown;
+        }
+
+        @Override
+        public Promise<@Nullable Void> start() {
+            shown.add("camera starts");
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> stop() {
+            shown.add("camera stops");
+            return Promise.done();
+        }
+
+        @Override
+        public Promise<@Nullable Void> check() {
+            return Promise.done();
+        }
+    }
+
+    private final List<String> shown = new ArrayList<>();
+
+    private void show(Object what) {
+        shown.add(String.valueOf(what));
+    }
+
+    @Test
+    void registry_startsOnDemand_andTellsUsers() {
+        try (var test = new TestSpace()) {
+            var space = test.space();
+            var left = new Camera(shown);
+            var right = new Camera(shown);
+            var events = new ArrayList<BrokerEvent>();
+            BrokerObserver observer = events::add;
+
+            Broker broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
+            broker.register("camera", List.of("senses", "colour"), new Address("robot", "left"), left);
+            broker.register("camera", List.of("senses"), new Address("robot", "right"), right);
+
+            broker.find(Need.ofCapability("finder", "colour")).then(cameras -> show(cameras.size()));
+            broker.require(Need.ofService("finder", "camera")).then(camera -> show(camera.provider()));
+            test.crank();
+            assertThat(shown).containsExactly("1", "camera starts", "robot/left");
+
+            shown.clear();
+            broker.connect(Need.ofService("finder", "camera"), new Broker.Connection() {
+                public void use(ServiceRecord camera) {
+                    show("use " + camera.provider());
+                }
+
+                public void lost(MissingServiceException why) {
+                    show(why.getMessage());
+                }
+            });
+            test.crank();
+            broker.withdraw(new Address("robot", "left"));
+            test.crank();
+            assertThat(shown).containsExactly("use robot/left", "camera starts", "use robot/right", "camera stops");
+
+            shown.clear();
+            broker.require(Need.ofService("robot 2", "camrea"))
+                    .exceptionally(error -> {
+                        show(error.getMessage());
+                        throw new IllegalStateException("the application ends", error);
+                    })
+                    .handle((camera, error) -> null);
+            test.crank();
+            assertThat(shown)
+                    .containsExactly("\"robot 2\" needs the service \"camrea\", which nobody offers; "
+                            + "did you mean \"camera\"? registered: camera (senses; well)");
+
+            broker.shutDown().then(left2 -> show(left2.size() + " did not stop"));
+            test.crank();
+            assertThat(shown).endsWith("camera stops", "0 did not stop");
+        }
+    }
+
+    interface Compass {
+        void headings(Callback<Double> reader);
+
+        Promise<Double> heading();
+    }
+
+    interface Helm {
+        void turns(Callback<Double> reader);
+    }
+
+    /** Publishes headings; subscribes to turns. */
+    static final class ShipCompass extends Actor implements Compass {
+        private final List<Callback<Double>> readers = new ArrayList<>();
+        private final ActorServices services;
+        private @Nullable ActorConnection<Helm> helm;
+        private double headingDegrees;
+
+        ShipCompass(ActorServices services) {
+            this.services = services;
+        }
+
+        @Override
+        protected void started() {
+            helm = services.connect(Helm.class, Need.ofService("compass", "helm"));
+            helm.actor().turns((degrees, error) -> turn(degrees));
+        }
+
+        private void turn(double degrees) {
+            headingDegrees += degrees;
+            readers.forEach(reader -> reader.next(headingDegrees));
+        }
+
+        @Override
+        public void headings(Callback<Double> reader) {
+            readers.add(reader);
+            reader.next(headingDegrees);
+        }
+
+        @Override
+        public Promise<Double> heading() {
+            return Promise.of(headingDegrees);
+        }
+
+        @Override
+        protected void stopped() {
+            helm.close();
+        }
+    }
+
+    /** Publishes turns; subscribes to headings. */
+    static final class ShipHelm extends Actor implements Helm {
+        private final List<Callback<Double>> readers = new ArrayList<>();
+        private final ActorServices services;
+        private @Nullable ActorConnection<Compass> compass;
+        private double headingDegrees = 90;
+
+        ShipHelm(ActorServices services) {
+            this.services = services;
+        }
+
+        @Override
+        protected void started() {
+            compass = services.connect(Compass.class, Need.ofService("helm", "compass"));
+            compass.actor().headings((degrees, error) -> steer(degrees));
+        }
+
+        private void steer(double degrees) {
+            headingDegrees = degrees;
+            if (headingDegrees < 90) {
+                readers.forEach(reader -> reader.next(30.0));
+            }
+        }
+
+        @Override
+        public void turns(Callback<Double> reader) {
+            readers.add(reader);
+            steer(headingDegrees);
+        }
+
+        @Override
+        protected void stopped() {
+            compass.close();
+        }
+    }
+
+    @Test
+    void twoActors_arePublisherAndSubscriberOfEachOther() {
+        try (var test = new TestSpace()) {
+            var space = test.space();
+            Broker broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+
+            var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+            services.publish(space, Compass.class, "compass", List.of("senses"), () -> new ShipCompass(services));
+            services.publish(space, Helm.class, "helm", List.of("steers"), () -> new ShipHelm(services));
+
+            var compass = services.connect(Compass.class, Need.ofService("captain", "compass"));
+            compass.actor().heading().then(degrees -> show(degrees));
+            test.crank();
+            assertThat(test.get(compass.actor().heading())).isEqualTo(90.0); // headings 0, 30, 60 and 90; then it stops
+            assertThat(test.get(broker.registered()))
+                    .extracting(ServiceRecord::health)
+                    .containsOnly(io.troupe.broker.Health.WELL);
+            compass.close();
+            test.get(broker.shutDown());
+            test.crank();
+        }
+    }
+
+    @Test
+    void serviceThatTakesLong_hasNoLimit_andItsReplacementTakesOver() {
+        try (var test = new TestSpace()) {
+            var space = test.space();
+            Broker broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+            var services = new ActorServices(broker, "ship", space, event -> {});
+            services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+
+            var patient = ConnectionSettings.DEFAULT
+                    .withWaitLimit(Duration.ofSeconds(20))
+                    .withoutAnswerLimit();
+            var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"), patient)
+                    .actor();
+            greeter.greet("Ada").then(text -> show(text));
+            test.crank();
+
+            services.replace(
+                    new Address("ship", "greeter"),
+                    space,
+                    Greeter.class,
+                    "greeter",
+                    List.of(),
+                    () -> name -> Promise.of("good morning " + name));
+            test.crank();
+            greeter.greet("Ada").then(text -> show(text));
+            test.crank();
+            assertThat(shown).containsExactly("hello Ada", "good morning Ada");
+            test.get(broker.shutDown());
+            test.crank();
+        }
+    }
+
+    interface Greeter {
+        Promise<String> greet(String name);
+    }
+}

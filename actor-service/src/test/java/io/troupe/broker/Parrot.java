@@ -1,0 +1,70 @@
+package io.troupe.broker;
+
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import java.util.ArrayDeque;
+import java.util.Deque;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/** An actor type with every kind of method. */
+interface Parrot {
+    Promise<String> say(String text);
+
+    Promise<String> sayLater(String text);
+
+    Promise<@Nullable Void> fail(String why);
+
+    void hear(String text);
+
+    void count(int to, Callback<Integer> callback);
+
+    default Promise<String> sayTwice(String text) {
+        return say(text).thenCombine(say(text), (a, b) -> a + ", " + b);
+    }
+
+    /** A parrot that records its calls together with its name. */
+    final class Grey implements Parrot {
+        private final String name;
+        private final List<String> diary;
+        final Deque<Deferred<String>> later = new ArrayDeque<>();
+
+        Grey(String name, List<String> diary) {
+            this.name = name;
+            this.diary = diary;
+        }
+
+        @Override
+        public Promise<String> say(String text) {
+            diary.add(name + " says " + text);
+            return Promise.of(name + ": " + text);
+        }
+
+        @Override
+        public Promise<String> sayLater(String text) {
+            diary.add(name + " begins " + text);
+            var answer = new Deferred<String>(null);
+            later.add(answer);
+            return answer;
+        }
+
+        @Override
+        public Promise<@Nullable Void> fail(String why) {
+            throw new UnsupportedOperationException(why);
+        }
+
+        @Override
+        public void hear(String text) {
+            diary.add(name + " hears " + text);
+        }
+
+        @Override
+        public void count(int to, Callback<Integer> callback) {
+            for (int i = 1; i <= to; i++) {
+                callback.next(i);
+            }
+            callback.finish();
+        }
+    }
+}

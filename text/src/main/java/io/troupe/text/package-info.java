@@ -1,0 +1,5 @@
+/** Texts for error messages: suggestions for misspelled names. */
+@NullMarked
+package io.troupe.text;
+
+import org.jspecify.annotations.NullMarked;
