@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.broker.MissingServiceException;
 import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.draw.DrawCommand;
@@ -12,14 +13,13 @@ import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
-import io.troupe.broker.MissingServiceException;
 import io.troupe.services.component.application.ApplicationException;
 import io.troupe.services.component.application.ApplicationFileException;
 import io.troupe.services.subsumption.ServiceJarException;
 import io.troupe.services.subsumption.SubsumptionTableException;
-import io.troupe.text.Suggestions;
 import io.troupe.sim.RecordingException;
-import io.troupe.sim.scenario.WorldFileException;
+import io.troupe.sim.worldfile.WorldFileException;
+import io.troupe.text.Suggestions;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;

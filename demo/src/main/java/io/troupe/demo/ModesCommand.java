@@ -6,7 +6,7 @@ import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
-import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.model.Scenario;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;

@@ -8,7 +8,7 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Snapshot;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;

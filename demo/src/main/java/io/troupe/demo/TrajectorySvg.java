@@ -2,12 +2,12 @@ package io.troupe.demo;
 
 import io.troupe.demo.svg.SvgElements;
 import io.troupe.services.subsumption.Service;
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.Shape;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Shape;
+import io.troupe.sim.model.WorldSpec;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;

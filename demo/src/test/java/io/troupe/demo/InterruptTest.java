@@ -6,7 +6,7 @@ import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

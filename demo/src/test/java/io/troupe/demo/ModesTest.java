@@ -14,7 +14,7 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SynchronousRound;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;

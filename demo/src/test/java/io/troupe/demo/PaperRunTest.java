@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.State;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
-import io.troupe.sim.scenario.WorldFileException;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.Scenario;
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.sim.worldfile.WorldFileException;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

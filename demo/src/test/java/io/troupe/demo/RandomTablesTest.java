@@ -10,7 +10,7 @@ import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.services.subsumption.SynchronousRound;
-import io.troupe.sim.scenario.CrowdWorld;
+import io.troupe.sim.worldfile.CrowdWorld;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -8,12 +8,12 @@ import io.troupe.sim.PortServer.PortDevice;
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.device.Odometry;
-import io.troupe.sim.scenario.DeviceBinding;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RangeSensorSpec;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.SonarSpec;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.DeviceBinding;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangeSensorSpec;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.SonarSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.util.List;
 import java.util.Objects;
 

@@ -1,6 +1,6 @@
 package io.troupe.sim;
 
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.Pose;
 
 /** A motion command, in force until the next one. */
 sealed interface MotionCommand {

@@ -1,11 +1,11 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Shape;
+import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.Shape;
-import io.troupe.sim.scenario.WorldSpec;
 import java.util.List;
 
 /** Creates the physics bodies of a world. */

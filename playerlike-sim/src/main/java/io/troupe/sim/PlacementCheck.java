@@ -1,11 +1,11 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Outline;
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;

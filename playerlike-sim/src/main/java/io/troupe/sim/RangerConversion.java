@@ -6,11 +6,11 @@ import io.troupe.player.wire.LaserConfiguration;
 import io.troupe.player.wire.Pose3d;
 import io.troupe.player.wire.RangerConfiguration;
 import io.troupe.player.wire.Size3d;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RangeNoise;
-import io.troupe.sim.scenario.RangeSensorSpec;
-import io.troupe.sim.scenario.RangerSpec;
-import io.troupe.sim.scenario.SonarSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangeNoise;
+import io.troupe.sim.model.RangeSensorSpec;
+import io.troupe.sim.model.RangerSpec;
+import io.troupe.sim.model.SonarSpec;
 import java.util.List;
 
 /**

@@ -1,7 +1,7 @@
 package io.troupe.sim;
 
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Objects;

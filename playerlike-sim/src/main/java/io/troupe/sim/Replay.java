@@ -1,8 +1,8 @@
 package io.troupe.sim;
 
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.WorldFileException;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.sim.worldfile.WorldFileException;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.Reader;

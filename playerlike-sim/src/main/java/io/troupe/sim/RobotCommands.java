@@ -1,8 +1,8 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Position2d;
-import io.troupe.sim.scenario.DriveSpec;
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.DriveSpec;
+import io.troupe.sim.model.Pose;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 

@@ -2,7 +2,7 @@ package io.troupe.sim;
 
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.ColourBlob;
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.Pose;
 import java.nio.ByteBuffer;
 import java.util.List;
 import java.util.zip.CRC32C;

@@ -1,15 +1,15 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Position2d;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Shape;
+import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.Shape;
-import io.troupe.sim.scenario.SourcePosition;
-import io.troupe.sim.scenario.WorldFileException;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.worldfile.WorldFileException;
+import io.troupe.text.SourcePosition;
 import java.util.List;
 
 /** Rejects worlds that the simulator cannot run correctly. */

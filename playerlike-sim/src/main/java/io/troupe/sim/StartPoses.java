@@ -1,12 +1,12 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Outline;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.WorldFileException;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.worldfile.WorldFileException;
 import java.util.ArrayList;
 import java.util.BitSet;
 import java.util.List;

@@ -1,10 +1,10 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Position2d;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicBoolean;

@@ -15,7 +15,7 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.TestWorlds;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.io.StringReader;
 import java.time.Duration;
 import java.util.ArrayList;

@@ -17,7 +17,7 @@ import io.troupe.sim.Snapshot;
 import io.troupe.sim.TestWorlds;
 import io.troupe.sim.UnansweredTickException;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

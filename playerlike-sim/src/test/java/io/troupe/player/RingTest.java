@@ -10,7 +10,7 @@ import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.RangerConfiguration;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.ColourBlob;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

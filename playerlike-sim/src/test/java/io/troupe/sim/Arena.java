@@ -1,13 +1,13 @@
 package io.troupe.sim;
 
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.OdometryError;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RangeNoise;
-import io.troupe.sim.scenario.RangeSensorSpec;
-import io.troupe.sim.scenario.RangerSpec;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.OdometryError;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangeNoise;
+import io.troupe.sim.model.RangeSensorSpec;
+import io.troupe.sim.model.RangerSpec;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

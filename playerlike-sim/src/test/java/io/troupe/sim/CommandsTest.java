@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.Pose;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 

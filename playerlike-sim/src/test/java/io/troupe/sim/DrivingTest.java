@@ -5,8 +5,8 @@ import static io.troupe.sim.Specs.wall;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
 import java.util.List;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;

@@ -6,12 +6,12 @@ import static io.troupe.sim.Specs.robot;
 import static io.troupe.sim.Specs.wall;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.Shape;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Shape;
+import io.troupe.sim.model.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

@@ -3,7 +3,7 @@ package io.troupe.sim;
 import static io.troupe.sim.Specs.wall;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.text.MessageFormat;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,7 +1,7 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.ColourBlob;
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.Pose;
 import java.nio.ByteBuffer;
 import java.util.zip.CRC32;
 

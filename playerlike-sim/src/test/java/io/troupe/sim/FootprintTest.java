@@ -3,7 +3,7 @@ package io.troupe.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import com.sun.management.ThreadMXBean;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.lang.management.ManagementFactory;
 import java.lang.ref.Reference;
 import java.util.stream.IntStream;

@@ -2,7 +2,7 @@ package io.troupe.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.WorldSpec;
 import org.junit.jupiter.api.Test;
 
 /**

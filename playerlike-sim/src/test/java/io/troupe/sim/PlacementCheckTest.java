@@ -3,9 +3,9 @@ package io.troupe.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.sim.device.Outline;
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

@@ -3,8 +3,8 @@ package io.troupe.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
 import java.io.IOException;
 import java.io.StringReader;
 import java.io.UncheckedIOException;

@@ -2,10 +2,10 @@ package io.troupe.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RangeNoise;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangeNoise;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
 import java.util.ArrayList;

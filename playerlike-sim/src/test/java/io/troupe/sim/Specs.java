@@ -1,16 +1,16 @@
 package io.troupe.sim;
 
-import io.troupe.sim.scenario.BlobfinderSpec;
-import io.troupe.sim.scenario.CargoSpec;
-import io.troupe.sim.scenario.DriveSpec;
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.Shape;
-import io.troupe.sim.scenario.SonarSpec;
-import io.troupe.sim.scenario.SourcePosition;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.BlobfinderSpec;
+import io.troupe.sim.model.CargoSpec;
+import io.troupe.sim.model.DriveSpec;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Shape;
+import io.troupe.sim.model.SonarSpec;
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.text.SourcePosition;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;

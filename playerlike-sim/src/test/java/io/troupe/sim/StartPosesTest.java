@@ -5,10 +5,10 @@ import static io.troupe.sim.Specs.wall;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.WorldFileException;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.worldfile.WorldFileException;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -6,8 +6,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.device.Outline;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.WorldFileException;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.worldfile.WorldFileException;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 

@@ -1,4 +1,4 @@
-/** Texts for error messages: suggestions for misspelled names. */
+/** Reading and writing of text: positions in a text, and suggestions for misspelled names. */
 @NullMarked
 package io.troupe.text;
 

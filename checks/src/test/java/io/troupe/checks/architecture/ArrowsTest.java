@@ -21,12 +21,15 @@ class ArrowsTest {
     private static final String PROMISE = "io.troupe.actor.promise";
     private static final String TIME = "io.troupe.actor.time";
     private static final String ACTOR = "io.troupe.actor";
+    private static final String TEXT = "io.troupe.text..";
     private static final String BUS = "io.troupe.bus";
     private static final String BROKER = "io.troupe.broker";
 
     @ParameterizedTest
     @CsvSource({
+        "text,           io.troupe.text..",
         "actor-core,     io.troupe.actor..",
+        "actor-service,  io.troupe.bus.. io.troupe.broker..",
         "playerlike-sim, io.troupe.player.. io.troupe.sim..",
         "services,       io.troupe.services..",
         "verification,   io.troupe.petri..",
@@ -68,22 +71,39 @@ class ArrowsTest {
     @Test
     void playerlikeSim_importsActorCore() {
         arrow("io.troupe.player..", "io.troupe.actor..", "io.troupe.sim..").check(Classes.MAIN);
-        arrow("io.troupe.sim..", "io.troupe.actor..", "io.troupe.player..").check(Classes.MAIN);
+        arrow("io.troupe.sim..", "io.troupe.actor..", "io.troupe.player..", TEXT)
+                .check(Classes.MAIN);
     }
 
     @Test
-    void services_importActorCoreAndTheClientApi_neverTheSimulator() {
-        arrow("io.troupe.services..", "io.troupe.actor..", "io.troupe.player..").check(Classes.MAIN);
+    void simModel_importsTextOnly() {
+        arrow("io.troupe.sim.model", TEXT).check(Classes.MAIN);
     }
 
     @Test
-    void bus_importsTheActorsAndTexts() {
-        arrow(BUS, "io.troupe.actor..", "io.troupe.text").check(Classes.MAIN);
+    void simWorldfile_importsTheModelAndText() {
+        arrow("io.troupe.sim.worldfile", "io.troupe.sim.model", TEXT).check(Classes.MAIN);
+    }
+
+    @Test
+    void services_importActorsAndTheClientApi_neverTheSimulator() {
+        arrow("io.troupe.services..", "io.troupe.actor..", BUS, BROKER, "io.troupe.player..", TEXT)
+                .check(Classes.MAIN);
+    }
+
+    @Test
+    void text_importsNoOtherModule() {
+        arrow(TEXT).check(Classes.MAIN);
+    }
+
+    @Test
+    void bus_importsActorCoreAndText() {
+        arrow(BUS, "io.troupe.actor..", TEXT).check(Classes.MAIN);
     }
 
     @Test
     void broker_knowsOfTheBusOnlyItsAddresses() {
-        arrow(BROKER, "io.troupe.actor..", "io.troupe.text", BUS).check(Classes.MAIN);
+        arrow(BROKER, "io.troupe.actor..", TEXT, BUS).check(Classes.MAIN);
         noClasses()
                 .that()
                 .resideInAPackage(BROKER)

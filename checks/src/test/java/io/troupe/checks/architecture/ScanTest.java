@@ -15,6 +15,6 @@ class ScanTest {
         assertThat(Classes.MAIN.size()).as("classes seen").isGreaterThanOrEqualTo(FEWEST_CLASSES);
         assertThat(Classes.MAIN)
                 .extracting(JavaClass::getName)
-                .contains("io.troupe.actor.ActorSpace", "io.troupe.sim.scenario.Scenario");
+                .contains("io.troupe.actor.ActorSpace", "io.troupe.sim.model.Scenario");
     }
 }

@@ -27,6 +27,7 @@ class SamplesTest {
                 "docs/guide/06-subsumption.md",
                 "docs/guide/07-components-bus-broker.md",
                 "actor-core/README.md",
+                "actor-service/README.md",
                 "playerlike-sim/README.md",
                 "services/README.md",
                 "verification/README.md"

@@ -4,7 +4,7 @@ import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.component.kinds.ComponentKinds;
-import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.model.Scenario;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;

@@ -6,7 +6,7 @@ import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.ProgressLine;
-import io.troupe.sim.scenario.CrowdWorld;
+import io.troupe.sim.worldfile.CrowdWorld;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;

@@ -6,7 +6,7 @@ import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.model.Scenario;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;

@@ -6,7 +6,7 @@ import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
-import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.model.Scenario;
 import java.util.List;
 
 /**

@@ -1,9 +1,9 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
-import io.troupe.sim.scenario.WorldFileException;
+import io.troupe.sim.model.Scenario;
+import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.sim.worldfile.WorldFileException;
 import java.nio.file.Path;
 
 /** A world with the paper's two robots, and the port that offers them. */

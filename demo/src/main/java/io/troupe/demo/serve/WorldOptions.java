@@ -1,8 +1,8 @@
 package io.troupe.demo.serve;
 
 import io.troupe.demo.terminal.WorldLoader;
-import io.troupe.sim.scenario.CrowdWorld;
-import io.troupe.sim.scenario.Scenario;
+import io.troupe.sim.model.Scenario;
+import io.troupe.sim.worldfile.CrowdWorld;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Help.Visibility;

@@ -1,8 +1,8 @@
 package io.troupe.demo.terminal;
 
-import io.troupe.sim.scenario.Scenario;
-import io.troupe.sim.scenario.ScenarioReader;
-import io.troupe.sim.scenario.WorldFileWarning;
+import io.troupe.sim.model.Scenario;
+import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.sim.worldfile.WorldFileWarning;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.function.Consumer;

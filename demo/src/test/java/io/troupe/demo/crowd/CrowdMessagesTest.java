@@ -10,7 +10,7 @@ import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.CrowdWorld;
+import io.troupe.sim.worldfile.CrowdWorld;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 

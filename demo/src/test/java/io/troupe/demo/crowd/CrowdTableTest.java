@@ -10,7 +10,7 @@ import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.services.subsumption.SubsumptionTableReader;
-import io.troupe.sim.scenario.CrowdWorld;
+import io.troupe.sim.worldfile.CrowdWorld;
 import java.util.HashSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;

@@ -6,7 +6,7 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.SimulationRunner;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

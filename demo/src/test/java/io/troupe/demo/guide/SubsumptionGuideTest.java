@@ -21,7 +21,7 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;

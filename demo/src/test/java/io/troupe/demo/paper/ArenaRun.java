@@ -9,7 +9,7 @@ import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

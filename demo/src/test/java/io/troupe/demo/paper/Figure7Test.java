@@ -10,7 +10,7 @@ import io.troupe.player.SonarInterface;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.scenario.ScenarioReader;
+import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

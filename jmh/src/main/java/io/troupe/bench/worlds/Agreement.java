@@ -1,6 +1,6 @@
 package io.troupe.bench.worlds;
 
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.util.List;
 import java.util.stream.Stream;
 

@@ -1,10 +1,10 @@
 package io.troupe.bench.worlds;
 
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.Shape;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Shape;
+import io.troupe.sim.model.WorldSpec;
 import org.dyn4j.dynamics.Body;
 import org.dyn4j.dynamics.BodyFixture;
 import org.dyn4j.dynamics.ContinuousDetectionMode;

@@ -3,7 +3,7 @@ package io.troupe.bench.worlds;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.WorldView;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.WorldSpec;
 
 /** Our simulator with a controller inside its loop, which reads the view and needs no snapshots. */
 final class TroupeWorld implements BenchWorld {

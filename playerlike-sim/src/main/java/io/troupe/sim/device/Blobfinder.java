@@ -1,7 +1,7 @@
 package io.troupe.sim.device;
 
-import io.troupe.sim.scenario.BlobfinderSpec;
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.BlobfinderSpec;
+import io.troupe.sim.model.Pose;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,6 +1,6 @@
 package io.troupe.sim.device;
 
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.Pose;
 
 /**
  * Data of the position2d device.

@@ -1,7 +1,7 @@
 package io.troupe.sim.device;
 
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.Shape;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.Shape;
 import java.util.List;
 
 /**

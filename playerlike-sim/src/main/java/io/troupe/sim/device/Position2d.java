@@ -1,7 +1,7 @@
 package io.troupe.sim.device;
 
-import io.troupe.sim.scenario.OdometryError;
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.OdometryError;
+import io.troupe.sim.model.Pose;
 
 /**
  * A robot's odometry since it was last set: exact, or with an error proportional to every move.

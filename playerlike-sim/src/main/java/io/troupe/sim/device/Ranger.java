@@ -1,8 +1,8 @@
 package io.troupe.sim.device;
 
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RangeSensorSpec;
-import io.troupe.sim.scenario.RangerSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangeSensorSpec;
+import io.troupe.sim.model.RangerSpec;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

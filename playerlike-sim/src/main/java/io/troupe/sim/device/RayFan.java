@@ -1,6 +1,6 @@
 package io.troupe.sim.device;
 
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.Pose;
 import java.util.List;
 
 /** Rays with fixed start poses in the robot's frame. */

@@ -1,6 +1,6 @@
 package io.troupe.sim.device;
 
-import io.troupe.sim.scenario.Point;
+import io.troupe.sim.model.Point;
 import java.util.List;
 
 /** A closed line around a body, counter-clockwise, that can be moved without allocation. */

@@ -1,6 +1,6 @@
 package io.troupe.sim.device;
 
-import io.troupe.sim.scenario.SonarSpec;
+import io.troupe.sim.model.SonarSpec;
 import java.util.List;
 
 /** A robot's ring of sonars. Each sonar casts one ray along its heading, ignoring the robot that carries it. */

@@ -1,7 +1,7 @@
 package io.troupe.sim.physics;
 
-import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Shape;
+import io.troupe.sim.model.Point;
+import io.troupe.sim.model.Shape;
 import java.util.List;
 import org.jbox2d.collision.AABB;
 import org.jbox2d.common.Settings;

@@ -1,8 +1,8 @@
 package io.troupe.sim.physics;
 
-import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.Shape;
+import io.troupe.sim.model.Point;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.Shape;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;

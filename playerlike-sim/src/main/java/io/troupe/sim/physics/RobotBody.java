@@ -1,7 +1,7 @@
 package io.troupe.sim.physics;
 
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.numeric.Direction;
-import io.troupe.sim.scenario.Pose;
 import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.common.MathUtils;
 import org.jbox2d.common.Vec2;

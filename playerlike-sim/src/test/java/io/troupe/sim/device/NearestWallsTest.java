@@ -3,7 +3,7 @@ package io.troupe.sim.device;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.sim.TestWorlds;
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.Pose;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.SplittableRandom;

@@ -7,11 +7,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.Specs;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RangeNoise;
-import io.troupe.sim.scenario.RangeSensorSpec;
-import io.troupe.sim.scenario.RangerSpec;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangeNoise;
+import io.troupe.sim.model.RangeSensorSpec;
+import io.troupe.sim.model.RangerSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.util.ArrayList;
 import java.util.List;
 import org.assertj.core.data.Offset;

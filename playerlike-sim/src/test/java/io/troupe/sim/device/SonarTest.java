@@ -8,11 +8,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.Specs;
-import io.troupe.sim.scenario.ObstacleSpec;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.RobotSpec;
-import io.troupe.sim.scenario.SonarSpec;
-import io.troupe.sim.scenario.WorldSpec;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.SonarSpec;
+import io.troupe.sim.model.WorldSpec;
 import java.util.List;
 import org.assertj.core.data.Offset;
 import org.junit.jupiter.api.Test;

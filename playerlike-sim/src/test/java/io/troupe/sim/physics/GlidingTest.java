@@ -3,9 +3,9 @@ package io.troupe.sim.physics;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.sim.Specs;
-import io.troupe.sim.scenario.Point;
-import io.troupe.sim.scenario.Pose;
-import io.troupe.sim.scenario.Shape;
+import io.troupe.sim.model.Point;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.Shape;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;

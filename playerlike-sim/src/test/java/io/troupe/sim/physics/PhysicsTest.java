@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.TestWorlds;
-import io.troupe.sim.scenario.Pose;
+import io.troupe.sim.model.Pose;
 import org.jbox2d.common.Settings;
 import org.junit.jupiter.api.Test;
 

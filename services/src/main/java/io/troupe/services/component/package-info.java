@@ -8,10 +8,10 @@
  *       Troupe are in {@code io.troupe.services.component.kinds}: the Player simulator, the behaviours, the colour
  *       finder, and processes in any language.
  *   <li><b>Communication layer</b>, through which services and applications exchange messages by publish/subscribe and
- *       request/reply: {@code io.troupe.bus}, and the {@link io.troupe.services.component.ComponentInterface}
- *       that connects each component with the bus.
- *   <li><b>Application layer</b>, which discovers, invokes and synchronises services: {@code io.troupe.broker}
- *       and {@code io.troupe.services.component.application}.
+ *       request/reply: {@code io.troupe.bus}, and the {@link io.troupe.services.component.ComponentInterface} that
+ *       connects each component with the bus.
+ *   <li><b>Application layer</b>, which discovers, invokes and synchronises services: {@code io.troupe.broker} and
+ *       {@code io.troupe.services.component.application}.
  * </ul>
  *
  * <p>A component interface has three units, each with a type:

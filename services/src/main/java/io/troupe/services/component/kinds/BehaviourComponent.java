@@ -1,6 +1,7 @@
 package io.troupe.services.component.kinds;
 
 import io.troupe.actor.promise.Promise;
+import io.troupe.bus.BusTopic;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.LaserScan;
@@ -9,7 +10,6 @@ import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.bus.BusTopic;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;

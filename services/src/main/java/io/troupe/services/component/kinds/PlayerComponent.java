@@ -1,12 +1,12 @@
 package io.troupe.services.component.kinds;
 
+import io.troupe.bus.BusTopic;
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
 import io.troupe.player.structures.laser.PlayerLaserData;
 import io.troupe.player.structures.position2d.PlayerPosition2dData;
 import io.troupe.player.structures.sonar.PlayerSonarData;
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.bus.BusTopic;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
 import io.troupe.services.component.Component;

@@ -1,8 +1,8 @@
 package io.troupe.services.component.kinds;
 
+import io.troupe.bus.BusTopic;
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.bus.BusTopic;
 import java.util.List;
 
 /**

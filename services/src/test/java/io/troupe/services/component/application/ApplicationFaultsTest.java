@@ -3,12 +3,12 @@ package io.troupe.services.component.application;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.testkit.TestSpace;
-import io.troupe.player.wire.DeviceCommand;
-import io.troupe.services.behaviour.Velocity;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.ServiceBroker;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.InProcessBus;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.component.ComponentState;
 import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.PlayerComponent;

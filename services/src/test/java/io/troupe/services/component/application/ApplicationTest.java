@@ -3,14 +3,14 @@ package io.troupe.services.component.application;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.testkit.TestSpace;
-import io.troupe.player.wire.DeviceCommand;
-import io.troupe.services.behaviour.Velocity;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.ServiceBroker;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTopic;
 import io.troupe.bus.InProcessBus;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.ComponentState;
 import io.troupe.services.component.DataConversion;

@@ -3,11 +3,11 @@ package io.troupe.services.component.kinds;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.testkit.TestSpace;
-import io.troupe.player.wire.DeviceCommand;
-import io.troupe.services.behaviour.Velocity;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.InProcessBus;
+import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.ComponentState;
 import io.troupe.services.component.RecordingObserver;

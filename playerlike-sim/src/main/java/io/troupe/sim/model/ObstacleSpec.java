@@ -1,0 +1,22 @@
+package io.troupe.sim.model;
+
+import io.troupe.text.SourcePosition;
+
+/**
+ * An immovable thing, such as a wall or a box.
+ *
+ * @param pose in the world's frame
+ * @param colour {@code 0x00RRGGBB}
+ * @param blocksBodies robots collide with it
+ * @param blocksRangers it stops the rays of sonars, lasers and rangers
+ * @param visible blobfinders see it (and it hides what is behind it)
+ */
+public record ObstacleSpec(
+        String name,
+        Pose pose,
+        Shape shape,
+        int colour,
+        boolean blocksBodies,
+        boolean blocksRangers,
+        boolean visible,
+        SourcePosition where) {}

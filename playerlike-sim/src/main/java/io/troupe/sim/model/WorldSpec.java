@@ -1,0 +1,20 @@
+package io.troupe.sim.model;
+
+import java.nio.file.Path;
+import java.util.List;
+
+/**
+ * The description of a world, as read from its file.
+ *
+ * @param file the file from which it was read
+ * @param intervalMillis simulated time between two publications of sensor data ({@code interval_sim})
+ * @param robots in the order of the file
+ * @param obstacles in the order of the file
+ */
+public record WorldSpec(
+        String name, Path file, int intervalMillis, List<RobotSpec> robots, List<ObstacleSpec> obstacles) {
+    public WorldSpec {
+        robots = List.copyOf(robots);
+        obstacles = List.copyOf(obstacles);
+    }
+}

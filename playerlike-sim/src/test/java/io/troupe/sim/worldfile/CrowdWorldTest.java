@@ -1,0 +1,116 @@
+package io.troupe.sim.worldfile;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import io.troupe.sim.RobotReading;
+import io.troupe.sim.World;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Scenario;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
+
+class CrowdWorldTest {
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 64, 65, 300})
+    void crowd_ofAnySize_hasItsRobotsApartAndInsideTheWalls(int robots) {
+        Scenario crowd = CrowdWorld.scenario(robots);
+
+        // the reader rejects robots that overlap or stand outside
+        assertThat(crowd.world().robots()).hasSize(robots);
+        assertThat(crowd.world().robots().getFirst().name()).isEqualTo("robot1");
+        assertThat(crowd.devices()).hasSize(1 + 3 * robots);
+        assertThat(crowd.devices().getLast().index()).isEqualTo(robots - 1);
+    }
+
+    @Test
+    void crowd_growsByWholeHalls() {
+        assertThat(extent(64)).isEqualTo(16.2);
+        assertThat(extent(65)).isEqualTo(32.2);
+        assertThat(extent(4 * 64)).isEqualTo(32.2);
+        assertThat(extent(4 * 64 + 1)).isEqualTo(48.2);
+        assertThat(CrowdWorld.scenario(65).world().obstacles()).hasSize(2 * 3 + 2 * 9);
+    }
+
+    private static double extent(int robots) {
+        Box box = Box.NOTHING;
+        for (ObstacleSpec wall : CrowdWorld.scenario(robots).world().obstacles()) {
+            box = box.union(Box.around(wall.shape().at(wall.pose()).polygons()));
+        }
+        return box.width();
+    }
+
+    @Test
+    void crowd_drivingForTenSeconds_staysInsideItsHall() {
+        World world = World.create(CrowdWorld.scenario(70).world(), WorldSettings.DEFAULT);
+        for (int tick = 0; tick < 100; tick++) {
+            for (int robot = 0; robot < 70; robot++) {
+                world.command(robot, 0.4, 0.2);
+            }
+            for (RobotReading robot : world.advance().robots()) {
+                assertThat(robot.wallGapM()).isPositive();
+            }
+        }
+        assertThat(world.latest().robots().subList(0, 64))
+                .allSatisfy(robot -> assertThat(robot.pose().x()).isNegative());
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, -1, CrowdWorld.MOST_ROBOTS + 1})
+    void crowd_ofNobodyOrTooMany_isRefused(int robots) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> CrowdWorld.text(robots))
+                .withMessage("a crowd has " + robots + " robots, expected from 1 to 20000");
+    }
+
+    @Test
+    void crowd_withoutColours_isWhatItAlwaysWas() {
+        assertThat(Integer.toHexString(CrowdWorld.text(65).hashCode())).isEqualTo("71cc2686");
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 3, 8, 50, CrowdWorld.MOST_COLOURS})
+    void colours_areDifferentFromEachOtherAndFromWallsAndRobots(int colours) {
+        assertThat(CrowdWorld.colours(colours))
+                .hasSize(colours)
+                .doesNotHaveDuplicates()
+                .doesNotContain(0, 0xffa500);
+        assertThat(CrowdWorld.colours(3)).containsExactly(0x0000ff, 0xff0000, 0x00ff00);
+
+        Scenario crowd = CrowdWorld.scenario(70, colours);
+        assertThat(crowd.world().obstacles().stream().map(ObstacleSpec::colour).filter(colour -> colour != 0))
+                .as("the panels of two halls")
+                .hasSize(2 * colours)
+                .containsAll(CrowdWorld.colours(colours));
+        assertThat(crowd.world().robots().getFirst().blobfinder().colours())
+                .containsExactlyInAnyOrderElementsOf(CrowdWorld.colours(colours));
+    }
+
+    @Test
+    void panels_standApart() {
+        var panels = CrowdWorld.scenario(1, CrowdWorld.MOST_COLOURS).world().obstacles().stream()
+                .filter(obstacle -> obstacle.colour() != 0)
+                .map(panel -> Box.around(panel.shape().at(panel.pose()).polygons()))
+                .toList();
+        for (int i = 0; i < panels.size(); i++) {
+            for (int j = 0; j < i; j++) {
+                Box both = panels.get(i).union(panels.get(j));
+                assertThat(both.width() > panels.get(i).width() + panels.get(j).width()
+                                || both.height()
+                                        > panels.get(i).height() + panels.get(j).height())
+                        .as("panels %d and %d are apart", i, j)
+                        .isTrue();
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {0, CrowdWorld.MOST_COLOURS + 1})
+    void crowd_withoutColoursOrWithTooMany_isRefused(int colours) {
+        assertThatIllegalArgumentException()
+                .isThrownBy(() -> CrowdWorld.text(1, colours))
+                .withMessage("a crowd's halls have " + colours + " colours, expected from 1 to 100");
+    }
+}
