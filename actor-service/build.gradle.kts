@@ -2,7 +2,7 @@ description = "Actors as services: bus and broker"
 
 dependencies {
     api(project(":actor-core"))
-    api(project(":text"))
+    api(project(":common"))
 }
 
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.service") } }

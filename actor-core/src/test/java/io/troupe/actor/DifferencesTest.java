@@ -12,7 +12,7 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** The statements of docs/guide/10-differences.md that no other test checks. */
+/** The statements of docs/guide/12-differences.md that no other test checks. */
 class DifferencesTest {
     interface Source {
         void each(Consumer<String> consumer);

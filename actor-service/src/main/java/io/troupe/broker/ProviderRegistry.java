@@ -1,7 +1,7 @@
 package io.troupe.broker;
 
 import io.troupe.bus.Address;
-import io.troupe.text.Suggestions;
+import io.troupe.common.text.Suggestions;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.HashSet;

@@ -3,7 +3,7 @@ package io.troupe.bus;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
-import io.troupe.text.Suggestions;
+import io.troupe.common.text.Suggestions;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;

@@ -1,6 +1,6 @@
 package io.troupe.bus;
 
-import io.troupe.text.Suggestions;
+import io.troupe.common.text.Suggestions;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

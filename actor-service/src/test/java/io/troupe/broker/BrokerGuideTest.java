@@ -13,7 +13,10 @@ import java.util.List;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
-/** Compiles and runs the broker samples of docs/guide/07-components-bus-broker.md. */
+/**
+ * Compiles and runs the samples of docs/guide/07-actors-as-services.md and about the broker of
+ * docs/guide/08-bus-and-broker.md.
+ */
 class BrokerGuideTest {
     /** A component that only records its calls. */
     private static final class Camera implements Provider {

@@ -1,6 +1,7 @@
 package io.troupe.demo;
 
 import io.troupe.broker.MissingServiceException;
+import io.troupe.common.text.Suggestions;
 import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.draw.DrawCommand;
@@ -19,7 +20,6 @@ import io.troupe.services.subsumption.ServiceJarException;
 import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.worldfile.WorldFileException;
-import io.troupe.text.Suggestions;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.device.Position2d;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
@@ -9,7 +10,6 @@ import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
 import io.troupe.sim.worldfile.WorldFileException;
-import io.troupe.text.SourcePosition;
 import java.util.List;
 
 /** Rejects worlds that the simulator cannot run correctly. */

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.CargoSpec;
 import io.troupe.sim.model.DriveSpec;
@@ -10,7 +11,6 @@ import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.SonarSpec;
 import io.troupe.sim.model.WorldSpec;
-import io.troupe.text.SourcePosition;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.List;

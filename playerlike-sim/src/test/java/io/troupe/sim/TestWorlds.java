@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.ObstacleSpec;
@@ -10,7 +11,6 @@ import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.SonarSpec;
 import io.troupe.sim.model.WorldSpec;
-import io.troupe.text.SourcePosition;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -21,13 +21,13 @@ class ArrowsTest {
     private static final String PROMISE = "io.troupe.actor.promise";
     private static final String TIME = "io.troupe.actor.time";
     private static final String ACTOR = "io.troupe.actor";
-    private static final String TEXT = "io.troupe.text..";
+    private static final String COMMON = "io.troupe.common..";
     private static final String BUS = "io.troupe.bus";
     private static final String BROKER = "io.troupe.broker";
 
     @ParameterizedTest
     @CsvSource({
-        "text,           io.troupe.text..",
+        "common,         io.troupe.common..",
         "actor-core,     io.troupe.actor..",
         "actor-service,  io.troupe.bus.. io.troupe.broker..",
         "playerlike-sim, io.troupe.player.. io.troupe.sim..",
@@ -71,39 +71,39 @@ class ArrowsTest {
     @Test
     void playerlikeSim_importsActorCore() {
         arrow("io.troupe.player..", "io.troupe.actor..", "io.troupe.sim..").check(Classes.MAIN);
-        arrow("io.troupe.sim..", "io.troupe.actor..", "io.troupe.player..", TEXT)
+        arrow("io.troupe.sim..", "io.troupe.actor..", "io.troupe.player..", COMMON)
                 .check(Classes.MAIN);
     }
 
     @Test
-    void simModel_importsTextOnly() {
-        arrow("io.troupe.sim.model", TEXT).check(Classes.MAIN);
+    void simModel_importsCommonOnly() {
+        arrow("io.troupe.sim.model", COMMON).check(Classes.MAIN);
     }
 
     @Test
-    void simWorldfile_importsTheModelAndText() {
-        arrow("io.troupe.sim.worldfile", "io.troupe.sim.model", TEXT).check(Classes.MAIN);
+    void simWorldfile_importsTheModelAndCommon() {
+        arrow("io.troupe.sim.worldfile", "io.troupe.sim.model", COMMON).check(Classes.MAIN);
     }
 
     @Test
     void services_importActorsAndTheClientApi_neverTheSimulator() {
-        arrow("io.troupe.services..", "io.troupe.actor..", BUS, BROKER, "io.troupe.player..", TEXT)
+        arrow("io.troupe.services..", "io.troupe.actor..", BUS, BROKER, "io.troupe.player..", COMMON)
                 .check(Classes.MAIN);
     }
 
     @Test
-    void text_importsNoOtherModule() {
-        arrow(TEXT).check(Classes.MAIN);
+    void common_importsNoOtherModule() {
+        arrow(COMMON).check(Classes.MAIN);
     }
 
     @Test
-    void bus_importsActorCoreAndText() {
-        arrow(BUS, "io.troupe.actor..", TEXT).check(Classes.MAIN);
+    void bus_importsActorCoreAndCommon() {
+        arrow(BUS, "io.troupe.actor..", COMMON).check(Classes.MAIN);
     }
 
     @Test
     void broker_knowsOfTheBusOnlyItsAddresses() {
-        arrow(BROKER, "io.troupe.actor..", TEXT, BUS).check(Classes.MAIN);
+        arrow(BROKER, "io.troupe.actor..", COMMON, BUS).check(Classes.MAIN);
         noClasses()
                 .that()
                 .resideInAPackage(BROKER)

@@ -125,7 +125,7 @@ class EvaluationFiguresTest {
     /** {@code -Dfigures=write} writes the documented figures. */
     @Test
     void picturesInTheDocumentation_areThoseOfTheTableThere() throws Exception {
-        String guide = Files.readString(Path.of("..", "docs", "guide", "09-measurements.md"));
+        String guide = Files.readString(Path.of("..", "docs", "guide", "11-measurements.md"));
         var charts = new EvaluationFigures(SyntheticMeasurements.settings(out), documented(guide)).charts();
 
         for (int figure : new int[] {15, 22, 23}) {

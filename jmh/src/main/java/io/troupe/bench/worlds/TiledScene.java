@@ -1,5 +1,6 @@
 package io.troupe.bench.worlds;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
@@ -8,7 +9,6 @@ import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.SonarSpec;
 import io.troupe.sim.model.WorldSpec;
-import io.troupe.text.SourcePosition;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,6 +1,6 @@
 package io.troupe.sim.model;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 
 /**
  * One {@code provides} entry of a Player configuration file: a device address and the robot that answers for it.

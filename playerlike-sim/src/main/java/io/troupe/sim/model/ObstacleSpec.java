@@ -1,6 +1,6 @@
 package io.troupe.sim.model;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 
 /**
  * An immovable thing, such as a wall or a box.

@@ -1,6 +1,6 @@
 package io.troupe.sim.model;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 

@@ -1,6 +1,6 @@
 package io.troupe.sim.worldfile;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 import java.awt.image.BufferedImage;
 import java.awt.image.ColorModel;
 import java.awt.image.IndexColorModel;

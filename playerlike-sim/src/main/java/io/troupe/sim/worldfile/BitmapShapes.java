@@ -1,8 +1,8 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Shape;
-import io.troupe.text.SourcePosition;
 import java.nio.file.Path;
 import java.util.HashMap;
 import java.util.List;

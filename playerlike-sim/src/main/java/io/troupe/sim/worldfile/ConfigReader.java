@@ -1,10 +1,10 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
-import io.troupe.text.SourcePosition;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;

@@ -1,6 +1,6 @@
 package io.troupe.sim.worldfile;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,10 +1,10 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.DriveSpec;
 import io.troupe.sim.model.DriveSpec.Bounds;
 import io.troupe.sim.model.DriveSpec.Localization;
 import io.troupe.sim.model.Pose;
-import io.troupe.text.SourcePosition;
 import java.util.List;
 
 /** Reads the drive and the odometry of a {@code position}. */

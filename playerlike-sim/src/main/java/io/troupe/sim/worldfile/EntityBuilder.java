@@ -1,6 +1,6 @@
 package io.troupe.sim.worldfile;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 import java.util.AbstractMap;
 import java.util.AbstractSet;
 import java.util.ArrayList;

@@ -1,7 +1,7 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.worldfile.Token.Kind;
-import io.troupe.text.SourcePosition;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;

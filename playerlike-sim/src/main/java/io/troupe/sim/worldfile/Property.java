@@ -1,6 +1,6 @@
 package io.troupe.sim.worldfile;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 
 /**
  * A name and its value: {@code size [1 2 3]}, {@code point[0] [0 1]}, {@code polygon[0].point[1] [0 1]} whose name is

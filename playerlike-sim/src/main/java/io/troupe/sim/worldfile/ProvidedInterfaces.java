@@ -1,11 +1,11 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
-import io.troupe.text.SourcePosition;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;

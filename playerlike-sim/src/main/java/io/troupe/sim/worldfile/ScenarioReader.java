@@ -2,9 +2,9 @@ package io.troupe.sim.worldfile;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
-import io.troupe.text.SourcePosition;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -1,12 +1,12 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RangeNoise;
 import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.SonarSpec;
-import io.troupe.text.SourcePosition;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

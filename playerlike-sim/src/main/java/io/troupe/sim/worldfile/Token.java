@@ -1,6 +1,6 @@
 package io.troupe.sim.worldfile;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 
 /**
  * A word, number, text or bracket of a file, with its position.

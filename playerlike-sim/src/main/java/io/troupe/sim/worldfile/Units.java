@@ -1,7 +1,7 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.Pose;
-import io.troupe.text.SourcePosition;
 import java.util.Map;
 
 /**

@@ -1,6 +1,6 @@
 package io.troupe.sim.worldfile;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 
 /**
  * A world or configuration file that cannot be read. The message begins with {@code file:line:column} if the position

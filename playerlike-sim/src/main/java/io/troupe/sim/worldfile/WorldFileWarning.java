@@ -1,6 +1,6 @@
 package io.troupe.sim.worldfile;
 
-import io.troupe.text.SourcePosition;
+import io.troupe.common.text.SourcePosition;
 
 /** A part of a file that was left out or changed; prints as {@code file:line:column: problem}. */
 public record WorldFileWarning(SourcePosition where, String problem) {

@@ -3,9 +3,9 @@ package io.troupe.sim.worldfile;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Shape;
-import io.troupe.text.SourcePosition;
 import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.io.UncheckedIOException;

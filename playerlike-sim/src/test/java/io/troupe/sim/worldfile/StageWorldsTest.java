@@ -3,12 +3,12 @@ package io.troupe.sim.worldfile;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
-import io.troupe.text.SourcePosition;
 import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;

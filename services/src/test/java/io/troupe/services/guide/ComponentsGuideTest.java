@@ -40,7 +40,9 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** Runs the samples about components, the bus and applications in docs/guide/07-components-bus-broker.md. */
+/**
+ * Runs the samples about components, the bus and applications in docs/guide/08-bus-and-broker.md and 09-components.md.
+ */
 class ComponentsGuideTest {
     private final TestSpace test = new TestSpace();
     private final Bus bus = InProcessBus.open("house", BusSettings.on(test.space()));

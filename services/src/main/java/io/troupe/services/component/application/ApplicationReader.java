@@ -2,6 +2,7 @@ package io.troupe.services.component.application;
 
 import io.troupe.broker.Need;
 import io.troupe.bus.BusTopic;
+import io.troupe.common.text.Suggestions;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import io.troupe.services.component.application.LineTokens.Token;
@@ -9,7 +10,6 @@ import io.troupe.services.component.kinds.ArgumentException;
 import io.troupe.services.component.kinds.Arguments;
 import io.troupe.services.component.kinds.ComponentKind;
 import io.troupe.services.component.kinds.ComponentKinds;
-import io.troupe.text.Suggestions;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.ByteBuffer;

@@ -1,6 +1,6 @@
 package io.troupe.services.component.application;
 
-import io.troupe.text.Suggestions;
+import io.troupe.common.text.Suggestions;
 import java.util.Collection;
 import java.util.List;
 

@@ -1,4 +1,4 @@
-package io.troupe.text;
+package io.troupe.common.text;
 
 import java.nio.file.Path;
 
