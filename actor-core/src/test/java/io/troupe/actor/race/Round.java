@@ -35,6 +35,7 @@ final class Round implements AutoCloseable {
     final Queue<Throwable> errors = new ConcurrentLinkedQueue<>();
     final Queue<String> wrong = new ConcurrentLinkedQueue<>();
     private final String prefix;
+    private final long helpersBefore = helpers(); // idle ones of other tests end only after a while
     private final List<ActorSpace> spaces = new ArrayList<>();
     private final Map<ActorSpace, Leftovers> leftovers = new LinkedHashMap<>();
     private final List<Thread> threads = new ArrayList<>();
@@ -151,10 +152,7 @@ final class Round implements AutoCloseable {
             check(space, leftovers.get(space));
         }
         assertThat(ofSpaces()).isEmpty();
-        assertThat(alive().filter(thread -> thread.getName().equals("troupe-helper"))
-                        .count())
-                .as("helper threads")
-                .isLessThan(HELPERS);
+        assertThat(helpers()).as("helper threads").isLessThan(helpersBefore + HELPERS);
         assertThat(wrong).isEmpty();
     }
 
@@ -175,6 +173,11 @@ final class Round implements AutoCloseable {
 
     private List<Thread> ofSpaces() {
         return alive().filter(thread -> thread.getName().startsWith(prefix)).toList();
+    }
+
+    private static long helpers() {
+        return alive().filter(thread -> thread.getName().equals("troupe-helper"))
+                .count();
     }
 
     private static java.util.stream.Stream<Thread> alive() {
