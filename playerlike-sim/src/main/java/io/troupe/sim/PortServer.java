@@ -31,6 +31,12 @@ final class PortServer implements PlayerServer {
             return robot >= 0;
         }
 
+        /** Cheaper than the hash of all components; each command needs it twice. */
+        @Override
+        public int hashCode() {
+            return 31 * robot + type.ordinal();
+        }
+
         @Override
         public String toString() {
             return type.playerName() + ":" + address.index();

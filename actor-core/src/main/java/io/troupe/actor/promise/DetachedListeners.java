@@ -6,15 +6,56 @@ import org.jspecify.annotations.Nullable;
 /**
  * Runs relays, and listeners without a home, on the thread that settles their promise. They run one after the other,
  * never nested, so a chain of them may have any length.
+ *
+ * <p><b>Cost.</b> The thread of a home keeps its queue. Any other thread gets a queue for each outermost listener, so
+ * that nothing of this library stays behind in the threads of others.
  */
 final class DetachedListeners {
-    private static final ThreadLocal<@Nullable ArrayDeque<Node>> WAITING = new ThreadLocal<>();
+    /** The queue of a thread that is no home's; present while it runs a listener. */
+    private static final ThreadLocal<@Nullable DetachedListeners> RUNNING = new ThreadLocal<>();
 
-    private DetachedListeners() {}
+    private final ArrayDeque<Node> waiting = new ArrayDeque<>(4);
+    private boolean running;
 
     /** True if the calling thread is running such a listener. */
     static boolean isRunning() {
-        return WAITING.get() != null;
+        Home here = Home.current();
+        return here == null ? RUNNING.get() != null : here.detachedListeners.running;
+    }
+
+    static void run(Node listener) {
+        Home here = Home.current();
+        if (here != null) {
+            here.detachedListeners.runInTurn(listener);
+            return;
+        }
+        DetachedListeners current = RUNNING.get();
+        if (current != null) {
+            current.runInTurn(listener);
+            return;
+        }
+        current = new DetachedListeners();
+        RUNNING.set(current);
+        try {
+            current.runInTurn(listener);
+        } finally {
+            RUNNING.remove();
+        }
+    }
+
+    private void runInTurn(Node listener) {
+        if (running) {
+            waiting.add(listener);
+            return;
+        }
+        running = true;
+        try {
+            for (Node each = listener; each != null; each = waiting.poll()) {
+                runOne(each);
+            }
+        } finally {
+            running = false;
+        }
     }
 
     private static void runOne(Node listener) {
@@ -22,23 +63,6 @@ final class DetachedListeners {
             listener.run();
         } catch (Throwable thrown) {
             listener.threw(thrown);
-        }
-    }
-
-    static void run(Node listener) {
-        ArrayDeque<Node> waiting = WAITING.get();
-        if (waiting != null) {
-            waiting.add(listener);
-            return;
-        }
-        waiting = new ArrayDeque<>();
-        WAITING.set(waiting);
-        try {
-            for (Node each = listener; each != null; each = waiting.poll()) {
-                runOne(each);
-            }
-        } finally {
-            WAITING.remove();
         }
     }
 }

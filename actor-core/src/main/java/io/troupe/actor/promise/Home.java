@@ -16,6 +16,7 @@ import org.jspecify.annotations.Nullable;
 public abstract class Home {
     private static final ThreadLocal<@Nullable Home> CURRENT = new ThreadLocal<>();
 
+    final DetachedListeners detachedListeners = new DetachedListeners(); // of this home's thread
     final Owner outsider;
     private final Owner self;
     private CurrentOwner turn;

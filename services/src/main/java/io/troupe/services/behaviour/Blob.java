@@ -1,8 +1,12 @@
 package io.troupe.services.behaviour;
 
+import io.troupe.player.structures.blobfinder.PlayerBlobfinderBlob;
 import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
-import java.util.ArrayList;
+import java.util.AbstractList;
 import java.util.List;
+import java.util.RandomAccess;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A patch of one colour in a camera's image.
@@ -31,26 +35,18 @@ public record Blob(
         int imageWidthPx,
         int imageHeightPx,
         double rangeM) {
-    /** Converts the data of a Player blobfinder, in the same order. */
+    /**
+     * Converts the data of a Player blobfinder, in the same order.
+     *
+     * <p><b>Cost.</b> The blobs are converted when the list is first read: most behaviours do not look at them.
+     */
     public static List<Blob> of(PlayerBlobfinderData image) {
-        var seen = image.getBlobs();
-        if (seen.length == 0) {
-            return List.of(); // the usual case, so it does not allocate
-        }
-        List<Blob> blobs = new ArrayList<>(seen.length);
-        for (var blob : seen) {
-            blobs.add(new Blob(
-                    blob.getColor(),
-                    blob.getArea(),
-                    blob.getLeft(),
-                    blob.getRight(),
-                    blob.getTop(),
-                    blob.getBottom(),
-                    image.getWidth(),
-                    image.getHeight(),
-                    blob.getRange()));
-        }
-        return List.copyOf(blobs);
+        return image.getBlobs_count() == 0 ? List.of() : new ConvertedBlobs(image);
+    }
+
+    /** An immutable copy of a list; of a list that {@link #of} has returned, the same one, still unread. */
+    static List<Blob> copyOf(List<Blob> blobs) {
+        return blobs instanceof ConvertedBlobs ? blobs : List.copyOf(blobs);
     }
 
     /**
@@ -69,5 +65,52 @@ public record Blob(
      */
     public double bearingRad(double fieldOfViewRad) {
         return offset() * fieldOfViewRad / 2;
+    }
+
+    /** The blobs of an image; converted at the first access, by any thread. */
+    private static final class ConvertedBlobs extends AbstractList<Blob> implements RandomAccess {
+        private final PlayerBlobfinderData image;
+        private @Nullable List<Blob> blobs; // an immutable list, so a race leads to a second, equal one at most
+
+        ConvertedBlobs(PlayerBlobfinderData image) {
+            this.image = image;
+        }
+
+        private List<Blob> blobs() {
+            List<Blob> converted = blobs;
+            if (converted == null) {
+                converted = Stream.of(image.getBlobs()).map(this::converted).toList();
+                blobs = converted;
+            }
+            return converted;
+        }
+
+        private Blob converted(PlayerBlobfinderBlob blob) {
+            return new Blob(
+                    blob.getColor(),
+                    blob.getArea(),
+                    blob.getLeft(),
+                    blob.getRight(),
+                    blob.getTop(),
+                    blob.getBottom(),
+                    image.getWidth(),
+                    image.getHeight(),
+                    blob.getRange());
+        }
+
+        @Override
+        public Blob get(int index) {
+            return blobs().get(index);
+        }
+
+        @Override
+        public int size() {
+            return blobs().size();
+        }
+
+        @Override
+        public Stream<Blob> stream() {
+            return blobs().stream();
+        }
     }
 }

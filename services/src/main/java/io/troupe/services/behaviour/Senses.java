@@ -16,7 +16,7 @@ import java.util.Optional;
 public record Senses(
         double timeSeconds, SonarRing sonar, RobotPose pose, boolean stalled, List<Blob> blobs, LaserScan laser) {
     public Senses {
-        blobs = List.copyOf(blobs);
+        blobs = Blob.copyOf(blobs);
     }
 
     /** Creates senses without blobs and laser, not stalled. */
