@@ -33,7 +33,6 @@ import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -251,8 +250,6 @@ public final class Main implements Callable<Integer> {
         /** Message of picocli's help command. */
         private static final Pattern UNKNOWN_COMMAND = Pattern.compile("Unknown subcommand '(.*)'\\.?");
 
-        private static final int FEWEST_LETTERS = 3; // shortest prefix of a name that gives a suggestion
-
         private UsageProblems() {}
 
         static String message(ParameterException wrong) {
@@ -279,22 +276,13 @@ public final class Main implements Callable<Integer> {
                 List<String> known = spec.optionsMap().keySet().stream()
                         .filter(each -> each.startsWith("--"))
                         .toList();
-                return "there is no option " + option + meant(option, known);
+                return "there is no option " + option + Suggestions.clauseForArgument(option, known);
             }
             return spec.subcommands().isEmpty()
                     ? "'" + first + "' is one argument too many"
                     : "there is no command '" + first + "'"
-                            + meant(first, spec.subcommands().keySet());
-        }
-
-        /** The known name closest to the one given, by edit distance or as a prefix. */
-        private static String meant(String written, Collection<String> known) {
-            return Suggestions.nearest(written, known)
-                    .or(() -> known.stream()
-                            .filter(each -> written.length() >= FEWEST_LETTERS && each.startsWith(written))
-                            .findFirst())
-                    .map(name -> "; did you mean " + name + "?")
-                    .orElseGet(() -> written.startsWith("-") ? "" : "; there are " + String.join(", ", known));
+                            + Suggestions.clauseForArgument(
+                                    first, spec.subcommands().keySet());
         }
     }
 

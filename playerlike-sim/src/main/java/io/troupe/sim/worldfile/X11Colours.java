@@ -1,6 +1,7 @@
 package io.troupe.sim.worldfile;
 
 import io.troupe.common.text.SourcePosition;
+import io.troupe.common.text.Suggestions;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -22,13 +23,11 @@ final class X11Colours {
     static int named(String name, SourcePosition where) {
         Integer colour = BY_NAME.get(name.toLowerCase(Locale.ROOT).replace(" ", ""));
         if (colour == null) {
-            String nearest = NearestNames.nearest(name, BY_NAME.keySet());
+            String meant = Suggestions.clause(name, BY_NAME.keySet());
             throw new WorldFileException(
                     where,
                     "unknown colour \"" + name + '"'
-                            + (nearest.isEmpty()
-                                    ? "; expected a colour name of X11, such as \"red\""
-                                    : "; did you mean \"" + nearest + "\"?"));
+                            + (meant.isEmpty() ? "; expected a colour name of X11, such as \"red\"" : meant));
         }
         return colour;
     }

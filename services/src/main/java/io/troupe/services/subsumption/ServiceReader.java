@@ -2,6 +2,7 @@ package io.troupe.services.subsumption;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.common.text.Suggestions;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.subsumption.ServiceCatalogue.Kind;
 import java.util.ArrayList;
@@ -33,7 +34,7 @@ final class ServiceReader {
             throw line.problem(
                     kindAt,
                     "there is no kind of service called '" + kindName + "'"
-                            + TableLine.expected("one of", kindName, catalogue.names()));
+                            + Suggestions.expected("one of", kindName, catalogue.names()));
         }
         if (catalogue.kind(name) != null && !name.equals(kindName)) {
             throw line.problem(
@@ -102,7 +103,7 @@ final class ServiceReader {
                     .filter(each -> !declared.containsKey(each))
                     .forEach(known::add);
             throw line.problem(
-                    at, "there is no service called '" + name + "'" + TableLine.expected("one of", name, known));
+                    at, "there is no service called '" + name + "'" + Suggestions.expected("one of", name, known));
         }
         return new Service(
                 name,

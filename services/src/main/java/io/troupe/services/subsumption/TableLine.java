@@ -1,7 +1,5 @@
 package io.troupe.services.subsumption;
 
-import io.troupe.common.text.Suggestions;
-import java.util.Collection;
 import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -194,14 +192,5 @@ final class TableLine {
     SubsumptionTableException problem(int position, String what) {
         int column = text.codePointCount(0, position) + 1;
         return new SubsumptionTableException(file, number, column, what);
-    }
-
-    /** Returns the end of an error message about an unknown name: what was expected, and the most similar name. */
-    static String expected(String what, String written, Collection<String> known) {
-        String all = known.isEmpty() ? "none is known" : String.join(", ", known);
-        return ", expected " + what + ": " + all
-                + Suggestions.nearest(written, known)
-                        .map(near -> " (did you mean '" + near + "'?)")
-                        .orElse("");
     }
 }

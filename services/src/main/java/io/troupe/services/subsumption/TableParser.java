@@ -1,5 +1,6 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.common.text.Suggestions;
 import io.troupe.services.subsumption.TableChecks.Subject;
 import java.util.ArrayList;
 import java.util.EnumMap;
@@ -93,7 +94,7 @@ final class TableParser {
                 .filter(each -> each.toString().equals(word))
                 .findFirst()
                 .orElseThrow(() -> line.problem(
-                        at, "there is no statement '" + word + "'" + TableLine.expected("one of", word, known)));
+                        at, "there is no statement '" + word + "'" + Suggestions.expected("one of", word, known)));
         statements.computeIfAbsent(keyword, each -> new ArrayList<>()).add(new Place(line, at));
     }
 
@@ -125,7 +126,7 @@ final class TableParser {
                     ? line.problem(
                             at,
                             "the colour '" + name + "' has no value"
-                                    + TableLine.expected(
+                                    + Suggestions.expected(
                                             "#RRGGBB after it, or a known name", name, NamedColours.names()))
                     : line.unexpected("a colour as #RRGGBB");
         }
@@ -190,7 +191,7 @@ final class TableParser {
             return line.problem(
                     at,
                     "there is no colour '" + name + "'"
-                            + TableLine.expected("'colour " + name + " #RRGGBB', or one of", name, known));
+                            + Suggestions.expected("'colour " + name + " #RRGGBB', or one of", name, known));
         });
     }
 

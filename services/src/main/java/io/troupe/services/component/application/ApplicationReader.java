@@ -150,13 +150,9 @@ public final class ApplicationReader {
     }
 
     private void need(Token user, LineTokens tokens) {
-        var meant = Suggestions.nearest(user.text(), STATEMENTS);
-        if (!tokens.isNext("needs") && (meant.isPresent() || !plan.users().contains(user.text()))) {
-            throw tokens.error(
-                    user,
-                    "found \"" + user.text() + "\", expected " + STATEMENT
-                            + meant.map(word -> "; did you mean \"" + word + "\"?")
-                                    .orElse(""));
+        String meant = Suggestions.clause(user.text(), STATEMENTS);
+        if (!tokens.isNext("needs") && (!meant.isEmpty() || !plan.users().contains(user.text()))) {
+            throw tokens.error(user, "found \"" + user.text() + "\", expected " + STATEMENT + meant);
         }
         tokens.expect("needs");
         String service = null;
@@ -214,7 +210,7 @@ public final class ApplicationReader {
         throw tokens.error(
                 name,
                 "no component above has a topic \"" + name.text() + "\"; "
-                        + Hints.of(
+                        + Suggestions.hintWithSome(
                                 name.text(), topics.stream().map(BusTopic::name).toList()));
     }
 
@@ -254,7 +250,7 @@ public final class ApplicationReader {
                     .orElseThrow(() -> tokens.error(
                             kindToken,
                             "there is no kind of component \"" + kindToken.text() + "\"; "
-                                    + Hints.of(
+                                    + Suggestions.hintWithSome(
                                             kindToken.text(),
                                             kinds.all().stream()
                                                     .map(ComponentKind::name)
@@ -311,7 +307,8 @@ public final class ApplicationReader {
                 String key = token.text().substring(0, equals);
                 if (!known.contains(key)) {
                     throw tokens.error(
-                            token, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
+                            token,
+                            kind.name() + " has no parameter \"" + key + "\"; " + Suggestions.hintWithSome(key, known));
                 }
                 if (arguments.put(key, new Token(token.text().substring(equals + 1), token.column())) != null) {
                     throw tokens.error(token, "\"" + key + "\" is given twice, expected it once");
