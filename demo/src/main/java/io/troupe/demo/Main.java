@@ -1,6 +1,7 @@
 package io.troupe.demo;
 
 import io.troupe.broker.MissingServiceException;
+import io.troupe.common.text.SourceException;
 import io.troupe.common.text.Suggestions;
 import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
@@ -15,11 +16,8 @@ import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
 import io.troupe.services.component.application.ApplicationException;
-import io.troupe.services.component.application.ApplicationFileException;
 import io.troupe.services.subsumption.ServiceJarException;
-import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.sim.RecordingException;
-import io.troupe.sim.worldfile.WorldFileException;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -135,11 +133,9 @@ public final class Main implements Callable<Integer> {
                 .setParameterExceptionHandler(
                         (wrong, given) -> reportUsage(wrong.getCommandLine(), UsageProblems.message(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
-                    if (thrown instanceof WorldFileException
+                    if (thrown instanceof SourceException
                             || thrown instanceof PnmlException
-                            || thrown instanceof SubsumptionTableException
-                            || thrown instanceof ServiceJarException
-                            || thrown instanceof ApplicationFileException) {
+                            || thrown instanceof ServiceJarException) {
                         return reportUsage(commandLine, thrown.getMessage());
                     }
                     if (thrown instanceof MissingServiceException) {

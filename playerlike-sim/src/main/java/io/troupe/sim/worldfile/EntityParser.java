@@ -1,7 +1,8 @@
 package io.troupe.sim.worldfile;
 
 import io.troupe.common.text.SourcePosition;
-import io.troupe.sim.worldfile.Token.Kind;
+import io.troupe.sim.worldfile.Lexer.Kind;
+import io.troupe.sim.worldfile.Lexer.Token;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;

@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import io.troupe.common.text.Suggestions;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.subsumption.ServiceCatalogue.Kind;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -109,6 +110,6 @@ final class ServiceReader {
                 name,
                 kind.findsColours(),
                 kind.usesLaser(),
-                define(line, at, kind, new ServiceArguments(new TableLine("", 0, ""))));
+                define(line, at, kind, new ServiceArguments(new TableLine(Path.of(""), 0, ""))));
     }
 }
