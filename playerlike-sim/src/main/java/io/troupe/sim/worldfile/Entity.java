@@ -1,5 +1,6 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.common.text.SourcePosition;
 import java.util.List;
 import java.util.Map;
@@ -65,6 +66,42 @@ record Entity(
         return value(key) instanceof Value.Tuple tuple
                 ? tuple.items().stream().map(Value.Text.class::cast).toList()
                 : List.of();
+    }
+
+    /**
+     * The colour of the entity, {@code 0x00RRGGBB}; the default is red. {@code "random"} is a colour that depends on
+     * the position of the entity in the file. If both a name and {@code color_rgba} are given, the last one counts.
+     */
+    int colour() {
+        int colour = NamedColours.RED;
+        for (Property property : properties.values()) {
+            if (property.value() instanceof Value.Text name && property.name().equals("color")) {
+                colour = name.text().equalsIgnoreCase("random") ? drawnColour() : name.colour();
+            } else if (property.name().equals("color_rgba")) {
+                colour = mixed(numbers("color_rgba"), property.value().where());
+            }
+        }
+        return colour;
+    }
+
+    /** A different colour for every position in a file; the same in every run. */
+    private int drawnColour() {
+        long bits = 0x9E3779B97F4A7C15L * (31L * where.line() + where.column());
+        bits = (bits ^ bits >>> 32) * 0xD6E8FEB86659FD93L;
+        return (int) (bits >>> 40);
+    }
+
+    private static int mixed(double[] rgba, SourcePosition where) {
+        int colour = 0;
+        for (int i = 0; i < 4; i++) {
+            if (rgba[i] < 0 || rgba[i] > 1) {
+                throw new WorldFileException(where, "\"color_rgba\" must be four shares from 0 to 1, not " + rgba[i]);
+            }
+            if (i < 3) {
+                colour = colour << 8 | (int) StrictMath.rint(rgba[i] * 255);
+            }
+        }
+        return colour;
     }
 
     private @Nullable Value value(String key) {

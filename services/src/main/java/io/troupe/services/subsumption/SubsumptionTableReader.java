@@ -2,6 +2,7 @@ package io.troupe.services.subsumption;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.common.text.SourceScanner;
 import io.troupe.common.text.Suggestions;
 import io.troupe.services.subsumption.TableChecks.Subject;
@@ -37,8 +38,8 @@ import java.util.stream.Stream;
  * allow final                                            # allows states in which no robot looks for colours
  * }
  *
- * <p>NamedColours are names ({@link NamedColours#names()}), or {@code #RRGGBB}. Services are those that the file
- * declares, and the kinds of the catalogue without arguments.
+ * <p>Colours are names ({@link NamedColours#names()}), or {@code #RRGGBB}. Services are those that the file declares,
+ * and the kinds of the catalogue without arguments.
  *
  * <p><b>Errors.</b> {@link SubsumptionTableException} for every error in a file, and if the file cannot be opened.
  */
