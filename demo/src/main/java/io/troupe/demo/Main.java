@@ -1,6 +1,7 @@
 package io.troupe.demo;
 
 import io.troupe.broker.MissingServiceException;
+import io.troupe.common.text.SourceException;
 import io.troupe.common.text.Suggestions;
 import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
@@ -15,11 +16,8 @@ import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
 import io.troupe.player.PlayerException;
 import io.troupe.services.component.application.ApplicationException;
-import io.troupe.services.component.application.ApplicationFileException;
 import io.troupe.services.subsumption.ServiceJarException;
-import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.sim.RecordingException;
-import io.troupe.sim.worldfile.WorldFileException;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -33,7 +31,6 @@ import java.nio.file.FileSystemException;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
-import java.util.Collection;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -136,11 +133,9 @@ public final class Main implements Callable<Integer> {
                 .setParameterExceptionHandler(
                         (wrong, given) -> reportUsage(wrong.getCommandLine(), UsageProblems.message(wrong)))
                 .setExecutionExceptionHandler((thrown, commandLine, parsed) -> {
-                    if (thrown instanceof WorldFileException
+                    if (thrown instanceof SourceException
                             || thrown instanceof PnmlException
-                            || thrown instanceof SubsumptionTableException
-                            || thrown instanceof ServiceJarException
-                            || thrown instanceof ApplicationFileException) {
+                            || thrown instanceof ServiceJarException) {
                         return reportUsage(commandLine, thrown.getMessage());
                     }
                     if (thrown instanceof MissingServiceException) {
@@ -251,8 +246,6 @@ public final class Main implements Callable<Integer> {
         /** Message of picocli's help command. */
         private static final Pattern UNKNOWN_COMMAND = Pattern.compile("Unknown subcommand '(.*)'\\.?");
 
-        private static final int FEWEST_LETTERS = 3; // shortest prefix of a name that gives a suggestion
-
         private UsageProblems() {}
 
         static String message(ParameterException wrong) {
@@ -279,22 +272,13 @@ public final class Main implements Callable<Integer> {
                 List<String> known = spec.optionsMap().keySet().stream()
                         .filter(each -> each.startsWith("--"))
                         .toList();
-                return "there is no option " + option + meant(option, known);
+                return "there is no option " + option + Suggestions.clauseForArgument(option, known);
             }
             return spec.subcommands().isEmpty()
                     ? "'" + first + "' is one argument too many"
                     : "there is no command '" + first + "'"
-                            + meant(first, spec.subcommands().keySet());
-        }
-
-        /** The known name closest to the one given, by edit distance or as a prefix. */
-        private static String meant(String written, Collection<String> known) {
-            return Suggestions.nearest(written, known)
-                    .or(() -> known.stream()
-                            .filter(each -> written.length() >= FEWEST_LETTERS && each.startsWith(written))
-                            .findFirst())
-                    .map(name -> "; did you mean " + name + "?")
-                    .orElseGet(() -> written.startsWith("-") ? "" : "; there are " + String.join(", ", known));
+                            + Suggestions.clauseForArgument(
+                                    first, spec.subcommands().keySet());
         }
     }
 

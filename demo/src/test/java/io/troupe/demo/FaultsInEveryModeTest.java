@@ -3,10 +3,10 @@ package io.troupe.demo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Mode;
-import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionRun;

@@ -115,13 +115,14 @@ class ArrowsTest {
     }
 
     @Test
-    void verification_importsNoOtherModule() {
-        arrow("io.troupe.petri..").check(Classes.MAIN);
+    void verification_importsCommon() {
+        arrow("io.troupe.petri..", COMMON).check(Classes.MAIN);
     }
 
     @Test
-    void petri_importsNoOtherRoom() {
+    void theNetEngine_importsNoOtherModule() {
         arrow("io.troupe.petri").check(Classes.MAIN);
+        arrow("io.troupe.petri.structure", "io.troupe.petri").check(Classes.MAIN);
     }
 
     @Test

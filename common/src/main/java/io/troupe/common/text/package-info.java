@@ -1,4 +1,7 @@
-/** Reading and writing of text: positions in a text, and suggestions for misspelled names. */
+/**
+ * Reading of text: a scanner that knows positions, the exception of texts that cannot be read, suggestions for
+ * misspelled names, and colours by their names.
+ */
 @NullMarked
 package io.troupe.common.text;
 

@@ -2,6 +2,7 @@ package io.troupe.common.text;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -9,6 +10,15 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class SuggestionsTest {
     private static final List<String> KNOWN = List.of("player", "spaceWanderer", "wallFollower", "map");
+    private static final List<String> NONE = List.of();
+
+    private static List<String> numbered(int count) {
+        List<String> names = new ArrayList<>();
+        for (int number = count; number >= 1; number--) {
+            names.add("n" + (char) ('a' + number));
+        }
+        return names;
+    }
 
     @ParameterizedTest
     @CsvSource({
@@ -34,12 +44,96 @@ class SuggestionsTest {
         assertThat(Suggestions.nearest("robot3", List.of("robots", "robot1", "robot3x")))
                 .contains("robots");
         assertThat(Suggestions.nearest("robot", List.of("robat2", "robat"))).contains("robat");
+        assertThat(Suggestions.nearest("Positon", List.of("pose", "position", "positions")))
+                .contains("position");
     }
 
     @Test
-    void longText_isNobodysName() {
+    void longOrEmptyText_hasNoNearestName() {
         assertThat(Suggestions.nearest("a".repeat(101), List.of("a".repeat(101))))
                 .isEmpty();
-        assertThat(Suggestions.nearest("", List.of())).isEmpty();
+        assertThat(Suggestions.nearest("", NONE)).isEmpty();
+        assertThat(Suggestions.nearest("a", List.of(""))).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "size,size,0,0",
+        "siez,size,1,2",
+        "sze,size,1,1",
+        "sizes,size,1,1",
+        "pose,size,3,3",
+        "'',ab,2,2",
+        "abc,'',3,3",
+        "setValue,setValues,1,1",
+        "kitten,sitting,3,3"
+    })
+    void distance_countsEdits(String one, String other, int edits, int editsWithSwapAsTwo) {
+        assertThat(Suggestions.distance(one, other, 1)).isEqualTo(edits);
+        assertThat(Suggestions.distance(other, one, 1)).isEqualTo(edits);
+        assertThat(Suggestions.distance(one, other, 2)).isEqualTo(editsWithSwapAsTwo);
+        assertThat(Suggestions.distance(other, one, 2)).isEqualTo(editsWithSwapAsTwo);
+    }
+
+    @Test
+    void hint_hasTheNearestName_orTheFirstEight() {
+        assertThat(Suggestions.hint("mapp", KNOWN)).isEqualTo("did you mean map?");
+        assertThat(Suggestions.hint("xyz", List.of("b", "a"))).isEqualTo("there are a, b");
+        assertThat(Suggestions.hint("xyz", numbered(9))).isEqualTo("there are nb, nc, nd, ne, nf, ng, nh, ni, ..");
+        assertThat(Suggestions.hint("xyz", NONE)).isEqualTo("there is none");
+    }
+
+    @Test
+    void hintWithSome_hasTheNearestNameAndTheFirstTwelve() {
+        assertThat(Suggestions.hintWithSome("mapp", List.of("map", "ape")))
+                .isEqualTo("did you mean \"map\"? expected one of ape, map");
+        assertThat(Suggestions.hintWithSome("xyz", numbered(13)))
+                .isEqualTo("expected one of nb, nc, nd, ne, nf, ng, nh, ni, nj, nk, nl, nm, ..");
+        assertThat(Suggestions.hintWithSome("xyz", NONE)).isEqualTo("there is none");
+    }
+
+    @Test
+    void hintWithAll_keepsTheOrder_acceptsTwoEdits_andPrefersTheFirstByName() {
+        assertThat(Suggestions.hintWithAll("ab", List.of("xy", "b"))).isEqualTo("did you mean b? known: xy, b");
+        assertThat(Suggestions.hintWithAll("ab", List.of("xy"))).isEqualTo("did you mean xy? known: xy");
+        assertThat(Suggestions.hintWithAll("player3", List.of("player2", "player1")))
+                .isEqualTo("did you mean player1? known: player2, player1");
+        assertThat(Suggestions.hintWithAll("xyz", KNOWN)).isEqualTo("known: player, spaceWanderer, wallFollower, map");
+        assertThat(Suggestions.hintWithAll("acb", List.of("cabx", "abc")))
+                .isEqualTo("did you mean abc? known: cabx, abc");
+        assertThat(Suggestions.hintWithAll("xyz", NONE)).isEqualTo("there are none");
+        assertThat(Suggestions.hintWithAll("a".repeat(101), List.of("a".repeat(102))))
+                .startsWith("did you mean aaa");
+    }
+
+    @Test
+    void clauses_haveTheNearestName_andAllNames() {
+        List<String> known = List.of("size", "pose");
+
+        assertThat(Suggestions.clause("siez", known)).isEqualTo("; did you mean \"size\"?");
+        assertThat(Suggestions.clause("wall", known)).isEmpty();
+        assertThat(Suggestions.clauseOrAll("siez", known)).isEqualTo("; did you mean \"size\"?");
+        assertThat(Suggestions.clauseOrAll("wall", known)).isEqualTo("; known: pose, size");
+        assertThat(Suggestions.clauseOrAll("wall", NONE)).isEqualTo("; known: none");
+        assertThat(Suggestions.clauseWithAll("siez", known)).isEqualTo("; did you mean \"size\"? known: pose, size");
+        assertThat(Suggestions.clauseWithAll("wall", known)).isEqualTo("; known: pose, size");
+    }
+
+    @Test
+    void clauseForArgument_completesTheBeginningOfAName() {
+        List<String> commands = List.of("run", "evaluate");
+
+        assertThat(Suggestions.clauseForArgument("rnu", commands)).isEqualTo("; did you mean run?");
+        assertThat(Suggestions.clauseForArgument("eval", commands)).isEqualTo("; did you mean evaluate?");
+        assertThat(Suggestions.clauseForArgument("ev", commands)).isEqualTo("; there are run, evaluate");
+        assertThat(Suggestions.clauseForArgument("--xyz", List.of("--seed"))).isEmpty();
+    }
+
+    @Test
+    void expected_hasAllNamesInTheirOrder() {
+        assertThat(Suggestions.expected("one of", "neer", List.of("near", "far")))
+                .isEqualTo(", expected one of: near, far (did you mean 'near'?)");
+        assertThat(Suggestions.expected("words", "x", List.of("near"))).isEqualTo(", expected words: near");
+        assertThat(Suggestions.expected("words", "", NONE)).isEqualTo(", expected words: none is known");
     }
 }

@@ -1,7 +1,7 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.time.Clock;
-import io.troupe.services.subsumption.NamedColours;
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;

@@ -1,6 +1,6 @@
 package io.troupe.demo.guide;
 
-import io.troupe.services.subsumption.NamedColours;
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.subsumption.ServiceArguments;
 import io.troupe.services.subsumption.ServiceCatalogue.Kind;
 import io.troupe.services.subsumption.ServiceKinds;

@@ -3,9 +3,9 @@ package io.troupe.demo.guide;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Mode;
-import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.ServiceObserver;

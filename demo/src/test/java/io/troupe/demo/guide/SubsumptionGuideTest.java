@@ -3,6 +3,7 @@ package io.troupe.demo.guide;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.Avoid;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.RobotPose;
@@ -12,7 +13,6 @@ import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Assignment;
 import io.troupe.services.subsumption.Mode;
-import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.ServiceObserver;

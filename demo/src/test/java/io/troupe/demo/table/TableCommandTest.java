@@ -2,8 +2,8 @@ package io.troupe.demo.table;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.subsumption.Assignment;
-import io.troupe.services.subsumption.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
 import java.io.ByteArrayInputStream;

@@ -62,14 +62,14 @@ final class BitmapShapes {
 
     private static Bitmap read(Path file, SourcePosition where) {
         Pixels pixels = BitmapFile.read(file, where);
-        List<Box> rectangles = PixelRectangles.cut(pixels);
+        List<Box> rectangles = pixels.rectangles();
         if (rectangles.size() > MOST_PIECES) {
             throw new WorldFileException(
                     where,
                     "bitmap " + file + " is too ragged: its dark regions make " + rectangles.size()
                             + " rectangles; the limit is " + MOST_PIECES);
         }
-        return new Bitmap(pixels.darkBox(), rectangles, PixelOutlines.trace(pixels));
+        return new Bitmap(pixels.darkBox(), rectangles, pixels.outlines());
     }
 
     private static List<Point> scaled(List<Point> ring, Box box, double scaleX, double scaleY) {

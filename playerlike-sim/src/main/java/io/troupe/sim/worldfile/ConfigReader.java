@@ -1,6 +1,7 @@
 package io.troupe.sim.worldfile;
 
 import io.troupe.common.text.SourcePosition;
+import io.troupe.common.text.Suggestions;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
@@ -59,7 +60,7 @@ final class ConfigReader {
 
     /** True if a driver's name is "stage" or close to it. */
     static boolean mayBeStage(Entity driver) {
-        return !NearestNames.nearest(driver.text("name", STAGE), List.of(STAGE)).isEmpty();
+        return Suggestions.nearest(driver.text("name", STAGE), List.of(STAGE)).isPresent();
     }
 
     private static boolean isStage(Entity driver, Diagnostics diagnostics) {
@@ -182,7 +183,7 @@ final class ConfigReader {
         return new WorldFileException(
                 driver.whereOf("model"),
                 (obstacle ? "model \"" + name + "\" is not a robot" : "there is no robot \"" + name + '"') + " in "
-                        + world.file() + NearestNames.of(name, names));
+                        + world.file() + Suggestions.clauseWithAll(name, names));
     }
 
     private void requireFreeAddress(ProvidesEntry wanted, Value.Text item) {
@@ -239,13 +240,13 @@ final class ConfigReader {
                 diagnostics.warn(
                         item.where(),
                         "interface \"" + name + "\" is not provided here and left out; provided are "
-                                + NearestNames.list(ProvidedInterfaces.INTERFACES));
+                                + Suggestions.sorted(ProvidedInterfaces.INTERFACES));
                 return false;
             }
             diagnostics.unknownName(
                     item.where(),
                     "unknown interface \"" + name + "\" in \"" + item.text() + '"'
-                            + NearestNames.of(name, ProvidedInterfaces.INTERFACES));
+                            + Suggestions.clauseWithAll(name, ProvidedInterfaces.INTERFACES));
             return false;
         }
 

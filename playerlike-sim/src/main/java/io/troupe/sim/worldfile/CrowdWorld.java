@@ -1,5 +1,6 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.sim.model.Scenario;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -140,7 +141,7 @@ public final class CrowdWorld {
      * all others, walls and robots included.
      */
     public static List<Integer> colours(int count) {
-        return names(count).stream().map(X11Colours.byName()::get).toList();
+        return names(count).stream().map(NamedColours.byName()::get).toList();
     }
 
     private void write() {
@@ -237,7 +238,7 @@ public final class CrowdWorld {
 
         /** The given number of names, starting with the three colours of the paper. */
         static List<String> names(int count) {
-            Map<String, Integer> candidates = new TreeMap<>(X11Colours.byName());
+            Map<String, Integer> candidates = new TreeMap<>(NamedColours.byName());
             var chosen = new ArrayList<String>(FIRST.subList(0, Math.min(count, FIRST.size())));
             var values = new ArrayList<Integer>();
             TAKEN.forEach(name -> values.add(candidates.get(name)));

@@ -1,7 +1,8 @@
 package io.troupe.sim.worldfile;
 
 import io.troupe.common.text.SourcePosition;
-import io.troupe.sim.worldfile.Token.Kind;
+import io.troupe.sim.worldfile.Lexer.Kind;
+import io.troupe.sim.worldfile.Lexer.Token;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -34,7 +35,7 @@ final class EntityParser {
     private final Map<String, Entity> macros = new LinkedHashMap<>();
     private final Map<String, SourcePosition> macroNames = new LinkedHashMap<>();
     private final List<Path> open = new ArrayList<>();
-    private final EntityBuilder root;
+    private final Entity.Builder root;
     private final Path mainFile;
     private final Diagnostics diagnostics;
     private int filesRead;
@@ -44,7 +45,7 @@ final class EntityParser {
     private long macroValues;
 
     private EntityParser(String rootType, Path file, Diagnostics diagnostics) {
-        root = new EntityBuilder(rootType, null, new SourcePosition(file, 1, 1), diagnostics);
+        root = new Entity.Builder(rootType, null, new SourcePosition(file, 1, 1), diagnostics);
         mainFile = file;
         this.diagnostics = diagnostics;
     }
@@ -140,16 +141,16 @@ final class EntityParser {
         Entity macro = builder(base, cursor, 1).buildMacro();
         macroEntities += macro.weight();
         macroValues += macro.values();
-        if (macroEntities > MOST_MACRO_ENTITIES || macroValues > EntityBuilder.MOST_VALUES) {
+        if (macroEntities > MOST_MACRO_ENTITIES || macroValues > Entity.Builder.MOST_VALUES) {
             throw new WorldFileException(
                     name.where(),
                     "the macros up to this one hold more than " + MOST_MACRO_ENTITIES + " entities or "
-                            + EntityBuilder.MOST_VALUES + " values, with those of the macros in them");
+                            + Entity.Builder.MOST_VALUES + " values, with those of the macros in them");
         }
         macros.putIfAbsent(name.text(), macro);
     }
 
-    private void statement(Token word, TokenCursor cursor, EntityBuilder into, int depth) {
+    private void statement(Token word, TokenCursor cursor, Entity.Builder into, int depth) {
         if (cursor.at(Kind.OPEN)) {
             into.add(builder(word, cursor, depth + 1).build());
         } else {
@@ -157,12 +158,12 @@ final class EntityParser {
         }
     }
 
-    private EntityBuilder builder(Token word, TokenCursor cursor, int depth) {
+    private Entity.Builder builder(Token word, TokenCursor cursor, int depth) {
         if (depth > DEEPEST_NESTING) {
             throw new WorldFileException(word.where(), "entities are nested deeper than " + DEEPEST_NESTING);
         }
         Token opening = cursor.next();
-        var entity = new EntityBuilder(word.text(), macros.get(word.text()), word.where(), diagnostics);
+        var entity = new Entity.Builder(word.text(), macros.get(word.text()), word.where(), diagnostics);
         while (!cursor.at(Kind.CLOSE)) {
             if (cursor.at(Kind.END)) {
                 throw new WorldFileException(

@@ -1,7 +1,7 @@
 package io.troupe.sim.worldfile;
 
 import io.troupe.common.text.SourcePosition;
-import io.troupe.sim.worldfile.Token.Kind;
+import io.troupe.common.text.SourceScanner;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -10,133 +10,113 @@ import java.util.regex.Pattern;
 
 /** Splits the text of a world or configuration file into tokens; {@code #} starts a comment to the end of the line. */
 final class Lexer {
-    private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
-
     static final int MOST_TOKENS = 2_000_000;
 
-    private final String text;
-    private final Path file;
-    private final List<Token> tokens = new ArrayList<>();
-    private int at;
-    private int line = 1;
-    private int lineStart;
+    private static final Pattern BLANKS = Pattern.compile("[ \\t\\r\\f\\n]++|#[^\\n]*+");
+    private static final Pattern QUOTED = Pattern.compile("\"[^\"\\n]*+\"");
+    /** Also {@code .points} in {@code polygon[0].points}: after a bracket, without a space. */
+    private static final Pattern WORD = Pattern.compile("(?:[a-zA-Z_]|(?<=])\\.(?=[a-zA-Z_]))[a-zA-Z_0-9+.-]*+");
 
-    private Lexer(String text, Path file) {
-        this.text = text;
-        this.file = file;
+    private static final Pattern NUMBER_LIKE = Pattern.compile("[0-9+.-][a-zA-Z_0-9+.-]*+");
+    private static final Pattern NUMBER = Pattern.compile("[+-]?(\\d+\\.?\\d*|\\.\\d+)([eE][+-]?\\d+)?");
+    private static final Pattern SYMBOL = Pattern.compile(".", Pattern.DOTALL);
+
+    private final SourceScanner scanner;
+    private final List<Token> tokens = new ArrayList<>();
+
+    /**
+     * A word, number, text or bracket of a file, with its position.
+     *
+     * @param text as written; of a text in quotes without the quotes
+     */
+    record Token(Kind kind, String text, SourcePosition where) {
+        /** The token as shown in messages. */
+        String shown() {
+            return switch (kind) {
+                case END -> "the end of the file";
+                case TEXT -> '"' + text + '"';
+                default -> "'" + text + "'";
+            };
+        }
+    }
+
+    enum Kind {
+        WORD,
+        NUMBER,
+        TEXT,
+        OPEN,
+        CLOSE,
+        OPEN_TUPLE,
+        CLOSE_TUPLE,
+        END
+    }
+
+    private Lexer(SourceScanner scanner) {
+        this.scanner = scanner;
     }
 
     /** The tokens in order; the last is always {@link Kind#END}. */
     static List<Token> tokens(String text, Path file) {
-        var lexer = new Lexer(text, file);
+        var lexer = new Lexer(new SourceScanner(file, text));
         lexer.run();
         return lexer.tokens;
     }
 
     private void run() {
-        while (at < text.length()) {
-            char c = text.charAt(at);
-            if (c == '\n') {
-                at++;
-                line++;
-                lineStart = at;
-            } else if (c == ' ' || c == '\t' || c == '\r' || c == '\f') {
-                at++;
-            } else if (c == '#') {
-                at = endOfLine();
-            } else {
-                token(c);
-            }
-        }
-        tokens.add(new Token(Kind.END, "", here()));
-    }
-
-    private void token(char c) {
-        if (tokens.size() >= MOST_TOKENS - 1) {
-            throw new WorldFileException(
-                    here(), "more than " + MOST_TOKENS + " words, numbers and brackets in one file");
-        }
-        switch (c) {
-            case '(' -> add(Kind.OPEN, at + 1);
-            case ')' -> add(Kind.CLOSE, at + 1);
-            case '[' -> add(Kind.OPEN_TUPLE, at + 1);
-            case ']' -> add(Kind.CLOSE_TUPLE, at + 1);
-            case '"' -> quoted();
-            case ',', ';' ->
+        skipBlanks();
+        while (!scanner.atEnd()) {
+            SourcePosition where = scanner.where();
+            if (tokens.size() >= MOST_TOKENS - 1) {
                 throw new WorldFileException(
-                        here(), "unexpected '" + c + "': values are separated by spaces, nothing else");
-            default -> {
-                if (startsPart(c)) {
-                    add(Kind.WORD, endOfRun());
-                } else if (startsNumber(c)) {
-                    number();
-                } else if (startsWord(c)) {
-                    add(Kind.WORD, endOfRun());
-                } else {
-                    throw new WorldFileException(here(), "unexpected character " + shown(c));
-                }
+                        where, "more than " + MOST_TOKENS + " words, numbers and brackets in one file");
             }
+            tokens.add(token(where));
+            skipBlanks();
+        }
+        tokens.add(new Token(Kind.END, "", scanner.where()));
+    }
+
+    private void skipBlanks() {
+        while (!scanner.take(BLANKS).isEmpty()) {
+            // the next blanks or comment
         }
     }
 
-    private void quoted() {
-        int close = text.indexOf('"', at + 1);
-        if (close < 0 || close > endOfLine()) {
-            throw new WorldFileException(here(), "this text has no closing '\"' on its line");
+    private Token token(SourcePosition where) {
+        String word = scanner.take(WORD);
+        if (!word.isEmpty()) {
+            return new Token(Kind.WORD, word, where);
         }
-        tokens.add(new Token(Kind.TEXT, text.substring(at + 1, close), here()));
-        at = close + 1;
+        String number = scanner.take(NUMBER_LIKE);
+        if (!number.isEmpty()) {
+            return number(number, where);
+        }
+        String quoted = scanner.take(QUOTED);
+        if (!quoted.isEmpty()) {
+            return new Token(Kind.TEXT, quoted.substring(1, quoted.length() - 1), where);
+        }
+        String symbol = scanner.take(SYMBOL);
+        return switch (symbol) {
+            case "(" -> new Token(Kind.OPEN, symbol, where);
+            case ")" -> new Token(Kind.CLOSE, symbol, where);
+            case "[" -> new Token(Kind.OPEN_TUPLE, symbol, where);
+            case "]" -> new Token(Kind.CLOSE_TUPLE, symbol, where);
+            case "\"" -> throw new WorldFileException(where, "this text has no closing '\"' on its line");
+            case ",", ";" ->
+                throw new WorldFileException(
+                        where, "unexpected '" + symbol + "': values are separated by spaces, nothing else");
+            default -> throw new WorldFileException(where, "unexpected character " + shown(symbol.charAt(0)));
+        };
     }
 
-    private void number() {
-        int end = endOfRun();
-        String written = text.substring(at, end);
+    private static Token number(String written, SourcePosition where) {
         if (!NUMBER.matcher(written).matches()) {
-            throw new WorldFileException(here(), "'" + written + "' is not a number");
+            throw new WorldFileException(where, "'" + written + "' is not a number");
         }
         if (!Double.isFinite(Double.parseDouble(written))) {
-            throw new WorldFileException(here(), "'" + written + "' is too large: numbers must be finite");
+            throw new WorldFileException(where, "'" + written + "' is too large: numbers must be finite");
         }
-        add(Kind.NUMBER, end);
-    }
-
-    private void add(Kind kind, int end) {
-        tokens.add(new Token(kind, text.substring(at, end), here()));
-        at = end;
-    }
-
-    private int endOfRun() {
-        int end = at;
-        while (end < text.length() && (startsWord(text.charAt(end)) || startsNumber(text.charAt(end)))) {
-            end++;
-        }
-        return end;
-    }
-
-    private int endOfLine() {
-        int end = text.indexOf('\n', at);
-        return end < 0 ? text.length() : end;
-    }
-
-    private SourcePosition here() {
-        return new SourcePosition(file, line, at - lineStart + 1);
-    }
-
-    /** True at the point in {@code polygon[0].points}: after a bracket, without a space, and before a letter. */
-    private boolean startsPart(char c) {
-        return c == '.'
-                && at > 0
-                && text.charAt(at - 1) == ']'
-                && at + 1 < text.length()
-                && startsWord(text.charAt(at + 1));
-    }
-
-    private static boolean startsWord(char c) {
-        return c >= 'a' && c <= 'z' || c >= 'A' && c <= 'Z' || c == '_';
-    }
-
-    private static boolean startsNumber(char c) {
-        return c >= '0' && c <= '9' || c == '+' || c == '-' || c == '.';
+        return new Token(Kind.NUMBER, written, where);
     }
 
     private static String shown(char c) {

@@ -41,7 +41,7 @@ final class RobotReader {
                 name,
                 pose,
                 shapes.shape(position),
-                X11Colours.of(position),
+                position.colour(),
                 size[0],
                 size[1],
                 mass,
@@ -181,7 +181,7 @@ final class RobotReader {
             }
             cargo.add(new CargoSpec(
                     shapes.shape(model).at(mount),
-                    X11Colours.of(model),
+                    model.colour(),
                     blocksBodies,
                     dialect.blocksRangers(model),
                     model.flag("blob_return", true)));

@@ -108,9 +108,7 @@ final class SensorReader {
                     blobfinder.whereOf(blobfinder.has("colors_count") ? "colors_count" : "colors"),
                     "\"colors_count\" is " + count + ", but \"colors\" has " + names.size());
         }
-        return names.stream()
-                .map(name -> X11Colours.named(name.text(), name.where()))
-                .toList();
+        return names.stream().map(Value.Text::colour).toList();
     }
 
     private double fieldOfView(double written, SourcePosition where) {

@@ -1,6 +1,7 @@
 package io.troupe.sim.worldfile;
 
 import io.troupe.common.text.SourcePosition;
+import io.troupe.common.text.SourceScanner;
 import java.io.File;
 import java.io.IOException;
 import java.lang.System.Logger.Level;
@@ -36,8 +37,7 @@ final class SourceText {
             if (Files.size(file) > MOST_BYTES) {
                 throw problem(namedAt, file + " is larger than " + MOST_BYTES + " bytes");
             }
-            String text = Files.readString(file);
-            return text.startsWith("\uFEFF") ? text.substring(1) : text;
+            return SourceScanner.withoutMark(Files.readString(file));
         } catch (CharacterCodingException e) {
             throw problem(namedAt, file + " is not UTF-8 text");
         } catch (IOException e) {

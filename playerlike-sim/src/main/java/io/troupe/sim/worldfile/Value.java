@@ -1,6 +1,8 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.common.text.SourcePosition;
+import io.troupe.common.text.Suggestions;
 import java.util.List;
 
 /** The value of a property. */
@@ -22,6 +24,17 @@ sealed interface Value {
         @Override
         public String shown() {
             return "the text \"" + text + '"';
+        }
+
+        /** The colour with this name, {@code 0x00RRGGBB}. */
+        int colour() {
+            return NamedColours.namedInX11(text).orElseThrow(() -> {
+                String meant = Suggestions.clause(text, NamedColours.byName().keySet());
+                return new WorldFileException(
+                        where,
+                        "unknown colour \"" + text + '"'
+                                + (meant.isEmpty() ? "; expected a colour name of X11, such as \"red\"" : meant));
+            });
         }
     }
 

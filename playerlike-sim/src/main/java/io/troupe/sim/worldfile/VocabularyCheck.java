@@ -1,5 +1,6 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.Suggestions;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.IdentityHashMap;
@@ -57,7 +58,7 @@ final class VocabularyCheck {
             diagnostics.unknownName(
                     property.where(),
                     "unknown property \"" + property.name() + "\" of " + entity.type()
-                            + NearestNames.briefly(property.name(), type.usefulProperties()));
+                            + Suggestions.clauseOrAll(property.name(), type.usefulProperties()));
             return;
         }
         if (!rule.withoutEffect().isEmpty()) {
@@ -104,6 +105,7 @@ final class VocabularyCheck {
         var known = new TreeSet<>(builtIn);
         known.addAll(document.macros().keySet());
         diagnostics.unknownName(
-                entity.where(), "unknown entity \"" + entity.type() + '"' + NearestNames.briefly(entity.type(), known));
+                entity.where(),
+                "unknown entity \"" + entity.type() + '"' + Suggestions.clauseOrAll(entity.type(), known));
     }
 }

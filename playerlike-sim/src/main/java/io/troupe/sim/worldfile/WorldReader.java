@@ -78,7 +78,7 @@ final class WorldReader {
                 name(model),
                 pose,
                 shapes.shape(model),
-                X11Colours.of(model),
+                model.colour(),
                 model.flag("obstacle_return", true),
                 dialect.blocksRangers(model),
                 model.flag("blob_return", true),

@@ -130,14 +130,14 @@ class BitmapsTest {
             }
             String what = "seed " + seed + ", round " + round;
             int[] covered = new int[width * height];
-            for (Box box : PixelRectangles.cut(pixels)) {
+            for (Box box : pixels.rectangles()) {
                 for (int y = (int) box.minY(); y < box.maxY(); y++) {
                     for (int x = (int) box.minX(); x < box.maxX(); x++) {
                         covered[y * width + x]++;
                     }
                 }
             }
-            List<List<Point>> lines = PixelOutlines.trace(pixels);
+            List<List<Point>> lines = pixels.outlines();
             for (int i = 0; i < covered.length; i++) {
                 int x = i % width;
                 int y = i / width;
@@ -230,8 +230,8 @@ class BitmapsTest {
             }
         }
 
-        assertThat(PixelRectangles.cut(pixels)).hasSizeLessThan(2500);
-        assertThat(area(PixelOutlines.trace(pixels))).isCloseTo(pixels.darkCount(), within(1e-9));
+        assertThat(pixels.rectangles()).hasSizeLessThan(2500);
+        assertThat(area(pixels.outlines())).isCloseTo(pixels.darkCount(), within(1e-9));
     }
 
     @Test

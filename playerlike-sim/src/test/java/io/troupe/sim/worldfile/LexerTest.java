@@ -3,6 +3,7 @@ package io.troupe.sim.worldfile;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.sim.worldfile.Lexer.Token;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -39,7 +40,7 @@ class LexerTest {
     void number_inAnyUsualForm_isOneToken(String number) {
         assertThat(Lexer.tokens(number, FILE))
                 .extracting(Token::kind)
-                .containsExactly(Token.Kind.NUMBER, Token.Kind.END);
+                .containsExactly(Lexer.Kind.NUMBER, Lexer.Kind.END);
     }
 
     @ParameterizedTest

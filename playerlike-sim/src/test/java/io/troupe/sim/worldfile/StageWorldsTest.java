@@ -25,7 +25,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** Constructs of the worlds that come with Stage 2 to 4 are read without options, some with a warning. */
 class StageWorldsTest {
-    private static final Path RESOURCES = Path.of("src/test/resources/io/troupe/sim/scenario/stage");
+    private static final Path RESOURCES = Path.of("src/test/resources/io/troupe/sim/worldfile/stage");
 
     @TempDir
     private Path dir;

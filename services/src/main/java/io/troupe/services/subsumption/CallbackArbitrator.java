@@ -13,8 +13,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> A colour finder sends every colour that its robot sees, at every reading, while its service keeps
  * driving. The first colour that leads to another state ends the current one: the arbitrator stops all services, and
  * starts those of the next state when all have stopped. It waits for a promise where the paper has a busy loop. All
- * this happens between two readings, as in promise mode. NamedColours that arrive late, from services of an earlier
- * state, are counted and ignored.
+ * this happens between two readings, as in promise mode. Colours that arrive late, from services of an earlier state,
+ * are counted and ignored.
  *
  * <p><b>Errors.</b> {@link #failure} is rejected when a service fails, or ends although it was not stopped. When this
  * actor is stopped, its services stop at their next reading.

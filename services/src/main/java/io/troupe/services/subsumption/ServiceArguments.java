@@ -1,5 +1,6 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.common.text.Suggestions;
 import java.math.BigDecimal;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
@@ -134,7 +135,7 @@ public final class ServiceArguments {
         if (word == null || !choices.contains(word)) {
             throw line.problem(
                     item.get().position,
-                    "'" + item.get() + "'" + TableLine.expected("one of", word == null ? "" : word, choices));
+                    "'" + item.get() + "'" + Suggestions.expected("one of", word == null ? "" : word, choices));
         }
         return word;
     }
@@ -156,13 +157,13 @@ public final class ServiceArguments {
                 if (item.name == null && !tuplesRequested) {
                     throw line.problem(
                             item.position,
-                            kind + " has the number " + item + TableLine.expected("words", "", requested));
+                            kind + " has the number " + item + Suggestions.expected("words", "", requested));
                 }
                 if (item.name != null && !requested.contains(item.name)) {
                     throw line.problem(
                             item.position,
                             kind + " has the argument '" + item.name + "'"
-                                    + TableLine.expected("one of", item.name, requested));
+                                    + Suggestions.expected("one of", item.name, requested));
                 }
             }
         }

@@ -1,5 +1,6 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.ColourFinder;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import java.util.List;
@@ -16,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> Immutable. Build one with {@link #forRobots}, take the paper's with {@link #ofThePaper()}, or read
  * one from a file with {@link SubsumptionTableReader}. A run starts in the first state.
  *
- * <p><b>Order.</b> NamedColours without a state change nothing, whether they are declared as ignored or not.
+ * <p><b>Order.</b> Colours without a state change nothing, whether they are declared as ignored or not.
  *
  * <p><b>Source.</b> Paper, section 3.3, Tables 3 and 4 (Table 4 takes precedence over the list of rules); challenge v.
  */

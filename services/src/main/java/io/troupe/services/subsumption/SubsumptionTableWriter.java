@@ -1,5 +1,6 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.common.text.NamedColours;
 import java.util.ArrayList;
 import java.util.Comparator;
 import java.util.LinkedHashMap;

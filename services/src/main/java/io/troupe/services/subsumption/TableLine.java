@@ -1,7 +1,8 @@
 package io.troupe.services.subsumption;
 
-import io.troupe.common.text.Suggestions;
-import java.util.Collection;
+import io.troupe.common.text.SourcePosition;
+import io.troupe.common.text.SourceScanner;
+import java.nio.file.Path;
 import java.util.OptionalInt;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -15,23 +16,21 @@ final class TableLine {
     private static final Pattern NAME = Pattern.compile(WORD);
     private static final Pattern NUMBER = Pattern.compile("[-+]?(?:\\d+(?:\\.\\d+)?|\\.\\d+)(?:[eE][-+]?\\d+)?");
     private static final Pattern WHOLE = Pattern.compile("[-+]?\\d+");
-    private static final Pattern COLOUR = Pattern.compile("#(\\p{XDigit}{6})(?![\\p{L}\\p{N}_-])");
+    private static final Pattern COLOUR = Pattern.compile("#\\p{XDigit}{6}(?![\\p{L}\\p{N}_-])");
     private static final Pattern NO_COLOUR = Pattern.compile("#\\p{Alnum}+");
     private static final Pattern ANYTHING = Pattern.compile("[\\p{L}\\p{N}_.+-]+|.");
+    private static final Pattern REST = Pattern.compile(".*", Pattern.DOTALL);
 
-    private final String file;
-    private final int number;
-    private final String text;
+    private final SourceScanner scanner;
+    private final SourcePosition start;
     private final String comment;
-    private int at;
 
-    TableLine(String file, int number, String line) {
-        this.file = file;
-        this.number = number;
+    TableLine(Path file, int number, String line) {
         int end = commentStart(line);
-        this.text = line.substring(0, end).stripTrailing();
+        this.scanner = new SourceScanner(file, number, line.substring(0, end).stripTrailing());
+        this.start = scanner.where();
         this.comment = line.substring(end);
-        skipBlanks();
+        scanner.take(BLANKS);
     }
 
     /**
@@ -52,34 +51,28 @@ final class TableLine {
         return line.length();
     }
 
-    private void skipBlanks() {
-        Matcher blanks = BLANKS.matcher(text).region(at, text.length());
-        at = blanks.lookingAt() ? blanks.end() : at;
-    }
-
     boolean atEnd() {
-        return at == text.length();
+        return scanner.atEnd();
     }
 
     /** The current position, for {@link #problem(int, String)}. */
     int position() {
-        return at;
+        return scanner.offset();
     }
 
     /** Skips the expected text if it comes next; a word only as a whole. */
     boolean skips(String expected) {
         boolean whole = !Character.isLetter(expected.charAt(0)) || nextWord().equals(expected);
-        if (!whole || !text.startsWith(expected, at)) {
+        if (!whole || !isAt(expected)) {
             return false;
         }
-        at += expected.length();
-        skipBlanks();
+        skip(expected);
         return true;
     }
 
     /** Whether the text comes next. */
     boolean isAt(String expected) {
-        return text.startsWith(expected, at);
+        return scanner.isAt(expected);
     }
 
     void expect(String expected, String forWhat) {
@@ -97,8 +90,7 @@ final class TableLine {
 
     /** Returns the next word without consuming it; empty if the next token is not a word. */
     String nextWord() {
-        Matcher word = NAME.matcher(text).region(at, text.length());
-        return word.lookingAt() ? word.group() : "";
+        return scanner.peek(NAME);
     }
 
     String word(String expected) {
@@ -111,34 +103,28 @@ final class TableLine {
     }
 
     boolean isAtNumber() {
-        return NUMBER.matcher(text).region(at, text.length()).lookingAt();
+        return !scanner.peek(NUMBER).isEmpty();
     }
 
     double number(String expected) {
-        Matcher decimal = NUMBER.matcher(text).region(at, text.length());
-        if (!decimal.lookingAt()) {
-            throw unexpected(expected);
-        }
-        double value = Double.parseDouble(decimal.group());
+        String decimal = scanner.peek(NUMBER);
+        double value = decimal.isEmpty() ? Double.POSITIVE_INFINITY : Double.parseDouble(decimal);
         if (Double.isInfinite(value)) {
             throw unexpected(expected);
         }
-        skip(decimal.group());
+        skip(decimal);
         return value;
     }
 
     int whole(String expected, int least, int most) {
-        Matcher digits = WHOLE.matcher(text).region(at, text.length());
-        if (!digits.lookingAt()) {
-            throw unexpected(expected);
-        }
+        String digits = scanner.peek(WHOLE);
         try {
-            int value = Integer.parseInt(digits.group());
+            int value = Integer.parseInt(digits);
             if (value >= least && value <= most) {
-                skip(digits.group());
+                skip(digits);
                 return value;
             }
-        } catch (NumberFormatException tooLarge) {
+        } catch (NumberFormatException noneOrTooLarge) {
             throw unexpected(expected);
         }
         throw unexpected(expected);
@@ -146,42 +132,39 @@ final class TableLine {
 
     /** Consumes a colour of the form {@code #RRGGBB}, if one comes next. */
     OptionalInt literalColour() {
-        Matcher colour = COLOUR.matcher(text).region(at, text.length());
-        if (!colour.lookingAt()) {
+        String colour = scanner.peek(COLOUR);
+        if (colour.isEmpty()) {
             return OptionalInt.empty();
         }
-        int value = Integer.parseInt(colour.group(1), 16);
-        skip(colour.group());
-        return OptionalInt.of(value);
+        skip(colour);
+        return OptionalInt.of(Integer.parseInt(colour.substring(1), 16));
     }
 
     /** Consumes the rest of the line. */
     String rest() {
-        String rest = text.substring(at);
-        at = text.length();
-        return rest;
+        return scanner.take(REST);
     }
 
     private void skip(String token) {
-        at += token.length();
-        skipBlanks();
+        scanner.skip(token.length());
+        scanner.take(BLANKS);
     }
 
     /** Creates the error for an unexpected token. */
     SubsumptionTableException unexpected(String expected) {
-        return problem(at, found() + ", expected " + expected);
+        return problem(position(), found() + ", expected " + expected);
     }
 
     private String found() {
         if (atEnd()) {
             return "the line ends" + meantAsColour();
         }
-        Matcher colour = COLOUR.matcher(text).region(at, text.length());
-        if (colour.lookingAt()) {
-            return "the colour " + colour.group() + " (a comment begins with '#' and a blank)";
+        String colour = scanner.peek(COLOUR);
+        if (!colour.isEmpty()) {
+            return "the colour " + colour + " (a comment begins with '#' and a blank)";
         }
-        Matcher anything = ANYTHING.matcher(text).region(at, text.length());
-        return anything.lookingAt() ? "'" + anything.group() + "'" : "'" + text.charAt(at) + "'";
+        String anything = scanner.peek(ANYTHING);
+        return "'" + (anything.isEmpty() ? scanner.text().charAt(position()) : anything) + "'";
     }
 
     /** Describes the comment at the end of the line if it may have been meant as a colour: {@code #12345}. */
@@ -190,18 +173,9 @@ final class TableLine {
         return digits.lookingAt() ? " at the comment '" + digits.group() + "' (a colour is #RRGGBB)" : "";
     }
 
-    /** Creates an error at a {@link #position}. */
+    /** Creates an error at a {@link #position}; its column counts code points. */
     SubsumptionTableException problem(int position, String what) {
-        int column = text.codePointCount(0, position) + 1;
-        return new SubsumptionTableException(file, number, column, what);
-    }
-
-    /** Returns the end of an error message about an unknown name: what was expected, and the most similar name. */
-    static String expected(String what, String written, Collection<String> known) {
-        String all = known.isEmpty() ? "none is known" : String.join(", ", known);
-        return ", expected " + what + ": " + all
-                + Suggestions.nearest(written, known)
-                        .map(near -> " (did you mean '" + near + "'?)")
-                        .orElse("");
+        int column = scanner.text().codePointCount(0, position) + 1;
+        return new SubsumptionTableException(new SourcePosition(start.file(), start.line(), column), what);
     }
 }

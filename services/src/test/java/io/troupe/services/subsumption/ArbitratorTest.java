@@ -3,6 +3,7 @@ package io.troupe.services.subsumption;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.services.behaviour.Velocity;
 import java.util.ArrayList;

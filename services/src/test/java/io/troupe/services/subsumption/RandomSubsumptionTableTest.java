@@ -2,6 +2,7 @@ package io.troupe.services.subsumption;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.ColourFinder;
 import io.troupe.services.behaviour.TestBlobs;

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.actor.time.Clock;
+import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.player.wire.DeviceCommand;
 import java.util.concurrent.atomic.AtomicReference;

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.Actor;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.player.wire.DeviceCommand;
 import java.util.ArrayList;

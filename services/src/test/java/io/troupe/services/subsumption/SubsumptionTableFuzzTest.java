@@ -83,12 +83,13 @@ class SubsumptionTableFuzzTest {
                         .as("seed %d", seed)
                         .isEqualTo(table);
             } catch (SubsumptionTableException wrong) {
+                var where = wrong.where().orElseThrow();
                 assertThat(wrong)
                         .as("seed %d", seed)
-                        .hasMessageStartingWith("fuzz:" + wrong.line() + ":" + wrong.column() + ": ");
-                assertThat(wrong.line()).as("seed %d: line", seed).isBetween(1, (int)
+                        .hasMessageStartingWith("fuzz:" + where.line() + ":" + where.column() + ": ");
+                assertThat(where.line()).as("seed %d: line", seed).isBetween(1, (int)
                         Math.max(1, text.lines().count()));
-                assertThat(wrong.column()).as("seed %d: column", seed).isPositive();
+                assertThat(where.column()).as("seed %d: column", seed).isPositive();
             } catch (RuntimeException other) {
                 fail("seed " + seed + ":\n" + text, other);
             }

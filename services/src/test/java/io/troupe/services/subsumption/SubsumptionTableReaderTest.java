@@ -179,7 +179,7 @@ class SubsumptionTableReaderTest {
         var wrong = catchThrowableOfType(
                 SubsumptionTableException.class, () -> read(lines.strip().replace("/", "\n")));
         assertThat(wrong).isNotNull().hasMessage("my.table:" + message);
-        assertThat(message).startsWith(wrong.line() + ":" + wrong.column() + ": ");
+        assertThat("my.table:" + message).startsWith(wrong.where().orElseThrow() + ": ");
     }
 
     @ParameterizedTest

@@ -3,6 +3,7 @@ package io.troupe.services.subsumption;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.SpaceWanderer;
 import io.troupe.services.behaviour.TestBlobs;
 import java.util.List;

@@ -3,6 +3,7 @@ package io.troupe.services.subsumption;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.common.text.NamedColours;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;

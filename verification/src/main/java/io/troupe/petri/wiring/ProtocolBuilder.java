@@ -2,10 +2,12 @@ package io.troupe.petri.wiring;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.common.text.Suggestions;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /**
  * Collects the states of a {@link Protocol}.
@@ -18,12 +20,14 @@ import java.util.List;
  * errors that need the whole declaration.
  */
 public final class ProtocolBuilder {
+    private static final Pattern NAME = Pattern.compile("[\\p{L}\\p{N}_-]+");
+
     private final String name;
     private final List<String> states = new ArrayList<>();
     private final List<Step> steps = new ArrayList<>();
 
     ProtocolBuilder(String name) {
-        Names.requireWord("the name of a protocol", requireNonNull(name, "name"));
+        requireName("the name of a protocol", requireNonNull(name, "name"));
         this.name = name;
     }
 
@@ -76,7 +80,15 @@ public final class ProtocolBuilder {
     }
 
     private void requireWord(String what, String word) {
-        Names.requireWord("protocol " + name + ": the " + what, word);
+        requireName("protocol " + name + ": the " + what, word);
+    }
+
+    /** Rejects a name that cannot be part of {@code component.call} and of a sentence. */
+    static void requireName(String what, String name) {
+        if (!NAME.matcher(name).matches()) {
+            throw new IllegalArgumentException(
+                    what + " is \"" + name + "\", expected letters, digits, - and _ without spaces or dots");
+        }
     }
 
     /** Checks the declaration and builds the protocol. */
@@ -86,7 +98,7 @@ public final class ProtocolBuilder {
             require(
                     states.contains(step.to()),
                     "a step of state " + step.from() + " leads to state " + step.to() + ", which is not declared; "
-                            + Names.hint(step.to(), states));
+                            + Suggestions.hintWithAll(step.to(), states));
         }
         var protocol = new Protocol(name, states, steps);
         var ahead = new ArrayDeque<>(List.of(states.get(0)));

@@ -2,6 +2,7 @@ package io.troupe.petri.wiring;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.common.text.Suggestions;
 import io.troupe.petri.PetriNet;
 import java.util.HashSet;
 import java.util.List;
@@ -70,7 +71,7 @@ public final class Wiring {
         var found = components.get(requireNonNull(component, "component"));
         if (found == null) {
             throw new IllegalArgumentException("wiring " + name + ": there is no component " + component + "; "
-                    + Names.hint(component, components.keySet()));
+                    + Suggestions.hintWithAll(component, components.keySet()));
         }
         return found;
     }

@@ -2,6 +2,7 @@ package io.troupe.petri.wiring;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.common.text.Suggestions;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
@@ -36,7 +37,8 @@ public final class WiringBuilder {
 
     /** Adds a component. */
     public WiringBuilder component(String component, Protocol protocol) {
-        Names.requireWord("wiring " + name + ": the name of a component", requireNonNull(component, "component"));
+        ProtocolBuilder.requireName(
+                "wiring " + name + ": the name of a component", requireNonNull(component, "component"));
         requireNonNull(protocol, "protocol");
         require(!components.containsKey(component), "there are two components called " + component);
         components.put(component, protocol);
@@ -86,7 +88,9 @@ public final class WiringBuilder {
         components.forEach(
                 (component, protocol) -> protocol.provided().forEach(call -> offers.add(component + "." + call)));
         for (var target : open) {
-            require(offers.contains(target), "open call " + target + " is not offered; " + Names.hint(target, offers));
+            require(
+                    offers.contains(target),
+                    "open call " + target + " is not offered; " + Suggestions.hintWithAll(target, offers));
         }
         components.forEach(
                 (component, protocol) -> protocol.provided().forEach(call -> requireCalled(wiring, component, call)));
@@ -99,17 +103,18 @@ public final class WiringBuilder {
         var protocol = components.get(component);
         if (protocol == null) {
             throw error(key + " is bound, but there is no component " + component + "; "
-                    + Names.hint(component, components.keySet()));
+                    + Suggestions.hintWithAll(component, components.keySet()));
         }
         var roles =
                 protocol.requests().stream().map(Step.Requests::role).distinct().toList();
         require(
                 roles.contains(role),
-                key + " is bound, but " + component + " requests nothing of " + role + "; " + Names.hint(role, roles));
+                key + " is bound, but " + component + " requests nothing of " + role + "; "
+                        + Suggestions.hintWithAll(role, roles));
         require(
                 components.containsKey(provider),
                 key + " is bound to the unknown component " + provider + "; "
-                        + Names.hint(provider, components.keySet()));
+                        + Suggestions.hintWithAll(provider, components.keySet()));
     }
 
     private void requireAnswered(Wiring wiring, String component, Step.Requests request) {
@@ -118,13 +123,13 @@ public final class WiringBuilder {
         var protocol = components.get(provider);
         if (protocol == null) {
             throw error(target + ", but there is no component " + provider + "; "
-                    + Names.hint(provider, components.keySet()));
+                    + Suggestions.hintWithAll(provider, components.keySet()));
         }
         require(!provider.equals(component), target + " of itself; expected another component");
         require(
                 protocol.offers(request.call()),
                 target + ", but " + provider + " never offers " + request.call() + "; "
-                        + Names.hint(request.call(), protocol.provided()));
+                        + Suggestions.hintWithAll(request.call(), protocol.provided()));
     }
 
     private void requireCalled(Wiring wiring, String component, String call) {

@@ -4,13 +4,10 @@ import static io.troupe.petri.wiring.Protocol.does;
 import static io.troupe.petri.wiring.Protocol.provides;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
-import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.CsvSource;
 
 class DeclarationErrorsTest {
     private static Protocol player() {
@@ -174,12 +171,5 @@ class DeclarationErrorsTest {
         refused(
                 () -> Wiring.of("w").components("p", 0, player()),
                 "wiring w: there are 0 components p, expected 1 or more");
-    }
-
-    @ParameterizedTest
-    @CsvSource({"a,a,0", "setValue,setValues,1", "Player,player,0", "kitten,sitting,3", "'',abc,3"})
-    void distance_countsEdits(String one, String other, int edits) {
-        assertThat(Names.distance(one, other)).isEqualTo(edits);
-        assertThat(Names.distance(other, one)).isEqualTo(edits);
     }
 }

@@ -2,6 +2,7 @@ package io.troupe.services.component.application;
 
 import io.troupe.broker.Need;
 import io.troupe.bus.BusTopic;
+import io.troupe.common.text.Suggestions;
 import io.troupe.services.component.Component;
 import java.time.Duration;
 import java.util.ArrayDeque;
@@ -98,7 +99,7 @@ public record ApplicationPlan(
         if (!users.contains(need.by())) {
             throw new IllegalArgumentException(
                     "\"" + need.by() + "\" is neither the application nor a component nor a robot of one; "
-                            + Hints.of(need.by(), users));
+                            + Suggestions.hintWithSome(need.by(), users));
         }
         return new ApplicationPlan(name, components, append(needs, need), wires, replacements);
     }
@@ -168,8 +169,8 @@ public record ApplicationPlan(
     public ApplicationPlan replacing(Duration after, String old, String by) {
         for (String each : List.of(old, by)) {
             if (!components.containsKey(each)) {
-                throw new IllegalArgumentException(
-                        "\"" + each + "\" is no component of " + name + "; " + Hints.of(each, components.keySet()));
+                throw new IllegalArgumentException("\"" + each + "\" is no component of " + name + "; "
+                        + Suggestions.hintWithSome(each, components.keySet()));
             }
         }
         if (replacements.stream().anyMatch(each -> each.by().equals(by)) || old.equals(by)) {

@@ -2,10 +2,11 @@ package io.troupe.services.component.application;
 
 import io.troupe.broker.Need;
 import io.troupe.bus.BusTopic;
+import io.troupe.common.text.SourcePosition;
+import io.troupe.common.text.SourceScanner;
 import io.troupe.common.text.Suggestions;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
-import io.troupe.services.component.application.LineTokens.Token;
 import io.troupe.services.component.kinds.ArgumentException;
 import io.troupe.services.component.kinds.Arguments;
 import io.troupe.services.component.kinds.ComponentKind;
@@ -19,6 +20,7 @@ import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -45,7 +47,6 @@ import java.util.stream.Stream;
  * <p><b>Errors.</b> {@link ApplicationFileException}, with the position of the first error.
  */
 public final class ApplicationReader {
-    private static final String BYTE_ORDER_MARK = "\uFEFF"; // written by some editors
     private static final Pattern TIME = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)(ms|s|min)");
     private static final Map<String, Double> MILLIS = Map.of("ms", 1.0, "s", 1_000.0, "min", 60_000.0);
     private static final List<String> STATEMENTS = List.of("application", "component", "connect", "at");
@@ -90,12 +91,11 @@ public final class ApplicationReader {
                 StandardCharsets.UTF_8.newDecoder().decode(bytes, text, true).isError();
         String read = text.flip().toString();
         if (bad) {
-            long line = read.chars().filter(each -> each == '\n').count() + 1;
-            int column = read.length() - read.lastIndexOf('\n');
-            throw new ApplicationFileException(
-                    file + ":" + line + ":" + column + ": the byte here is no UTF-8, expected a text in UTF-8");
+            var scanner = new SourceScanner(file, read);
+            scanner.skip(read.length());
+            throw new ApplicationFileException(scanner.where(), "the byte here is no UTF-8, expected a text in UTF-8");
         }
-        return read.startsWith(BYTE_ORDER_MARK) ? read.substring(BYTE_ORDER_MARK.length()) : read;
+        return SourceScanner.withoutMark(read);
     }
 
     /** Parses a text; the file is used for error positions and relative paths. */
@@ -103,14 +103,15 @@ public final class ApplicationReader {
         var reader = new ApplicationReader(file, kinds);
         List<String> lines = text.lines().toList();
         for (int index = 0; index < lines.size(); index++) {
-            var tokens = LineTokens.of(file.toString(), index + 1, lines.get(index), values);
+            var tokens = new LineTokens(new SourceScanner(file, index + 1, lines.get(index)), values);
             if (!tokens.isEmpty()) {
                 reader.statement(tokens);
             }
         }
         if (!reader.named) {
             throw new ApplicationFileException(
-                    file + ":1:1: the application has no name, expected a line \"application NAME\"");
+                    new SourcePosition(file, 1, 1),
+                    "the application has no name, expected a line \"application NAME\"");
         }
         return reader.plan;
     }
@@ -150,13 +151,9 @@ public final class ApplicationReader {
     }
 
     private void need(Token user, LineTokens tokens) {
-        var meant = Suggestions.nearest(user.text(), STATEMENTS);
-        if (!tokens.isNext("needs") && (meant.isPresent() || !plan.users().contains(user.text()))) {
-            throw tokens.error(
-                    user,
-                    "found \"" + user.text() + "\", expected " + STATEMENT
-                            + meant.map(word -> "; did you mean \"" + word + "\"?")
-                                    .orElse(""));
+        String meant = Suggestions.clause(user.text(), STATEMENTS);
+        if (!tokens.isNext("needs") && (!meant.isEmpty() || !plan.users().contains(user.text()))) {
+            throw tokens.error(user, "found \"" + user.text() + "\", expected " + STATEMENT + meant);
         }
         tokens.expect("needs");
         String service = null;
@@ -214,7 +211,7 @@ public final class ApplicationReader {
         throw tokens.error(
                 name,
                 "no component above has a topic \"" + name.text() + "\"; "
-                        + Hints.of(
+                        + Suggestions.hintWithSome(
                                 name.text(), topics.stream().map(BusTopic::name).toList()));
     }
 
@@ -254,7 +251,7 @@ public final class ApplicationReader {
                     .orElseThrow(() -> tokens.error(
                             kindToken,
                             "there is no kind of component \"" + kindToken.text() + "\"; "
-                                    + Hints.of(
+                                    + Suggestions.hintWithSome(
                                             kindToken.text(),
                                             kinds.all().stream()
                                                     .map(ComponentKind::name)
@@ -311,13 +308,131 @@ public final class ApplicationReader {
                 String key = token.text().substring(0, equals);
                 if (!known.contains(key)) {
                     throw tokens.error(
-                            token, kind.name() + " has no parameter \"" + key + "\"; " + Hints.of(key, known));
+                            token,
+                            kind.name() + " has no parameter \"" + key + "\"; " + Suggestions.hintWithSome(key, known));
                 }
-                if (arguments.put(key, new Token(token.text().substring(equals + 1), token.column())) != null) {
+                if (arguments.put(key, new Token(token.text().substring(equals + 1), token.where())) != null) {
                     throw tokens.error(token, "\"" + key + "\" is given twice, expected it once");
                 }
             }
             return arguments;
+        }
+    }
+
+    /** A token without its quotes. */
+    private record Token(String text, SourcePosition where) {}
+
+    /**
+     * The tokens of one line, which are read one after the other. Blanks separate them, quotes keep blanks in a token,
+     * {@code #} at the start of a token begins a comment, and <code>${name}</code> is replaced by a value of the
+     * caller.
+     */
+    private static final class LineTokens {
+        private static final Pattern BLANKS = Pattern.compile("\\p{javaWhitespace}+");
+        private static final Pattern PART = Pattern.compile("[^\\p{javaWhitespace}\"]+|\"[^\"]*\"");
+        private static final Pattern NAME = Pattern.compile("[A-Za-z][A-Za-z0-9_.-]*");
+
+        private final SourcePosition end;
+        private final List<Token> tokens = new ArrayList<>();
+        private int next;
+
+        LineTokens(SourceScanner line, Map<String, String> values) {
+            SourcePosition start = line.where();
+            end = new SourcePosition(
+                    start.file(), start.line(), line.text().stripTrailing().length() + 1);
+            line.take(BLANKS);
+            while (!line.atEnd() && !line.isAt("#")) {
+                SourcePosition where = line.where();
+                tokens.add(new Token(substitute(where, unquoted(line, where), values), where));
+                line.take(BLANKS);
+            }
+        }
+
+        private static String unquoted(SourceScanner line, SourcePosition where) {
+            var token = new StringBuilder();
+            for (String part = line.take(PART); !part.isEmpty(); part = line.take(PART)) {
+                token.append(part.replace("\"", ""));
+            }
+            if (line.isAt("\"")) {
+                throw new ApplicationFileException(
+                        where, "a quote is not closed, expected \" before the end of the line");
+            }
+            return token.toString();
+        }
+
+        private static String substitute(SourcePosition where, String text, Map<String, String> values) {
+            var done = new StringBuilder();
+            int at = 0;
+            for (int begin = text.indexOf("${"); begin >= 0; begin = text.indexOf("${", at)) {
+                int end = text.indexOf('}', begin);
+                String name = end < 0 ? "" : text.substring(begin + 2, end);
+                if (!values.containsKey(name)) {
+                    throw new ApplicationFileException(
+                            where,
+                            "${" + name + "} has no value here, expected one of "
+                                    + values.keySet().stream()
+                                            .sorted()
+                                            .map(each -> "${" + each + "}")
+                                            .toList());
+                }
+                done.append(text, at, begin).append(values.get(name));
+                at = end + 1;
+            }
+            return done.append(text.substring(at)).toString();
+        }
+
+        boolean isEmpty() {
+            return tokens.isEmpty();
+        }
+
+        boolean hasNext() {
+            return next < tokens.size();
+        }
+
+        boolean isNext(String token) {
+            return hasNext() && tokens.get(next).text().equals(token);
+        }
+
+        /**
+         * The next token.
+         *
+         * @param expected description of the token for the error at the end of the line
+         */
+        Token next(String expected) {
+            if (!hasNext()) {
+                throw new ApplicationFileException(end, "the line ends here, expected " + expected);
+            }
+            return tokens.get(next++);
+        }
+
+        /** The next token, which must be a name. */
+        String name(String expected) {
+            Token token = next(expected);
+            if (!NAME.matcher(token.text()).matches()) {
+                throw error(
+                        token,
+                        "\"" + token.text() + "\" is no name, expected " + expected + ": letters, digits, . _ and -");
+            }
+            return token.text();
+        }
+
+        /** Skips the next token, which must be the given word. */
+        void expect(String token) {
+            Token found = next("\"" + token + "\"");
+            if (!found.text().equals(token)) {
+                throw error(found, "found \"" + found.text() + "\", expected \"" + token + "\"");
+            }
+        }
+
+        void expectEnd() {
+            if (hasNext()) {
+                Token found = tokens.get(next);
+                throw error(found, "found \"" + found.text() + "\", expected the end of the line");
+            }
+        }
+
+        ApplicationFileException error(Token at, String what) {
+            return new ApplicationFileException(at.where(), what);
         }
     }
 }

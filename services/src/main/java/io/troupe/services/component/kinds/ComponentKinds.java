@@ -1,11 +1,11 @@
 package io.troupe.services.component.kinds;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.SpaceWanderer;
 import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.kinds.ComponentKind.Parameter;
-import io.troupe.services.subsumption.NamedColours;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
