@@ -1,11 +1,11 @@
 package io.troupe.petri.drawing;
 
+import io.troupe.common.svg.Svg;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 
-/** Writes an SVG file, element by element. */
-final class Svg {
+/** A page with labels and arrows between nodes. */
+final class Page {
     private static final double CORNER_PX = 5;
     /** Half the width of an arrow's head over its length. */
     private static final double HEAD_SLIMNESS = 0.375;
@@ -13,61 +13,24 @@ final class Svg {
     /** A cubic curve with its two control points. */
     record Curve(PixelPoint from, PixelPoint first, PixelPoint second, PixelPoint to) {}
 
-    private final StringBuilder text = new StringBuilder();
+    private final Svg svg;
 
-    Svg(Size size, String title, double fontPx) {
-        var width = number(size.width());
-        var height = number(size.height());
-        text.append("<?xml version=\"1.0\" encoding=\"UTF-8\"?>\n");
-        open(
-                "svg",
-                "xmlns",
-                "http://www.w3.org/2000/svg",
-                "width",
-                width,
-                "height",
-                height,
-                "viewBox",
-                "0 0 " + width + " " + height,
-                "role",
-                "img",
-                "aria-label",
-                title,
-                "font-family",
-                TextMetrics.FONTS,
-                "font-size",
-                fontPx);
-        title(title);
-        empty("rect", "width", "100%", "height", "100%", "fill", "white");
+    Page(Size size, String title, double fontPx) {
+        svg = Svg.document(size.width(), size.height(), TextMetrics.FONTS, fontPx, title);
     }
 
-    /** Starts an element; {@code attributes} alternates names and values. */
-    void open(String element, Object... attributes) {
-        tag(element, attributes);
-        text.append('>');
+    /** Adds markup as {@link Svg#add} does. */
+    void add(String markup, Object... values) {
+        svg.add(markup, values);
     }
 
-    void close(String element) {
-        text.append("</").append(element).append(">\n");
+    /** Starts a group of elements, with a title that viewers show as a tooltip. */
+    void group(String classes, String title) {
+        svg.add("<g class=\"%s\"><title>%s</title>\n", classes, title);
     }
 
-    void empty(String element, Object... attributes) {
-        tag(element, attributes);
-        text.append("/>");
-    }
-
-    /** Adds the text that viewers show as a tooltip of the enclosing element. */
-    void title(String title) {
-        open("title");
-        text.append(escaped(title));
-        close("title");
-    }
-
-    /** Writes one line of text. */
-    void text(String line, Object... attributes) {
-        open("text", attributes);
-        text.append(escaped(line));
-        close("text");
+    void endGroup() {
+        svg.add("</g>\n");
     }
 
     /** Writes lines below each other, centred in a box. */
@@ -76,17 +39,10 @@ final class Svg {
         // the middle of a line is about a third of the font size above its base line
         var y = centre.y() - (lines.size() - 1) * lineHeight / 2 + fontPx * 0.35;
         for (var line : lines) {
-            text(line, "x", centre.x(), "y", y, "text-anchor", "middle", "font-size", fontPx, "fill", colour);
+            svg.add(
+                    "<text x=\"%s\" y=\"%s\" text-anchor=\"middle\" font-size=\"%s\" fill=\"%s\">%s</text>\n",
+                    centre.x(), y, fontPx, colour, line);
             y += lineHeight;
-        }
-    }
-
-    private void tag(String element, Object... attributes) {
-        text.append('<').append(element);
-        for (var i = 0; i < attributes.length; i += 2) {
-            var value = attributes[i + 1] instanceof Number number ? number(number.doubleValue()) : attributes[i + 1];
-            text.append(' ').append(attributes[i]).append("=\"");
-            text.append(escaped(String.valueOf(value)).replace("\"", "&quot;")).append('"');
         }
     }
 
@@ -110,7 +66,7 @@ final class Svg {
     }
 
     private void line(String data, String colour, double widthPx) {
-        empty("path", "d", data, "fill", "none", "stroke", colour, "stroke-width", widthPx);
+        svg.add("<path d=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%s\"/>", data, colour, widthPx);
     }
 
     /** Draws an arrow head as a plain triangle: not all renderers draw SVG's markers, and some rotate them wrongly. */
@@ -122,15 +78,11 @@ final class Svg {
         var y = length == 0 ? 0 : dy / length;
         var base = new PixelPoint(tip.x() - lengthPx * x, tip.y() - lengthPx * y);
         var half = lengthPx * HEAD_SLIMNESS;
-        empty(
-                "path",
-                "class",
-                "head",
-                "d",
-                "M" + pair(tip)
-                        + " L" + pair(new PixelPoint(base.x() - half * y, base.y() + half * x))
-                        + " L" + pair(new PixelPoint(base.x() + half * y, base.y() - half * x)) + " z",
-                "fill",
+        svg.add(
+                "<path class=\"head\" d=\"M%s L%s L%s z\" fill=\"%s\"/>",
+                pair(tip),
+                pair(new PixelPoint(base.x() - half * y, base.y() + half * x)),
+                pair(new PixelPoint(base.x() + half * y, base.y() - half * x)),
                 colour);
     }
 
@@ -167,16 +119,11 @@ final class Svg {
     }
 
     private static String number(double value) {
-        var number = String.format(Locale.ROOT, "%.2f", value);
-        return number.replaceFirst("\\.?0+$", "").replaceFirst("^-0$", "0");
+        return Svg.number(value, 2);
     }
 
-    private static String escaped(String value) {
-        return value.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
-    }
-
+    /** Ends the page, and returns the SVG file. */
     String end() {
-        close("svg");
-        return text.toString();
+        return svg.end();
     }
 }
