@@ -1,10 +1,15 @@
-package io.troupe.demo;
+package io.troupe.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.services.behaviour.WallFollower.CornerStyle;
+import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionRun;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
@@ -15,6 +20,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.BooleanSupplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -23,21 +29,71 @@ import org.junit.jupiter.api.io.TempDir;
 
 /** The main job: its guarantees are measured on the real world file with real threads. */
 @Timeout(300)
-class PaperRunTest {
-    private static final Path WORLD = Path.of("worlds", "paper-arena.world");
+class RecordedRunTest {
+    private static final Path WORLD = Path.of("..", "demo", "worlds", "paper-arena.world");
 
     @TempDir
     private Path out;
 
     private static RunResult run(long seed, double seconds, Path file) throws Exception {
-        return run(seed, seconds, false, file);
+        return prepared(WORLD, settings(seed, seconds)).run(file);
     }
 
-    private static RunResult run(long seed, double seconds, boolean realtime, Path file) throws Exception {
-        try (var log = new RunLog(file)) {
-            return new PaperRun(ScenarioReader.read(WORLD), seed, seconds, CornerStyle.FORWARD, realtime)
-                    .run(log, change -> {}, ProgressBar.hidden(), () -> false);
+    private static RecordedRun.Settings settings(long seed, double seconds) {
+        return RecordedRun.Settings.DEFAULT.withSeed(seed).withSeconds(seconds);
+    }
+
+    private static RecordedRun prepared(Path world, RecordedRun.Settings settings) {
+        return new RecordedRun(ScenarioReader.read(world), SubsumptionTable.ofThePaper(), settings);
+    }
+
+    @Test
+    void programOfTheReadme_writesLogSummaryAndPicture() throws Exception {
+        Path world = WORLD;
+        Path folder = out;
+
+        Scenario scenario = ScenarioReader.read(world);
+        var settings = RecordedRun.Settings.DEFAULT.withSeed(7).withSeconds(60);
+        var run = new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings);
+        RunResult result = run.run(folder.resolve("run.jsonl"));
+        Files.writeString(folder.resolve("summary.txt"), result.summary());
+        Files.writeString(folder.resolve("trajectory.svg"), Pictures.trajectory(scenario.world(), result));
+
+        assertThat(Files.readAllLines(folder.resolve("run.jsonl")).getLast())
+                .startsWith("{\"t\":60.0,\"type\":\"summary\",");
+        assertThat(result.duration()).isEqualTo("60.0");
+        assertThat(folder.resolve("summary.txt")).content().contains("distance driven", "state 1 (blue): ");
+        assertThat(folder.resolve("trajectory.svg")).content().contains("paper arena: 2 robots change state ");
+    }
+
+    @Test
+    void loopOfTheCaller_isRecordedTheSameWay() throws Exception {
+        Scenario scenario = ScenarioReader.read(WORLD);
+        SubsumptionTable table = SubsumptionTable.ofThePaper();
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+                var log = new RunLog(out.resolve("own.jsonl"))) {
+            var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
+            var settings = new SubsumptionRun.Settings(
+                    Mode.CALLBACK, "localhost", 6665, table, simulation.clock(), recorder, recorder);
+            try (var running = SubsumptionRun.start(settings)) {
+                recorder.start(simulation.latest());
+                while (simulation.timeMicros() < 2_000_000) {
+                    Snapshot snapshot = simulation.tick();
+                    running.check();
+                    recorder.record(snapshot);
+                }
+            }
+            RunResult result = recorder.finish(false);
+
+            assertThat(result.robots())
+                    .allSatisfy(robot -> assertThat(robot.path())
+                            .as("one sample before the first reading and one for each")
+                            .hasSize(21));
+            assertThat(result.states()).hasSize(1);
         }
+        assertThat(Files.readAllLines(out.resolve("own.jsonl")))
+                .as("one state, two robots at 21 times, one summary")
+                .hasSize(1 + 2 * 21 + 1);
     }
 
     @Test
@@ -58,13 +114,13 @@ class PaperRunTest {
                     .as("one loop for each reading, and one more when a service takes over")
                     .isEqualTo(3_000 + result.states().size() - 1);
         });
-        assertThat(new TrajectorySvg(ScenarioReader.read(WORLD).world(), result).draw())
+        assertThat(Pictures.trajectory(ScenarioReader.read(WORLD).world(), result))
                 .as("the picture in README")
                 .isEqualTo(Files.readString(Path.of("..", "docs", "figures", "trajectory.svg")));
         List<String> lines = Files.readAllLines(out.resolve("run.jsonl"));
         assertThat(lines.getFirst())
                 .isEqualTo("{\"t\":0.0,\"type\":\"header\",\"format\":\"troupe-run\",\"version\":1,\"program\":\""
-                        + Main.PROGRAM
+                        + RunLog.PROGRAM
                         + "\",\"world\":\"paper arena\",\"robots\":2,\"seed\":1,\"mode\":\"promise\",\"reconnect\":false,"
                         + "\"seconds\":300.0,\"interval\":0.1}");
         assertThat(lines.get(1)).startsWith("{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,");
@@ -87,8 +143,8 @@ class PaperRunTest {
 
     @Test
     void realTime_writesTheSameFile() throws Exception {
-        run(7, 1, false, out.resolve("fast"));
-        run(7, 1, true, out.resolve("realtime"));
+        run(7, 1, out.resolve("fast"));
+        prepared(WORLD, settings(7, 1).withRealTime(true)).run(out.resolve("realtime"));
         assertThat(Files.readAllLines(out.resolve("fast"))).hasSizeGreaterThan(2 * 10);
         assertThat(out.resolve("realtime")).hasSameBinaryContentAs(out.resolve("fast"));
     }
@@ -144,41 +200,22 @@ class PaperRunTest {
         assertThat(offsets).anySatisfy(offset -> assertThat(offset).isGreaterThan(limit / 2));
     }
 
-    @Test
-    void interpretedJvm_writesTheSameFile() throws Exception {
-        run(7, 20, out.resolve("here"));
-        var java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
-        var interpreted = new ProcessBuilder(
-                        java,
-                        "-Xint",
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        "io.troupe.demo.Main",
-                        "run",
-                        "--world",
-                        WORLD.toString(),
-                        "--seed",
-                        "7",
-                        "--seconds",
-                        "20",
-                        "--out",
-                        out.resolve("there").toString())
-                .redirectErrorStream(true)
-                .redirectOutput(out.resolve("log").toFile())
-                .start();
-        assertThat(interpreted.waitFor())
-                .as(Files.readString(out.resolve("log")))
-                .isZero();
-        assertThat(out.resolve("there").resolve("run.jsonl")).hasSameBinaryContentAs(out.resolve("here"));
+    /** Asks to stop, or fails, at this poll. */
+    private static RecordedRun.Listener atPoll(int number, BooleanSupplier action) {
+        var polls = new int[1];
+        return new RecordedRun.Listener() {
+            @Override
+            public boolean isStopRequested() {
+                return polls[0]++ == number && action.getAsBoolean();
+            }
+        };
     }
 
     @Test
     void stop_endsTheRunWithTheSummarySoFar() throws Exception {
-        var polls = new int[1];
         RunResult result;
         try (var log = new RunLog(out.resolve("short"))) {
-            result = new PaperRun(ScenarioReader.read(WORLD), 1, 300, CornerStyle.FORWARD, false)
-                    .run(log, change -> {}, ProgressBar.hidden(), () -> polls[0]++ == 50);
+            result = prepared(WORLD, settings(1, 300)).run(log, atPoll(50, () -> true));
         }
         assertThat(result.endMicros()).isEqualTo(5_000_000);
         assertThat(Files.readAllLines(out.resolve("short")).getLast())
@@ -188,15 +225,11 @@ class PaperRunTest {
 
     @Test
     void runThatFails_saysSoInItsLastLine() throws Exception {
-        var polls = new int[1];
         try (var log = new RunLog(out.resolve("failed"))) {
-            var run = new PaperRun(ScenarioReader.read(WORLD), 1, 300, CornerStyle.FORWARD, false);
-            assertThatThrownBy(() -> run.run(log, change -> {}, ProgressBar.hidden(), () -> {
-                        if (polls[0]++ == 10) {
-                            throw new IllegalStateException("for a test");
-                        }
-                        return false;
-                    }))
+            var run = prepared(WORLD, settings(1, 300));
+            assertThatThrownBy(() -> run.run(log, atPoll(10, () -> {
+                        throw new IllegalStateException("for a test");
+                    })))
                     .hasMessage("for a test");
         }
         assertThat(Files.readAllLines(out.resolve("failed")).getLast())
@@ -204,14 +237,35 @@ class PaperRunTest {
     }
 
     @Test
-    void robotThatMakesNoWay_isToldWithItsTime() throws Exception {
-        RunResult result;
-        try (var log = new RunLog(out.resolve("office"))) {
-            result = new PaperRun(
-                            ScenarioReader.read(Path.of("worlds", "office.cfg")), 1, 60, CornerStyle.FORWARD, false)
-                    .run(log, change -> {}, ProgressBar.hidden(), () -> false);
+    void listener_isCalledAtEveryReadingAndEveryState() throws Exception {
+        List<String> states = new ArrayList<>();
+        List<Long> ticks = new ArrayList<>();
+        try (var log = new RunLog(out.resolve("run.jsonl"))) {
+            RunResult result = prepared(WORLD, settings(1, 140)).run(log, new RecordedRun.Listener() {
+                @Override
+                public void stateStarted(String line) {
+                    states.add(line);
+                }
+
+                @Override
+                public void ticked(long timeMicros) {
+                    ticks.add(timeMicros);
+                }
+            });
+            assertThat(states)
+                    .hasSizeGreaterThan(1)
+                    .isEqualTo(result.states().stream()
+                            .map(change -> change.describe(result.table()))
+                            .toList());
         }
-        assertThat(result.summary("office", 1, 1))
+        assertThat(ticks).hasSize(1_400).startsWith(100_000L).endsWith(140_000_000L);
+    }
+
+    @Test
+    void robotThatMakesNoWay_isToldWithItsTime() throws Exception {
+        RunResult result =
+                prepared(WORLD.resolveSibling("office.cfg"), settings(1, 60)).run(out.resolve("office"));
+        assertThat(result.summary())
                 .containsPattern("robot 2 made no way for 1[0-9]\\.[0-9] s: from 4[0-9]\\.[0-9] s to 60\\.0 s it stayed"
                         + " within 5 cm while spaceWanderer drove it\\R")
                 .doesNotContain("robot 1 made no way");
@@ -220,8 +274,8 @@ class PaperRunTest {
     @Test
     void picture_showsEveryObstacleBothPathsAndEveryStateChange() throws Exception {
         RunResult result = run(1, 60, out.resolve("run.jsonl"));
-        String svg = new TrajectorySvg(ScenarioReader.read(WORLD).world(), result).draw();
-        assertThat(svg).startsWith("<svg").endsWith("</svg>" + System.lineSeparator());
+        String svg = Pictures.trajectory(ScenarioReader.read(WORLD).world(), result);
+        assertThat(svg).startsWith("<svg").endsWith("</svg>\n");
         assertThat(svg).contains("<title>red box 1</title>", "wallFollower", "spaceWanderer", "stroke-dasharray");
         assertThat(svg.split("<g class=\"state\"", -1))
                 .hasSize(result.states().size()); // one per change, none for the start
@@ -242,7 +296,7 @@ class PaperRunTest {
                         world.robots().subList(0, 1),
                         world.obstacles()),
                 two.devices());
-        assertThatThrownBy(() -> new PaperRun(one, 1, 1, CornerStyle.FORWARD, false))
+        assertThatThrownBy(() -> new RecordedRun(one, SubsumptionTable.ofThePaper(), RecordedRun.Settings.DEFAULT))
                 .isInstanceOf(WorldFileException.class)
                 .hasMessageContaining("has 1 robot, expected 2");
     }

@@ -1,4 +1,4 @@
-package io.troupe.demo;
+package io.troupe.view;
 
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Service;
@@ -9,29 +9,46 @@ import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.WorldSpec;
+import io.troupe.view.RunResult.Messages;
+import io.troupe.view.RunResult.StateChange;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.function.Consumer;
-import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
  * Records a run: writes {@code run.jsonl} and collects the {@link RunResult}.
  *
+ * <p><b>Role.</b> For a run whose loop is the caller's; {@link RecordedRun} has the loop of the main job.
+ *
+ * {@snippet :
+ * var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
+ * var settings = new SubsumptionRun.Settings(
+ *         Mode.CALLBACK, "localhost", 6665, table, simulation.clock(), recorder, recorder);
+ * try (var running = SubsumptionRun.start(settings)) {
+ *     recorder.start(simulation.latest());
+ *     while (simulation.timeMicros() < 2_000_000) {
+ *         Snapshot snapshot = simulation.tick();
+ *         running.check();
+ *         recorder.record(snapshot);
+ *     }
+ * }
+ * RunResult result = recorder.finish(false);
+ * }
+ *
  * <p><b>Threads.</b> The services call it on the actor space's thread, the run loop on the thread that advances the
  * world. In lock step the two never call at the same time, and each tick publishes the writes of one thread to the
  * other.
+ *
+ * <p><b>Errors.</b> A line that cannot be written does not end the run; {@link RunLog#close} reports it.
  */
-final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
+public final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
     /**
      * From this number of robots on, a run is reported as a crowd: the summary has sums and extremes, and the log has
      * poses once a second instead of at every tick.
      */
-    static final int MANY_ROBOTS = 11;
+    public static final int MANY_ROBOTS = 11;
 
     private static final long CROWD_POSE_MICROS = 1_000_000;
     private static final double CROWD_PATH_STEP_M = 0.25;
@@ -41,11 +58,18 @@ final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
     private final Consumer<String> changes;
     private final List<RobotRecord> robots;
     private final List<StateChange> states = new ArrayList<>();
-    private final Messages messages = new Messages();
+    private long sent;
+    private long received;
+    private long tooLate;
     private int statesLogged;
     private Snapshot last;
 
-    RunRecorder(WorldSpec world, SubsumptionTable table, RunLog log, Consumer<String> changes) {
+    /**
+     * Creates the recorder of one run.
+     *
+     * @param changes is called with a line of text for every state change, on the thread that calls {@link #record}
+     */
+    public RunRecorder(WorldSpec world, SubsumptionTable table, RunLog log, Consumer<String> changes) {
         this.table = table;
         this.log = log;
         this.changes = changes;
@@ -73,17 +97,17 @@ final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
 
     @Override
     public void colourSent(int robot, int colour) {
-        messages.sent++;
+        sent++;
     }
 
     @Override
     public void colourReceived(int robot, int colour) {
-        messages.received++;
+        received++;
     }
 
     @Override
     public void colourTooLate(int robot, int colour) {
-        messages.tooLate++;
+        tooLate++;
     }
 
     @Override
@@ -94,7 +118,7 @@ final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
     // ---- called by the run loop
 
     /** Records the world before the first tick. */
-    void start(Snapshot snapshot) {
+    public void start(Snapshot snapshot) {
         last = snapshot;
         logStates();
         logPoses(snapshot);
@@ -104,7 +128,7 @@ final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
      * Records the world after a tick. Events of the services during the tick are written before the contacts and poses
      * that follow from them.
      */
-    void record(Snapshot snapshot) {
+    public void record(Snapshot snapshot) {
         logStates();
         logCharge();
         robots.forEach(RobotRecord::tickEnds);
@@ -115,16 +139,21 @@ final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
         logPoses(snapshot);
     }
 
-    /** @param cutShort whether the run was interrupted before its end time */
-    RunResult finish(boolean cutShort) {
-        var result = new RunResult(last.timeMicros(), table, List.copyOf(states), robots, messages);
+    /**
+     * Writes the summary as the last line of the log.
+     *
+     * @param cutShort whether the run was interrupted before its end time
+     */
+    public RunResult finish(boolean cutShort) {
+        var result = new RunResult(
+                last.timeMicros(), table, List.copyOf(states), robots, new Messages(sent, received, tooLate));
         Json summary = result.toJson();
         log.write(cutShort ? summary.put("cutShort", "interrupted") : summary);
         return result;
     }
 
     /** Writes to the log that the run ended with an error. */
-    void fail() {
+    public void fail() {
         log.write(Json.line(last == null ? 0 : last.timeMicros(), "cutShort").put("cutShort", "failed"));
     }
 
@@ -187,80 +216,6 @@ final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
                     .put("heading", reading.pose().headingRad())
                     .put("gap", reading.wallGapM())
                     .put("service", robot.serviceName()));
-        }
-    }
-
-    /** Counts messages that carry a colour. */
-    static final class Messages {
-        private long sent;
-        private long received;
-        private long tooLate;
-
-        /** Sent by colour finders. */
-        long sent() {
-            return sent;
-        }
-
-        /** Received by the arbitrator. */
-        long received() {
-            return received;
-        }
-
-        /** Received after the state of their sender had ended. */
-        long tooLate() {
-            return tooLate;
-        }
-    }
-
-    /** The start of a state. */
-    record StateChange(
-            long timeMicros, State state, @Nullable Integer seenBy) {
-        private static final int LEAST_CAUSE_WIDTH = 18;
-
-        /** A line for the terminal, with the table's colour names. */
-        String describe(SubsumptionTable table) {
-            return String.format(
-                    Locale.ROOT,
-                    "%7.1f s  %-" + causeWidth(table) + "s state %d: %s",
-                    timeMicros / 1e6,
-                    cause(table),
-                    state.number(),
-                    state.services().size() < MANY_ROBOTS ? assignment() : headcount());
-        }
-
-        /** The width of the column for the cause, so that the text after it is aligned. */
-        private static int causeWidth(SubsumptionTable table) {
-            int longest = table.states().stream()
-                    .mapToInt(each -> table.colourName(each.colour()).length())
-                    .max()
-                    .orElse(0);
-            return Math.max(LEAST_CAUSE_WIDTH, "robot  sees ".length() + ("" + table.robots()).length() + longest);
-        }
-
-        /** What started the state. */
-        String cause(SubsumptionTable table) {
-            return seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + table.colourName(state.colour());
-        }
-
-        private String headcount() {
-            Map<String, Long> robots = state.services().stream()
-                    .collect(Collectors.groupingBy(Service::name, TreeMap::new, Collectors.counting()));
-            return robots.entrySet().stream()
-                    .map(each -> each.getValue() + " " + each.getKey())
-                    .collect(Collectors.joining(", "));
-        }
-
-        private String assignment() {
-            var assignment = new StringBuilder();
-            for (int robot = 0; robot < state.services().size(); robot++) {
-                assignment
-                        .append(robot == 0 ? "" : ", ")
-                        .append("robot ")
-                        .append(robot + 1)
-                        .append(' ')
-                        .append(state.services().get(robot));
-            }
-            return assignment.toString();
         }
     }
 }

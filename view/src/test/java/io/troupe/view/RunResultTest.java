@@ -1,11 +1,11 @@
-package io.troupe.demo;
+package io.troupe.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.demo.RunRecorder.StateChange;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
+import io.troupe.view.RunResult.StateChange;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -30,7 +30,7 @@ class RunResultTest {
         var records = IntStream.range(0, robots)
                 .mapToObj(robot -> new RobotRecord(robot, 0))
                 .toList();
-        return new RunResult(1_000_000, table, states, records, new RunRecorder.Messages());
+        return new RunResult(1_000_000, table, states, records, new RunResult.Messages(0, 0, 0));
     }
 
     @Test
@@ -38,8 +38,7 @@ class RunResultTest {
         RunResult result = result(2);
         assertThat(result.states().getLast().describe(result.table()))
                 .startsWith("    0.7 s  robot 1 sees sun   state 2: ");
-        assertThat(result.summary("here", 1, 1))
-                .contains("state 1 (blue): 1 time, 0.7 s", "state 2 (sun): 1 time, 0.3 s");
+        assertThat(result.summary()).contains("state 1 (blue): 1 time, 0.7 s", "state 2 (sun): 1 time, 0.3 s");
     }
 
     @Test
@@ -59,7 +58,7 @@ class RunResultTest {
     @ValueSource(ints = {2, RunRecorder.MANY_ROBOTS})
     void columns_standBelowEachOther_howeverLongTheNameOfAServiceIs(int robots) {
         var lines = result(robots)
-                .summary("here", 1, 1)
+                .summary()
                 .lines()
                 .filter(line -> line.startsWith("distance driven") || line.startsWith("cycles of "))
                 .toList();

@@ -1,8 +1,7 @@
-package io.troupe.demo;
+package io.troupe.view;
 
-import io.troupe.demo.RunRecorder.StateChange;
-import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.view.RunResult.StateChange;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -14,12 +13,26 @@ import java.util.stream.IntStream;
 /**
  * Compares runs of the same world and seed in the three modes; promise mode is the reference.
  *
+ * {@snippet :
+ * var results = new EnumMap<Mode, RunResult>(Mode.class);
+ * for (Mode mode : Mode.values()) {
+ *     var run = new RecordedRun(scenario, table, settings.withMode(mode));
+ *     results.put(mode, run.run(folder.resolve(mode + ".jsonl")));
+ * }
+ * var comparison = new ModeComparison(results);
+ * Files.writeString(folder.resolve("modes.svg"), Pictures.modes(comparison, comparison.finding()));
+ * }
+ *
+ * <p><b>Errors.</b> Without a run in promise mode only {@link #table} works; the other methods throw
+ * {@link IllegalArgumentException}.
+ *
  * @param results one per mode, all of the same length
  */
-record ModeComparison(Map<Mode, RunResult> results) {
+public record ModeComparison(Map<Mode, RunResult> results) {
     private static final int COLUMN = 32; // three columns and the row number take 100 characters
 
-    RunResult result(Mode mode) {
+    /** @throws IllegalArgumentException if there is no run in this mode */
+    public RunResult result(Mode mode) {
         RunResult result = results.get(mode);
         if (result == null) {
             throw new IllegalArgumentException("there is no run in " + mode + " mode, only in " + results.keySet());
@@ -28,7 +41,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
     }
 
     /** Index of the first state change that is missing in promise mode or differs from it. */
-    OptionalInt firstDifference(Mode mode) {
+    public OptionalInt firstDifference(Mode mode) {
         var ours = result(mode).states();
         var promises = result(Mode.PROMISE).states();
         int most = Math.max(ours.size(), promises.size());
@@ -73,7 +86,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
     }
 
     /** The full report for the terminal: the table of states, then the differences. */
-    String text() {
+    public String text() {
         var text = new StringBuilder(table());
         line(text, "* the first change that promise mode does not have in the same way");
         line(text, "");
@@ -84,7 +97,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
     }
 
     /** One line: which modes have the same states as promise mode, and until when. */
-    String finding() {
+    public String finding() {
         String others = results.keySet().stream()
                 .filter(mode -> mode != Mode.PROMISE)
                 .map(mode -> firstDifference(mode).isEmpty()
@@ -101,7 +114,7 @@ record ModeComparison(Map<Mode, RunResult> results) {
     }
 
     /** The states of all modes side by side. */
-    String table() {
+    public String table() {
         var text = new StringBuilder();
         line(text, "when each state began, its number, and why");
         line(text, "%-4s%s", "", columns(mode -> mode + " mode"));
@@ -146,8 +159,8 @@ record ModeComparison(Map<Mode, RunResult> results) {
         String messages = String.format(
                 Locale.ROOT,
                 "%s with colours for %s",
-                Plural.of(result.messages().sent(), "message"),
-                Plural.of(result.states().size() - 1, "state change"));
+                RunResult.count(result.messages().sent(), "message"),
+                RunResult.count(result.states().size() - 1, "state change"));
         var apart = firstTickApart(mode);
         if (mode == Mode.PROMISE) {
             return messages + ".";

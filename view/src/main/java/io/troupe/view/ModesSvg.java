@@ -1,12 +1,11 @@
-package io.troupe.demo;
+package io.troupe.view;
 
-import io.troupe.demo.RunRecorder.StateChange;
-import io.troupe.demo.svg.SvgElements;
+import io.troupe.common.svg.Svg;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.view.RunResult.StateChange;
 import java.util.List;
-import java.util.Locale;
 
 /** Draws the states over time, one row per mode. */
 final class ModesSvg {
@@ -23,42 +22,44 @@ final class ModesSvg {
     private final SubsumptionTable table;
     private final String title;
     private final double endSeconds;
-    private final StringBuilder svg = new StringBuilder();
+    private final double axisY;
+    private final Svg svg;
 
     ModesSvg(ModeComparison comparison, String title) {
         this.comparison = comparison;
         this.table = comparison.result(Mode.PROMISE).table();
         this.title = title;
         this.endSeconds = comparison.result(Mode.PROMISE).endMicros() / 1e6;
+        this.axisY = TOP_PX + comparison.modes().size() * ROW_PX;
+        this.svg = Svg.page(1000, axisY + 50 + table.states().size() * LEGEND_LINE_PX, 14, title);
     }
 
     String draw() {
         List<Mode> modes = comparison.modes();
         List<State> states = table.states();
-        double axis = TOP_PX + modes.size() * ROW_PX;
-        svg.append(SvgElements.begin(1000, axis + 50 + states.size() * LEGEND_LINE_PX, 14, title));
-        svg.append(SvgElements.text(LEFT_PX, 26, "font-size=\"16\"", title));
+        svg.text(LEFT_PX, 26, "font-size=\"16\"", title);
         for (int row = 0; row < modes.size(); row++) {
             row(modes.get(row), TOP_PX + row * ROW_PX);
         }
-        axis(axis);
+        axis(axisY);
         for (int i = 0; i < states.size(); i++) {
-            legend(states.get(i), axis + 50 + i * LEGEND_LINE_PX);
+            legend(states.get(i), axisY + 50 + i * LEGEND_LINE_PX);
         }
-        append("</svg>%n");
-        return svg.toString();
+        return svg.end();
     }
 
     private void row(Mode mode, double top) {
         var result = comparison.result(mode);
-        append("<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%s</text>%n", LEFT_PX - 10, top + BAR_PX / 2 + 5, mode);
+        svg.add(
+                "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\">%s</text>\n",
+                LEFT_PX - 10, top + BAR_PX / 2 + 5, mode);
         for (int i = 0; i < result.states().size(); i++) {
             long end =
                     i + 1 < result.states().size() ? result.states().get(i + 1).timeMicros() : result.endMicros();
             bar(result.states().get(i), end, top);
         }
-        append(
-                "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\" font-size=\"12\" fill=\"#555555\">%d changes, %d messages with colours</text>%n",
+        svg.add(
+                "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"end\" font-size=\"12\" fill=\"#555555\">%d changes, %d messages with colours</text>\n",
                 LEFT_PX + PLOT_PX,
                 top + BAR_PX + 15,
                 result.states().size() - 1,
@@ -71,42 +72,45 @@ final class ModesSvg {
     private void bar(StateChange change, long endMicros, double top) {
         double from = x(change.timeMicros() / 1e6);
         double to = x(endMicros / 1e6);
-        append(
+        svg.add(
                 "<g><title>%s</title><rect x=\"%.2f\" y=\"%.1f\" width=\"%.2f\" height=\"%.1f\" fill=\"%s\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/>",
-                SvgElements.escape(change.describe(table).strip()),
+                change.describe(table).strip(),
                 from,
                 top,
                 to - from,
                 BAR_PX,
-                SvgElements.colour(change.state().colour()));
+                Svg.colour(change.state().colour()));
         if (to - from >= NUMBER_PX) {
-            append(
+            svg.add(
                     "<text x=\"%.2f\" y=\"%.1f\" text-anchor=\"middle\">%d</text>",
                     (from + to) / 2, top + BAR_PX / 2 + 5, change.state().number());
         }
-        append("</g>%n");
+        svg.add("</g>\n");
     }
 
     private void difference(double seconds, double top) {
-        append(
-                "<line x1=\"%1$.2f\" x2=\"%1$.2f\" y1=\"%2$.1f\" y2=\"%3$.1f\" stroke=\"black\" stroke-width=\"2\" stroke-dasharray=\"4 3\"/>%n",
-                x(seconds), top - 6, top + BAR_PX + 18);
-        append(
-                "<text x=\"%.2f\" y=\"%.1f\" font-size=\"12\">first unlike promise mode, %.1f s</text>%n",
+        svg.add(
+                "<line x1=\"%.2f\" x2=\"%.2f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"black\" stroke-width=\"2\" stroke-dasharray=\"4 3\"/>\n",
+                x(seconds), x(seconds), top - 6, top + BAR_PX + 18);
+        svg.add(
+                "<text x=\"%.2f\" y=\"%.1f\" font-size=\"12\">first unlike promise mode, %.1f s</text>\n",
                 x(seconds) + 5, top + BAR_PX + 15, seconds);
     }
 
     private void axis(double y) {
-        append(
-                "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%3$.1f\" y2=\"%3$.1f\" stroke=\"black\"/>%n",
-                LEFT_PX, LEFT_PX + PLOT_PX, y);
+        svg.add(
+                "<line x1=\"%.1f\" x2=\"%.1f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"black\"/>\n",
+                LEFT_PX, LEFT_PX + PLOT_PX, y, y);
         double step = step(endSeconds);
         for (int i = 0; i * step <= endSeconds * (1 + 1e-9); i++) {
-            append(
-                    "<line x1=\"%1$.2f\" x2=\"%1$.2f\" y1=\"%2$.1f\" y2=\"%3$.1f\" stroke=\"black\"/><text x=\"%1$.2f\" y=\"%4$.1f\" text-anchor=\"middle\" font-size=\"12\">%5$s s</text>%n",
-                    x(i * step),
+            double x = x(i * step);
+            svg.add(
+                    "<line x1=\"%.2f\" x2=\"%.2f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"black\"/><text x=\"%.2f\" y=\"%.1f\" text-anchor=\"middle\" font-size=\"12\">%s s</text>\n",
+                    x,
+                    x,
                     y,
                     y + 5,
+                    x,
                     y + 19,
                     Json.seconds(StrictMath.round(i * step * 1e6)).replaceFirst("\\.0$", ""));
         }
@@ -128,23 +132,19 @@ final class ModesSvg {
                     .append(' ');
             services.append(state.services().get(robot));
         }
-        append(
-                "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">state %d (%s): %s</text>%n",
+        svg.add(
+                "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">state %d (%s): %s</text>\n",
                 LEFT_PX,
                 y - 12,
-                SvgElements.colour(state.colour()),
+                Svg.colour(state.colour()),
                 LEFT_PX + 34,
                 y,
                 state.number(),
                 table.colourName(state.colour()),
-                SvgElements.escape(services.toString()));
+                services);
     }
 
     private double x(double seconds) {
         return LEFT_PX + seconds / endSeconds * PLOT_PX;
-    }
-
-    private void append(String format, Object... values) {
-        svg.append(String.format(Locale.ROOT, format, values));
     }
 }

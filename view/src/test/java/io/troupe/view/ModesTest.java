@@ -1,9 +1,8 @@
-package io.troupe.demo;
+package io.troupe.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.demo.PaperRun.ModeSettings;
-import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
@@ -15,9 +14,13 @@ import io.troupe.services.subsumption.SynchronousRound;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.RecordedRun.Settings;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -32,22 +35,45 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Common properties and differences of the three modes, in the paper's arena with real threads. */
 @Timeout(300)
 class ModesTest {
-    private static final Path WORLD = Path.of("worlds", "paper-arena.world");
+    private static final Path WORLD = Path.of("..", "demo", "worlds", "paper-arena.world");
     private static final int PORT = 6665;
     private static final double SECONDS = 140; // long enough for all three states
 
     @TempDir
     private Path out;
 
-    private RunResult run(ModeSettings modeSettings, long seed, String name) throws Exception {
-        try (var log = new RunLog(out.resolve(name))) {
-            return new PaperRun(ScenarioReader.read(WORLD), seed, SECONDS, CornerStyle.FORWARD, false, modeSettings)
-                    .run(log, change -> {}, ProgressBar.hidden(), () -> false);
-        }
+    private RunResult run(Settings settings, long seed, String name) throws Exception {
+        return new RecordedRun(
+                        ScenarioReader.read(WORLD),
+                        SubsumptionTable.ofThePaper(),
+                        settings.withSeed(seed).withSeconds(SECONDS))
+                .run(out.resolve(name));
     }
 
-    private static ModeSettings in(Mode mode) {
-        return new ModeSettings(mode, false);
+    private static Settings in(Mode mode) {
+        return Settings.DEFAULT.withMode(mode);
+    }
+
+    @Test
+    void comparison_isMadeInAFewLines() throws Exception {
+        var scenario = ScenarioReader.read(WORLD);
+        var table = SubsumptionTable.ofThePaper();
+        var settings = Settings.DEFAULT.withSeconds(60);
+        Path folder = out;
+
+        var results = new EnumMap<Mode, RunResult>(Mode.class);
+        for (Mode mode : Mode.values()) {
+            var run = new RecordedRun(scenario, table, settings.withMode(mode));
+            results.put(mode, run.run(folder.resolve(mode + ".jsonl")));
+        }
+        var comparison = new ModeComparison(results);
+        Files.writeString(folder.resolve("modes.svg"), Pictures.modes(comparison, comparison.finding()));
+
+        assertThat(comparison.firstDifference(Mode.CALLBACK)).isEmpty();
+        assertThat(comparison.firstDifference(Mode.SYNC)).isPresent();
+        assertThat(folder.resolve("modes.svg")).content().contains("first unlike promise mode, ");
+        var syncOnly = new ModeComparison(Map.of(Mode.SYNC, comparison.result(Mode.SYNC)));
+        assertThatThrownBy(syncOnly::finding).hasMessage("there is no run in promise mode, only in [sync]");
     }
 
     @ParameterizedTest
@@ -67,7 +93,7 @@ class ModesTest {
     @ValueSource(longs = {1, 2, 3})
     void synchronousModeWithoutItsCycleTimes_hasTheSameStatesAndPosesAsPromiseMode(long seed) throws Exception {
         run(in(Mode.PROMISE), seed, "promise");
-        var sync = run(new ModeSettings(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), seed, "sync");
+        var sync = run(in(Mode.SYNC).withRound(SynchronousRound.ALL_SERVICES_A_READING), seed, "sync");
         assertThat(linesBeforeSummary("sync")).isEqualTo(linesBeforeSummary("promise"));
         assertThat(sync.messages().sent()).isZero();
     }
@@ -109,9 +135,9 @@ class ModesTest {
 
     @Test
     void reconnection_costsEachRobotATickWithoutAServiceAtEverySwitch_inBothAsynchronousModesAlike() throws Exception {
-        var promise = run(new ModeSettings(Mode.PROMISE, true), 1, "promise");
-        run(new ModeSettings(Mode.CALLBACK, true), 1, "callback");
-        run(new ModeSettings(Mode.CALLBACK, true), 1, "again");
+        var promise = run(in(Mode.PROMISE).withReconnection(true), 1, "promise");
+        run(in(Mode.CALLBACK).withReconnection(true), 1, "callback");
+        run(in(Mode.CALLBACK).withReconnection(true), 1, "again");
         int switches = promise.states().size() - 1;
         assertThat(switches).isPositive();
         assertThat(promise.robots())

@@ -1,8 +1,7 @@
-package io.troupe.demo;
+package io.troupe.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.demo.PaperRun.ModeSettings;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
@@ -10,7 +9,9 @@ import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.services.subsumption.SynchronousRound;
+import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.CrowdWorld;
+import io.troupe.view.RecordedRun.Settings;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -43,7 +44,9 @@ class RandomTablesTest {
         return SubsumptionTableReader.service(declaration, ServiceCatalogue.standard());
     }
 
-    private static TeamOptions.Team team(Random random) {
+    private record Team(Scenario scenario, SubsumptionTable table) {}
+
+    private static Team team(Random random) {
         int robots = 6 + random.nextInt(15);
         int colours = 2 + random.nextInt(7);
         var table = SubsumptionTable.forRobots(robots).hold(random.nextInt(3) * random.nextDouble());
@@ -58,14 +61,17 @@ class RandomTablesTest {
                 table.priority(colour, random.nextInt(5) - 2);
             }
         }
-        return new TeamOptions.Team(CrowdWorld.scenario(robots, colours), table.build());
+        return new Team(CrowdWorld.scenario(robots, colours), table.build());
     }
 
-    private RunResult run(TeamOptions.Team team, long seed, ModeSettings modeSettings, String name) throws Exception {
-        try (var log = new RunLog(out.resolve(name))) {
-            return new PaperRun(team, seed, SECONDS, false, modeSettings)
-                    .run(log, change -> {}, ProgressBar.hidden(), () -> false);
-        }
+    private RunResult run(Team team, long seed, Settings settings, String name) throws Exception {
+        return new RecordedRun(
+                        team.scenario, team.table, settings.withSeed(seed).withSeconds(SECONDS))
+                .run(out.resolve(name));
+    }
+
+    private static Settings in(Mode mode) {
+        return Settings.DEFAULT.withMode(mode);
     }
 
     @Test
@@ -73,9 +79,9 @@ class RandomTablesTest {
         int switches = 0;
         for (long seed = 1; seed <= SEEDS; seed++) {
             var team = team(new Random(seed));
-            var promise = run(team, seed, new ModeSettings(Mode.PROMISE, false), "promise");
-            var callback = run(team, seed, new ModeSettings(Mode.CALLBACK, false), "callback");
-            run(team, seed, new ModeSettings(Mode.SYNC, false, SynchronousRound.ALL_SERVICES_A_READING), "sync");
+            var promise = run(team, seed, in(Mode.PROMISE), "promise");
+            var callback = run(team, seed, in(Mode.CALLBACK), "callback");
+            run(team, seed, in(Mode.SYNC).withRound(SynchronousRound.ALL_SERVICES_A_READING), "sync");
 
             requireSameFiles(seed);
             assertThat(linesBeforeSummary("sync"))
@@ -94,8 +100,8 @@ class RandomTablesTest {
         int switches = 0;
         for (long seed = 1; seed <= SEEDS; seed++) {
             var team = team(new Random(seed));
-            var promise = run(team, seed, new ModeSettings(Mode.PROMISE, true), "promise");
-            run(team, seed, new ModeSettings(Mode.CALLBACK, true), "callback");
+            var promise = run(team, seed, in(Mode.PROMISE).withReconnection(true), "promise");
+            run(team, seed, in(Mode.CALLBACK).withReconnection(true), "callback");
 
             requireSameFiles(seed);
             switches += promise.states().size() - 1;

@@ -1,28 +1,29 @@
-package io.troupe.demo;
+package io.troupe.view;
 
-import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 
 /**
- * The result of a run.
+ * The result of a run: what a {@link RecordedRun} or a {@link RunRecorder} returns.
  *
+ * <p><b>Threads.</b> It belongs to the thread that got it.
+ *
+ * @param endMicros simulated length of the run
  * @param states in order of their start
  * @param robots by index
  */
-record RunResult(
-        long endMicros,
-        SubsumptionTable table,
-        List<RunRecorder.StateChange> states,
-        List<RobotRecord> robots,
-        RunRecorder.Messages messages) {
+public record RunResult(
+        long endMicros, SubsumptionTable table, List<StateChange> states, List<RobotRecord> robots, Messages messages) {
     private static final int TITLE_WIDTH = 38;
 
     private static final String SERVICES_TITLE = "readings with no or several services";
@@ -30,7 +31,7 @@ record RunResult(
     private static final String STAY_TITLE = "longest stay within 5 cm";
 
     /** How often a state started. */
-    long visits(State state) {
+    public long visits(State state) {
         return states.stream().filter(change -> change.state().equals(state)).count();
     }
 
@@ -62,17 +63,14 @@ record RunResult(
                 .put("loops", loops);
     }
 
-    /** The summary for the terminal. */
-    String summary(String world, long seed, double wallSeconds) {
+    /** The simulated length in seconds, such as {@code 300.0}. */
+    public String duration() {
+        return Json.seconds(endMicros);
+    }
+
+    /** The figures of all robots, messages and states, in lines for a terminal. */
+    public String summary() {
         var text = new StringBuilder();
-        line(
-                text,
-                "%n%s, seed %d: %s s simulated in %.1f s, %.0f times real time",
-                world,
-                seed,
-                Json.seconds(endMicros),
-                wallSeconds,
-                endMicros / 1e6 / wallSeconds);
         text.append(robots.size() < RunRecorder.MANY_ROBOTS ? eachRobot() : CrowdSummary.of(robots, table));
         line(text, "(a cycle: a service takes a reading of the sensors and commands a speed)");
         text.append(stuck());
@@ -83,7 +81,7 @@ record RunResult(
                     "state %d (%s): %s, %.1f s",
                     state.number(),
                     table.colourName(state.colour()),
-                    Plural.of(visits(state), "time"),
+                    count(visits(state), "time"),
                     secondsIn(state));
         }
         return text.toString();
@@ -166,7 +164,7 @@ record RunResult(
                 Locale.ROOT,
                 "colours sent by colour finders: %d in %s%s; %d received, %d of them too late",
                 messages.sent(),
-                Plural.of(changes, "state change"),
+                count(changes, "state change"),
                 each,
                 messages.received(),
                 messages.tooLate());
@@ -191,6 +189,76 @@ record RunResult(
 
     private static void line(StringBuilder text, String format, Object... values) {
         text.append(String.format(Locale.ROOT, format, values)).append(System.lineSeparator());
+    }
+
+    /** "1 robot", "2 robots"; only for nouns with a plural in s. */
+    static String count(long number, String noun) {
+        return number + " " + noun + (number == 1 ? "" : "s");
+    }
+
+    /**
+     * Messages that carry a colour.
+     *
+     * @param sent by colour finders
+     * @param received by the arbitrator
+     * @param tooLate received after the state of their sender had ended
+     */
+    public record Messages(long sent, long received, long tooLate) {}
+
+    /**
+     * The start of a state.
+     *
+     * @param seenBy index of the robot that detected the colour; null for the first state
+     */
+    public record StateChange(
+            long timeMicros, State state, @Nullable Integer seenBy) {
+        private static final int LEAST_CAUSE_WIDTH = 18;
+
+        /** A line for the terminal, with the table's colour names. */
+        public String describe(SubsumptionTable table) {
+            return String.format(
+                    Locale.ROOT,
+                    "%7.1f s  %-" + causeWidth(table) + "s state %d: %s",
+                    timeMicros / 1e6,
+                    cause(table),
+                    state.number(),
+                    state.services().size() < RunRecorder.MANY_ROBOTS ? assignment() : headcount());
+        }
+
+        /** The width of the column for the cause, so that the text after it is aligned. */
+        private static int causeWidth(SubsumptionTable table) {
+            int longest = table.states().stream()
+                    .mapToInt(each -> table.colourName(each.colour()).length())
+                    .max()
+                    .orElse(0);
+            return Math.max(LEAST_CAUSE_WIDTH, "robot  sees ".length() + ("" + table.robots()).length() + longest);
+        }
+
+        /** What started the state. */
+        public String cause(SubsumptionTable table) {
+            return seenBy == null ? "start" : "robot " + (seenBy + 1) + " sees " + table.colourName(state.colour());
+        }
+
+        private String headcount() {
+            Map<String, Long> robots = state.services().stream()
+                    .collect(Collectors.groupingBy(Service::name, TreeMap::new, Collectors.counting()));
+            return robots.entrySet().stream()
+                    .map(each -> each.getValue() + " " + each.getKey())
+                    .collect(Collectors.joining(", "));
+        }
+
+        private String assignment() {
+            var assignment = new StringBuilder();
+            for (int robot = 0; robot < state.services().size(); robot++) {
+                assignment
+                        .append(robot == 0 ? "" : ", ")
+                        .append("robot ")
+                        .append(robot + 1)
+                        .append(' ')
+                        .append(state.services().get(robot));
+            }
+            return assignment.toString();
+        }
     }
 
     /** The summary of a run with many robots: sum, mean, minimum and maximum of each figure. */

@@ -1,10 +1,10 @@
-package io.troupe.demo.svg;
+package io.troupe.demo;
 
 import org.w3c.dom.Element;
 
 /** The scale of a map as read from the picture: length of the bar and the number beside it. */
-public record ScaleBar(double lengthPx, double metres) {
-    public ScaleBar(Element svg) {
+record ScaleBar(double lengthPx, double metres) {
+    ScaleBar(Element svg) {
         this(length(svg), Double.parseDouble(label(svg).replace(" m", "")));
     }
 
@@ -28,7 +28,7 @@ public record ScaleBar(double lengthPx, double metres) {
         throw new AssertionError("no scale in the picture");
     }
 
-    public double pixelsPerMetre() {
+    double pixelsPerMetre() {
         return lengthPx / metres;
     }
 }

@@ -1,4 +1,4 @@
-package io.troupe.demo;
+package io.troupe.view;
 
 import io.troupe.services.subsumption.Service;
 import io.troupe.sim.Contact;
@@ -12,25 +12,29 @@ import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
-/** Records what one robot does in a run. */
-final class RobotRecord {
+/**
+ * What one robot did in a run.
+ *
+ * <p><b>Units and shapes.</b> Metres, microseconds of simulated time.
+ */
+public final class RobotRecord {
     /** A robot that stays within this distance of a point, while a service is in charge, makes no progress. */
-    static final double STAY_M = 0.05;
+    public static final double STAY_M = 0.05;
     /** Shorter times without progress are not reported: turning at a corner takes a few seconds. */
-    static final long STUCK_MICROS = 10_000_000;
+    public static final long STUCK_MICROS = 10_000_000;
 
     /** Pose and service in charge at a tick. */
-    record Sample(long timeMicros, Pose pose, String service) {}
+    public record Sample(long timeMicros, Pose pose, String service) {}
 
     /** An uninterrupted time without progress. It ends at the last reading at which the robot had still made none. */
-    record Stay(long fromMicros, long toMicros, String service) {
+    public record Stay(long fromMicros, long toMicros, String service) {
         static final Stay NONE = new Stay(0, 0, "none");
 
-        long micros() {
+        public long micros() {
             return toMicros - fromMicros;
         }
 
-        boolean isStuck() {
+        public boolean isStuck() {
             return micros() >= STUCK_MICROS;
         }
     }
@@ -147,7 +151,8 @@ final class RobotRecord {
         chargeFaults++;
     }
 
-    int index() {
+    /** Its number, from 0. */
+    public int index() {
         return index;
     }
 
@@ -156,19 +161,21 @@ final class RobotRecord {
     }
 
     /** Name of the service in charge, or "none" or "several". */
-    String serviceName() {
+    public String serviceName() {
         return inCharge.size() == 1 ? inCharge.getFirst().name() : inCharge.isEmpty() ? "none" : "several";
     }
 
-    List<Sample> path() {
+    /** Where it was at each reading; of a robot in a crowd, points less than 25 cm apart are left out. */
+    public List<Sample> path() {
         return Collections.unmodifiableList(path);
     }
 
-    Map<String, Long> loops() {
+    /** The number of cycles of each service, by name. */
+    public Map<String, Long> loops() {
         return Collections.unmodifiableMap(loops);
     }
 
-    double distanceM() {
+    public double distanceM() {
         return distanceM;
     }
 
@@ -176,35 +183,35 @@ final class RobotRecord {
      * The longest time in which the robot's centre stayed within {@value #STAY_M} m of a point while a service was in
      * charge.
      */
-    Stay longestStay() {
+    public Stay longestStay() {
         return longestStay;
     }
 
     /** Smallest distance from the edge of the body to an obstacle. */
-    double closestM() {
+    public double closestM() {
         return closestM;
     }
 
-    int wallContacts() {
+    public int wallContacts() {
         return wallContacts;
     }
 
     /** Wall contacts during wall following. */
-    int followingContacts() {
+    public int followingContacts() {
         return followingContacts;
     }
 
-    int robotContacts() {
+    public int robotContacts() {
         return robotContacts;
     }
 
     /** Number of ticks with no service in charge, or with more than one. */
-    int chargeFaults() {
+    public int chargeFaults() {
         return chargeFaults;
     }
 
     /** Number of ticks without a command from any service: the robot stood still, or kept its previous speed. */
-    int ticksWithoutCycle() {
+    public int ticksWithoutCycle() {
         return ticksWithoutCycle;
     }
 }

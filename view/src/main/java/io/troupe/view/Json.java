@@ -1,4 +1,4 @@
-package io.troupe.demo;
+package io.troupe.view;
 
 import java.math.BigDecimal;
 import java.util.Collection;

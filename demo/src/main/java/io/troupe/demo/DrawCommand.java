@@ -1,4 +1,4 @@
-package io.troupe.demo.draw;
+package io.troupe.demo;
 
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.OutputFiles;
@@ -7,6 +7,7 @@ import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Scenario;
+import io.troupe.view.Pictures;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -23,7 +24,7 @@ import picocli.CommandLine.Spec;
         name = "draw",
         description = "Draws a world file as SVG, with the first readings of its sonars and lasers.",
         mixinStandardHelpOptions = true)
-public final class DrawCommand implements Callable<Integer> {
+final class DrawCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
@@ -41,7 +42,7 @@ public final class DrawCommand implements Callable<Integer> {
         FileProblems.checkOutput(spec, "--out", out);
         Scenario scenario = loader.read(world);
         try (var simulated = World.create(scenario.world(), WorldSettings.DEFAULT)) {
-            OutputFiles.write(out, new WorldDrawing(scenario.world(), simulated.latest()).svg());
+            OutputFiles.write(out, Pictures.world(scenario.world(), simulated.latest()));
         }
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.println(Plural.of(scenario.world().robots().size(), "robot") + ", "

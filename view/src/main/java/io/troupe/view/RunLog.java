@@ -1,8 +1,8 @@
-package io.troupe.demo;
+package io.troupe.view;
 
-import io.troupe.demo.terminal.FileProblems;
 import java.io.BufferedWriter;
 import java.io.IOException;
+import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.jspecify.annotations.Nullable;
@@ -11,23 +11,33 @@ import org.jspecify.annotations.Nullable;
  * The file {@code run.jsonl}: one JSON object per line, in the order of simulated time. No value depends on the wall
  * clock. The format is described in {@code docs/run-log.md}.
  *
+ * <p><b>Role.</b> A {@link RecordedRun} or a {@link RunRecorder} writes it.
+ *
+ * <p><b>Threads.</b> One at a time.
+ *
  * <p><b>Errors.</b> A failed write does not end the run. {@link #close} throws the first failure, with the name of the
  * file.
  */
-final class RunLog implements AutoCloseable {
-    /**
-     * Name and version of the format. The version is incremented when readers of the previous one would misread the
-     * file.
-     */
-    static final String FORMAT = "troupe-run";
+public final class RunLog implements AutoCloseable {
+    /** Name and version of the program that writes the file. */
+    public static final String PROGRAM = "Troupe 0.1.0-SNAPSHOT";
 
-    static final int VERSION = 1;
+    /** Name of the format. */
+    public static final String FORMAT = "troupe-run";
+
+    /** Version of the format. It is incremented when readers of the previous one would misread the file. */
+    public static final int VERSION = 1;
 
     private final Path file;
     private final BufferedWriter writer;
     private @Nullable IOException failure;
 
-    RunLog(Path file) throws IOException {
+    /**
+     * Creates the file, or empties it.
+     *
+     * @throws IOException if that is impossible; the message names the file
+     */
+    public RunLog(Path file) throws IOException {
         this.file = file;
         try {
             writer = Files.newBufferedWriter(file);
@@ -41,7 +51,7 @@ final class RunLog implements AutoCloseable {
         return Json.line(0, "header")
                 .put("format", FORMAT)
                 .put("version", VERSION)
-                .put("program", Main.PROGRAM);
+                .put("program", PROGRAM);
     }
 
     void write(Json line) {
@@ -56,10 +66,16 @@ final class RunLog implements AutoCloseable {
         }
     }
 
+    /** The error with the name of the file; that of a full disk has none. */
     private IOException named(IOException e) {
-        return new IOException(FileProblems.message(file, e), e);
+        return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
     }
 
+    /**
+     * Writes what is left, and closes the file.
+     *
+     * @throws IOException if a line could not be written, now or earlier
+     */
     @Override
     public void close() throws IOException {
         try {

@@ -1,9 +1,8 @@
-package io.troupe.demo.draw;
+package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.demo.svg.ScaleBar;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Path;

@@ -1,7 +1,5 @@
-package io.troupe.demo;
+package io.troupe.view;
 
-import io.troupe.demo.terminal.Plural;
-import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -14,23 +12,37 @@ import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.SonarSpec;
 import io.troupe.sim.worldfile.WorldFileException;
+import java.io.IOException;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.locks.LockSupport;
-import java.util.function.BooleanSupplier;
-import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
  * One run of the main job: the robots of a scenario, controlled by the paper's arbitrator, in lock step with the
- * simulated world.
+ * simulated world, and recorded.
+ *
+ * {@snippet :
+ * Scenario scenario = ScenarioReader.read(world);
+ * var settings = RecordedRun.Settings.DEFAULT.withSeed(7).withSeconds(60);
+ * var run = new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings);
+ * RunResult result = run.run(folder.resolve("run.jsonl"));
+ * Files.writeString(folder.resolve("summary.txt"), result.summary());
+ * Files.writeString(folder.resolve("trajectory.svg"), Pictures.trajectory(scenario.world(), result));
+ * }
  *
  * <p><b>Threads.</b> The calling thread advances the world, another thread runs the services. At any time one of the
  * two waits for the other.
  *
+ * <p><b>Order.</b> The same scenario, table and settings give the same log, byte for byte, on every machine.
+ *
+ * <p><b>Errors.</b> A world without the devices that the services need is a {@link WorldFileException}. A service that
+ * fails ends the run with its exception; the last line of the log reports it.
+ *
  * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
  */
-final class PaperRun {
+public final class RecordedRun {
     private static final double JITTER_M = 0.02;
     private static final double JITTER_RAD = StrictMath.toRadians(2);
 
@@ -38,56 +50,78 @@ final class PaperRun {
 
     private final Scenario scenario;
     private final int port;
-    private final WorldSettings settings;
-    private final long endMicros;
-    private final boolean realtime;
     private final SubsumptionTable table;
-    private final ModeSettings modeSettings;
+    private final Settings settings;
 
     /** A device that the world's configuration offers. */
     private record Binding(String type, int index, String model) {}
 
     /**
-     * The mode of a run and its variants.
+     * How to run.
      *
-     * @param reconnects whether every service opens a new connection
+     * @param seed moves the start poses by up to 2 cm along x and y, and 2 degrees
+     * @param seconds simulated time to run
+     * @param realTime no faster than real time
+     * @param reconnects whether every service opens a new connection; not in synchronous mode
      * @param round how the synchronous mode distributes readings among the services
      */
-    record ModeSettings(Mode mode, boolean reconnects, SynchronousRound round) {
-        static final ModeSettings DEFAULT = new ModeSettings(Mode.PROMISE, false);
+    public record Settings(
+            Mode mode, long seed, double seconds, boolean realTime, boolean reconnects, SynchronousRound round) {
+        /** Promise mode, seed 1, 300 s as fast as possible, one connection per robot, the paper's synchronous round. */
+        public static final Settings DEFAULT =
+                new Settings(Mode.PROMISE, 1, 300, false, false, SynchronousRound.ONE_SERVICE_A_READING);
 
-        /** The default round, as in the paper. */
-        ModeSettings(Mode mode, boolean reconnects) {
-            this(mode, reconnects, SynchronousRound.ONE_SERVICE_A_READING);
+        public Settings withMode(Mode newMode) {
+            return new Settings(newMode, seed, seconds, realTime, reconnects, round);
+        }
+
+        public Settings withSeed(long newSeed) {
+            return new Settings(mode, newSeed, seconds, realTime, reconnects, round);
+        }
+
+        public Settings withSeconds(double newSeconds) {
+            return new Settings(mode, seed, newSeconds, realTime, reconnects, round);
+        }
+
+        public Settings withRealTime(boolean newRealTime) {
+            return new Settings(mode, seed, seconds, newRealTime, reconnects, round);
+        }
+
+        public Settings withReconnection(boolean newReconnects) {
+            return new Settings(mode, seed, seconds, realTime, newReconnects, round);
+        }
+
+        public Settings withRound(SynchronousRound newRound) {
+            return new Settings(mode, seed, seconds, realTime, reconnects, newRound);
         }
     }
 
-    PaperRun(Scenario scenario, long seed, double seconds, CornerStyle corners, boolean realtime) {
-        this(scenario, seed, seconds, corners, realtime, ModeSettings.DEFAULT);
+    /** What a run reports while it runs, on the thread that called {@link RecordedRun#run}. */
+    public interface Listener {
+        /** Does nothing, and lets the run reach its end. */
+        Listener NONE = new Listener() {};
+
+        /** A state began; {@code line} describes it. */
+        default void stateStarted(String line) {}
+
+        /** A reading of the sensors was handled. */
+        default void ticked(long timeMicros) {}
+
+        /** Whether to end the run now. */
+        default boolean isStopRequested() {
+            return false;
+        }
     }
 
-    PaperRun(
-            Scenario scenario,
-            long seed,
-            double seconds,
-            CornerStyle corners,
-            boolean realtime,
-            ModeSettings modeSettings) {
-        this(
-                new TeamOptions.Team(scenario, SubsumptionTable.ofThePaper(corners)),
-                seed,
-                seconds,
-                realtime,
-                modeSettings);
-    }
-
-    PaperRun(TeamOptions.Team team, long seed, double seconds, boolean realtime, ModeSettings modeSettings) {
-        this.table = team.table();
-        this.scenario = team.scenario();
-        this.settings = WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
-        this.endMicros = StrictMath.round(seconds * 1e6);
-        this.realtime = realtime;
-        this.modeSettings = modeSettings;
+    /**
+     * Prepares a run.
+     *
+     * @throws WorldFileException if the scenario lacks a robot or a device that the table's services need
+     */
+    public RecordedRun(Scenario scenario, SubsumptionTable table, Settings settings) {
+        this.scenario = scenario;
+        this.table = table;
+        this.settings = settings;
         this.port = check(scenario, table);
     }
 
@@ -98,7 +132,7 @@ final class PaperRun {
         int expected = table.robots();
         List<RobotSpec> robots = scenario.world().robots();
         if (robots.size() != expected) {
-            throw new WorldFileException(scenario.world().file() + " has " + Plural.of(robots.size(), "robot")
+            throw new WorldFileException(scenario.world().file() + " has " + RunResult.count(robots.size(), "robot")
                     + ", expected " + expected + " as the table of services has");
         }
         int port = scenario.devices().stream()
@@ -117,7 +151,8 @@ final class PaperRun {
                 throw new WorldFileException(
                         robot.where(),
                         "robot '" + robot.name() + "' has "
-                                + Plural.of(sonar == null ? 0 : sonar.mounts().size(), "sonar") + " and "
+                                + RunResult.count(
+                                        sonar == null ? 0 : sonar.mounts().size(), "sonar") + " and "
                                 + (robot.blobfinder() == null ? "no" : "a")
                                 + " blobfinder, expected " + SONARS
                                 + " sonars or more and a blobfinder for the services");
@@ -144,28 +179,37 @@ final class PaperRun {
     }
 
     /**
-     * Runs until the end time, or until {@code stop} returns true.
+     * Runs until the end time, and writes the log.
      *
-     * @param changes called with a line of text for every state change, as it happens
+     * @param file the log, by custom {@code run.jsonl}
+     * @throws IOException if the log cannot be written; the message names it
      */
-    RunResult run(RunLog log, Consumer<String> changes, ProgressBar progress, BooleanSupplier stop)
-            throws InterruptedException {
-        try (var simulation = Simulation.open(scenario, settings)) {
-            log.write(header());
-            var recorder = new RunRecorder(scenario.world(), table, log, changes);
+    public RunResult run(Path file) throws IOException, InterruptedException {
+        try (var log = new RunLog(file)) {
+            return run(log, Listener.NONE);
+        }
+    }
+
+    /** Runs until the end time, or until the listener requests to stop. The caller closes the log. */
+    public RunResult run(RunLog log, Listener listener) throws InterruptedException {
+        long endMicros = StrictMath.round(settings.seconds() * 1e6);
+        var world = WorldSettings.DEFAULT.withSeed(settings.seed()).withJitter(JITTER_M, JITTER_RAD);
+        try (var simulation = Simulation.open(scenario, world)) {
+            log.write(header(endMicros));
+            var recorder = new RunRecorder(scenario.world(), table, log, listener::stateStarted);
             var services = new SubsumptionRun.Settings(
-                            modeSettings.mode(), "localhost", port, table, simulation.clock(), recorder, recorder)
-                    .withReconnection(modeSettings.reconnects())
-                    .withRound(modeSettings.round());
+                            settings.mode(), "localhost", port, table, simulation.clock(), recorder, recorder)
+                    .withReconnection(settings.reconnects())
+                    .withRound(settings.round());
             try (var running = SubsumptionRun.start(services)) {
                 recorder.start(simulation.latest());
                 long origin = System.nanoTime();
-                while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
+                while (simulation.timeMicros() < endMicros && !listener.isStopRequested()) {
                     Snapshot snapshot = simulation.tick();
                     running.check();
                     recorder.record(snapshot);
-                    progress.show(snapshot.timeMicros() / 1e6);
-                    if (realtime) {
+                    listener.ticked(snapshot.timeMicros());
+                    if (settings.realTime()) {
                         awaitRealTime(origin + snapshot.timeMicros() * 1000);
                     }
                 }
@@ -177,13 +221,13 @@ final class PaperRun {
         }
     }
 
-    private Json header() {
+    private Json header(long endMicros) {
         return RunLog.header()
                 .put("world", scenario.world().name())
                 .put("robots", scenario.world().robots().size())
                 .put("seed", settings.seed())
-                .put("mode", modeSettings.mode())
-                .put("reconnect", modeSettings.reconnects())
+                .put("mode", settings.mode())
+                .put("reconnect", settings.reconnects())
                 .put("seconds", new Json.Fragment(Json.seconds(endMicros)))
                 .put("interval", new Json.Fragment(Json.seconds(scenario.world().intervalMillis() * 1000L)));
     }
