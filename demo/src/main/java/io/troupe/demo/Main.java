@@ -5,7 +5,6 @@ import io.troupe.common.text.SourceException;
 import io.troupe.common.text.Suggestions;
 import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
-import io.troupe.demo.draw.DrawCommand;
 import io.troupe.demo.evaluate.EvaluateCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
@@ -18,6 +17,7 @@ import io.troupe.player.PlayerException;
 import io.troupe.services.component.application.ApplicationException;
 import io.troupe.services.subsumption.ServiceJarException;
 import io.troupe.sim.RecordingException;
+import io.troupe.view.RunLog;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -54,7 +54,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
         name = "troupe",
         description = "Typed actors and promises on one thread, for robots.",
         mixinStandardHelpOptions = true,
-        version = Main.PROGRAM,
+        version = RunLog.PROGRAM,
         scope = CommandLine.ScopeType.INHERIT,
         subcommands = {
             RunCommand.class,
@@ -70,9 +70,6 @@ import picocli.CommandLine.UnmatchedArgumentException;
             HelpCommand.class
         })
 public final class Main implements Callable<Integer> {
-    /** Name and version of the program, as written into its files. */
-    static final String PROGRAM = "Troupe 0.1.0-SNAPSHOT";
-
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
     /** Exit status for a failure during execution: a file that cannot be written, a lost server connection. */

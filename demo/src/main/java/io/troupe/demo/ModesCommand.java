@@ -4,9 +4,14 @@ import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.WorldLoader;
-import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.model.Scenario;
+import io.troupe.view.ModeComparison;
+import io.troupe.view.Pictures;
+import io.troupe.view.RecordedRun;
+import io.troupe.view.RunLog;
+import io.troupe.view.RunResult;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -76,8 +81,8 @@ final class ModesCommand implements Callable<Integer> {
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(new ModeComparison(results).table());
         String files = results.entrySet().stream()
-                .map(each -> "run-" + each.getKey() + ".jsonl has "
-                        + Json.seconds(each.getValue().endMicros()) + " s")
+                .map(each ->
+                        "run-" + each.getKey() + ".jsonl has " + each.getValue().duration() + " s")
                 .collect(Collectors.joining(", "));
         terminal.println("interrupted: there is no comparison and no new modes.svg"
                 + (files.isEmpty() ? "" : ". " + files + "; the last line of one that was cut short says so"));
@@ -91,7 +96,7 @@ final class ModesCommand implements Callable<Integer> {
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.print(comparison.text());
         terminal.flush(); // before writing files, which may fail
-        OutputFiles.write(out.resolve("modes.svg"), new ModesSvg(comparison, title).draw());
+        OutputFiles.write(out.resolve("modes.svg"), Pictures.modes(comparison, title));
         terminal.println("wrote " + out.resolve("modes.svg") + " and, beside it, run-sync.jsonl, run-callback.jsonl and"
                 + " run-promise.jsonl");
         terminal.flush();
@@ -100,11 +105,12 @@ final class ModesCommand implements Callable<Integer> {
 
     private RunResult run(Scenario scenario, Mode mode, Interruption interruption)
             throws IOException, InterruptedException {
-        var modeSettings = new PaperRun.ModeSettings(mode, false);
+        var settings =
+                RecordedRun.Settings.DEFAULT.withMode(mode).withSeed(seed).withSeconds(seconds);
         try (var progress = ProgressBar.onTerminal(mode + " mode ", seconds);
                 var log = new RunLog(out.resolve("run-" + mode + ".jsonl"))) {
-            return new PaperRun(scenario, seed, seconds, CornerStyle.FORWARD, false, modeSettings)
-                    .run(log, change -> {}, progress, interruption::isRequested);
+            return new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings)
+                    .run(log, progress.listener(change -> {}, interruption));
         }
     }
 }

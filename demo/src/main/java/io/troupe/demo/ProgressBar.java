@@ -1,7 +1,10 @@
 package io.troupe.demo;
 
+import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.ProgressLine;
+import io.troupe.view.RecordedRun;
 import java.util.Locale;
+import java.util.function.Consumer;
 
 /** The progress of a run: a bar on the last line of a terminal, or an occasional line in a log file. */
 final class ProgressBar implements AutoCloseable {
@@ -27,11 +30,31 @@ final class ProgressBar implements AutoCloseable {
         return new ProgressBar(ProgressLine.open(), label, endSeconds);
     }
 
-    static ProgressBar hidden() {
-        return new ProgressBar(ProgressLine.hidden(), "", 1);
+    /**
+     * Shows the progress of a run, and ends it when the user interrupts the command.
+     *
+     * @param changes is called with a line of text for every state change
+     */
+    RecordedRun.Listener listener(Consumer<String> changes, Interruption interruption) {
+        return new RecordedRun.Listener() {
+            @Override
+            public void stateStarted(String change) {
+                changes.accept(change);
+            }
+
+            @Override
+            public void ticked(long timeMicros) {
+                show(timeMicros / 1e6);
+            }
+
+            @Override
+            public boolean isStopRequested() {
+                return interruption.isRequested();
+            }
+        };
     }
 
-    void show(double seconds) {
+    private void show(double seconds) {
         int permille = (int) Math.min(1000, 1000 * seconds / endSeconds);
         if (!line.isVisible() || permille == shown) {
             return;

@@ -7,6 +7,11 @@ import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
+import io.troupe.view.Pictures;
+import io.troupe.view.RecordedRun;
+import io.troupe.view.RunLog;
+import io.troupe.view.RunRecorder;
+import io.troupe.view.RunResult;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -100,7 +105,13 @@ final class RunCommand implements Callable<Integer> {
     private void run(TeamOptions.Team team, Interruption interruption) throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
         Scenario scenario = team.scenario();
-        var run = new PaperRun(team, seed, seconds, realtime, new PaperRun.ModeSettings(mode, reconnect));
+        var settings = RecordedRun.Settings.DEFAULT
+                .withMode(mode)
+                .withSeed(seed)
+                .withSeconds(seconds)
+                .withRealTime(realtime)
+                .withReconnection(reconnect);
+        var run = new RecordedRun(scenario, team.table(), settings);
         long begin = System.nanoTime();
         RunResult result;
         Path file = out.resolve("run.jsonl");
@@ -108,19 +119,24 @@ final class RunCommand implements Callable<Integer> {
             try (var progress = ProgressBar.onTerminal(seconds)) {
                 result = run.run(
                         log,
-                        change -> progress.interrupt(() -> terminal.println(change)),
-                        progress,
-                        interruption::isRequested);
+                        progress.listener(change -> progress.interrupt(() -> terminal.println(change)), interruption));
             }
             double wallSeconds = (System.nanoTime() - begin) / 1e9;
-            terminal.print(result.summary(
-                    scenario.world().name() + ", " + mode + " mode" + (reconnect ? " with reconnection" : ""),
+            terminal.printf(
+                    Locale.ROOT,
+                    "%n%s, %s mode%s, seed %d: %s s simulated in %.1f s, %.0f times real time%n",
+                    scenario.world().name(),
+                    mode,
+                    reconnect ? " with reconnection" : "",
                     seed,
-                    wallSeconds));
+                    result.duration(),
+                    wallSeconds,
+                    result.endMicros() / 1e6 / wallSeconds);
+            terminal.print(result.summary());
             terminal.flush(); // before writing files, which may fail
         }
         Path picture = out.resolve("trajectory.svg");
-        OutputFiles.write(picture, new TrajectorySvg(scenario.world(), result).draw());
+        OutputFiles.write(picture, Pictures.trajectory(scenario.world(), result));
         if (interruption.isRequested() && result.endMicros() < StrictMath.round(seconds * 1e6)) {
             terminal.println("interrupted: this is what was done until then; the last line of run.jsonl says so");
         }

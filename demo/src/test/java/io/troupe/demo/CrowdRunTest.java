@@ -6,6 +6,9 @@ import io.troupe.demo.crowd.CrowdTable;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.worldfile.CrowdWorld;
+import io.troupe.view.Pictures;
+import io.troupe.view.RecordedRun;
+import io.troupe.view.RunResult;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
@@ -23,11 +26,8 @@ class CrowdRunTest {
     private static RunResult run(int robots, double holdSeconds, double seconds, Mode mode, Path file)
             throws Exception {
         var table = CrowdTable.of(robots, CrowdWorld.colours(COLOURS), 3, holdSeconds, CornerStyle.FORWARD);
-        var team = new TeamOptions.Team(CrowdWorld.scenario(robots, COLOURS), table);
-        try (var log = new RunLog(file)) {
-            return new PaperRun(team, 1, seconds, false, new PaperRun.ModeSettings(mode, false))
-                    .run(log, change -> {}, ProgressBar.hidden(), () -> false);
-        }
+        var settings = RecordedRun.Settings.DEFAULT.withMode(mode).withSeconds(seconds);
+        return new RecordedRun(CrowdWorld.scenario(robots, COLOURS), table, settings).run(file);
     }
 
     @Test
@@ -82,7 +82,7 @@ class CrowdRunTest {
 
         assertThat(Files.readAllLines(file).stream().filter(line -> line.contains("\"type\":\"pose\"")))
                 .hasSize(50 * 4);
-        assertThat(result.summary("crowd", 1, 1))
+        assertThat(result.summary())
                 .contains("50 robots", "mean", "least", "most", "cycles of avoid > patrol1")
                 .doesNotContain("robot 1 ");
         assertThat(result.states().getFirst().describe(result.table()))
@@ -94,7 +94,7 @@ class CrowdRunTest {
         RunResult result = run(80, 1, 3, Mode.PROMISE, out.resolve("run.jsonl"));
         var world = CrowdWorld.scenario(80, COLOURS).world();
 
-        String svg = new TrajectorySvg(world, result).draw();
+        String svg = Pictures.trajectory(world, result);
 
         assertThat(svg.split("fill=\"#ffa500\"", -1)).hasSize(80 + 1);
         assertThat(svg).contains("80 robots, 3.0 s simulated").doesNotContain("font-weight=\"bold\"");

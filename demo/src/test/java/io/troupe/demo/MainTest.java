@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
+import io.troupe.view.RunLog;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -133,7 +134,7 @@ class MainTest {
     @Test
     void program_isThatOfTheBuild() throws IOException {
         assertThat(Files.readString(Path.of("..", "pom.xml")))
-                .contains("<version>" + Main.PROGRAM.replace("Troupe ", "") + "</version>");
+                .contains("<version>" + RunLog.PROGRAM.replace("Troupe ", "") + "</version>");
     }
 
     @ParameterizedTest

@@ -2,6 +2,7 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
 import java.nio.file.Files;
@@ -26,6 +27,13 @@ class ModesCommandTest {
         return Main.execute(new PrintWriter(out), new PrintWriter(err), arguments);
     }
 
+    private String logWithoutItsMode(String mode) throws IOException {
+        String log = Files.readString(directory.resolve("run-" + mode + ".jsonl"));
+        String field = ",\"mode\":\"" + mode + "\"";
+        assertThat(log.lines().findFirst().orElse("")).contains(field);
+        return log.replace(field, "");
+    }
+
     @Test
     void modes_showsWhereSynchronousModeDiffers_andThatCallbackModeDoesNot() throws Exception {
         assertThat(troupe("modes", "--world", WORLD, "--seconds", "100", "--out", directory.toString()))
@@ -36,10 +44,9 @@ class ModesCommandTest {
                 .contains("callback mode: the same states at the same times and the same trajectories")
                 .contains("as each waits for the cycles of the others. The robots are elsewhere from 0.1 s on");
         assertThat(out.toString().lines().filter(line -> line.contains("*  "))).hasSize(1);
-        RunLines.assertSameButForTheMode(
-                directory.resolve("run-callback.jsonl"), directory.resolve("run-promise.jsonl"));
-        assertThat(RunLines.afterHeader(directory.resolve("run-sync.jsonl")))
-                .isNotEqualTo(RunLines.afterHeader(directory.resolve("run-promise.jsonl")));
+        assertThat(logWithoutItsMode("callback"))
+                .isEqualTo(logWithoutItsMode("promise"))
+                .isNotEqualTo(logWithoutItsMode("sync"));
         assertThat(out.toString().lines().takeWhile(line -> !line.startsWith("*")))
                 .as("the table")
                 .hasSizeGreaterThan(2)

@@ -3,7 +3,6 @@ package io.troupe.demo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.demo.svg.ScaleBar;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;

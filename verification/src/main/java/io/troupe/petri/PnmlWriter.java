@@ -1,5 +1,6 @@
 package io.troupe.petri;
 
+import io.troupe.common.svg.Xml;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;
@@ -63,11 +64,7 @@ final class PnmlWriter {
     }
 
     private static String label(String element, String value) {
-        return "<" + element + "><text>" + escaped(value) + "</text></" + element + ">";
-    }
-
-    private static String escaped(String value) {
-        return value.replace("&", "&amp;").replace("<", "&lt;").replace(">", "&gt;");
+        return "<" + element + "><text>" + Xml.escape(value) + "</text></" + element + ">";
     }
 
     /** A valid XML id that is as close to the name as possible. */

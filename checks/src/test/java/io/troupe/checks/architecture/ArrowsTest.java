@@ -33,6 +33,7 @@ class ArrowsTest {
         "playerlike-sim, io.troupe.player.. io.troupe.sim..",
         "services,       io.troupe.services..",
         "verification,   io.troupe.petri..",
+        "view,           io.troupe.view..",
         "demo,           io.troupe.demo..",
         "jmh,            io.troupe.bench..",
         "stress,         io.troupe.actor.."
@@ -120,9 +121,23 @@ class ArrowsTest {
     }
 
     @Test
-    void theNetEngine_importsNoOtherModule() {
-        arrow("io.troupe.petri").check(Classes.MAIN);
+    void theNetEngine_importsCommonForPnmlOnly() {
+        arrow("io.troupe.petri", COMMON).check(Classes.MAIN);
         arrow("io.troupe.petri.structure", "io.troupe.petri").check(Classes.MAIN);
+    }
+
+    @Test
+    void view_importsServicesAndTheSimulator() {
+        arrow(
+                        "io.troupe.view..",
+                        "io.troupe.actor..",
+                        BUS,
+                        BROKER,
+                        "io.troupe.player..",
+                        "io.troupe.sim..",
+                        "io.troupe.services..",
+                        COMMON)
+                .check(Classes.MAIN);
     }
 
     @Test

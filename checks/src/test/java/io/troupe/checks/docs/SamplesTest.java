@@ -32,7 +32,8 @@ class SamplesTest {
                 "actor-service/README.md",
                 "playerlike-sim/README.md",
                 "services/README.md",
-                "verification/README.md"
+                "verification/README.md",
+                "view/README.md"
             })
     void samples_occurInCompiledSources(String page) throws IOException {
         var samples = Samples.of(page, Files.readString(Repository.root().resolve(page)));

@@ -1,8 +1,8 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.common.svg.Svg;
 import io.troupe.demo.svg.Chart;
 import io.troupe.demo.svg.Chart.Anchor;
-import io.troupe.demo.svg.SvgElements;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -197,7 +197,7 @@ final class EvaluationFigures {
                     .mapToDouble(bar -> Math.max(bar.value, bar.upper))
                     .max()
                     .orElse(1);
-            double step = SvgElements.roundStep(Math.max(most, 1e-9) / 5);
+            double step = Svg.roundStep(Math.max(most, 1e-9) / 5);
             double top = step * Math.ceil(most / step - 1e-9);
             double pixels = (BOTTOM_PX - TOP_PX) / top;
             for (int i = 0; i * step <= top * (1 + 1e-9); i++) {
@@ -243,7 +243,7 @@ final class EvaluationFigures {
             for (Series each : series) {
                 chart.bar(x, BOTTOM_PX + 36, 14, 14, each.colour);
                 chart.text(x + 20, BOTTOM_PX + 48, 12, Anchor.START, INK, each.name);
-                x += 20 + SvgElements.width(each.name, 12) + 22;
+                x += 20 + Svg.width(each.name, 12) + 22;
             }
         }
 

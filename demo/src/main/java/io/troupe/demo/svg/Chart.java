@@ -1,5 +1,6 @@
 package io.troupe.demo.svg;
 
+import io.troupe.common.svg.Svg;
 import io.troupe.demo.terminal.OutputFiles;
 import java.awt.BasicStroke;
 import java.awt.Color;
@@ -48,13 +49,13 @@ public final class Chart {
 
     private final int width;
     private final int height;
-    private final StringBuilder svg;
+    private final Svg svg;
     private final List<Consumer<Graphics2D>> strokes = new ArrayList<>();
 
     public Chart(int width, int height, String title) {
         this.width = width;
         this.height = height;
-        this.svg = new StringBuilder(SvgElements.begin(width, height, 12, title));
+        this.svg = Svg.page(width, height, 12, title);
     }
 
     public void line(double x1, double y1, double x2, double y2, int colour, double thick) {
@@ -63,16 +64,15 @@ public final class Chart {
 
     /** @param dash alternating lengths of dashes and gaps, separated by blanks; "" is solid */
     public void line(double x1, double y1, double x2, double y2, int colour, double thick, String dash) {
-        svg.append(String.format(
-                Locale.ROOT,
-                "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"#%06x\" stroke-width=\"%.1f\"%s/>%n",
+        svg.add(
+                "<line x1=\"%.1f\" y1=\"%.1f\" x2=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"%.1f\""
+                        + (dash.isEmpty() ? "" : " stroke-dasharray=\"" + dash + "\"") + "/>\n",
                 x1,
                 y1,
                 x2,
                 y2,
-                colour,
-                thick,
-                dash.isEmpty() ? "" : " stroke-dasharray=\"" + dash + "\""));
+                hex(colour),
+                thick);
         strokes.add(canvas -> {
             canvas.setColor(new Color(colour));
             canvas.setStroke(
@@ -93,14 +93,9 @@ public final class Chart {
     }
 
     public void bar(double x, double y, double wide, double high, int colour) {
-        svg.append(String.format(
-                Locale.ROOT,
-                "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"#%06x\"/>%n",
-                x,
-                y,
-                wide,
-                high,
-                colour));
+        svg.add(
+                "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" fill=\"%s\"/>\n",
+                x, y, wide, high, hex(colour));
         strokes.add(canvas -> {
             canvas.setColor(new Color(colour));
             canvas.fill(new Rectangle2D.Double(x, y, wide, high));
@@ -108,8 +103,7 @@ public final class Chart {
     }
 
     public void dot(double x, double y, double radius, int colour) {
-        svg.append(String.format(
-                Locale.ROOT, "<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"#%06x\"/>%n", x, y, radius, colour));
+        svg.add("<circle cx=\"%.1f\" cy=\"%.1f\" r=\"%.1f\" fill=\"%s\"/>\n", x, y, radius, hex(colour));
         strokes.add(canvas -> {
             canvas.setColor(new Color(colour));
             canvas.fill(new Ellipse2D.Double(x - radius, y - radius, 2 * radius, 2 * radius));
@@ -117,12 +111,11 @@ public final class Chart {
     }
 
     public void text(double x, double y, int sizePx, Anchor anchor, int colour, String words) {
-        svg.append(SvgElements.text(
+        svg.text(
                 x,
                 y,
-                String.format(
-                        Locale.ROOT, "font-size=\"%d\" text-anchor=\"%s\" fill=\"#%06x\"", sizePx, anchor.svg, colour),
-                words));
+                "font-size=\"" + sizePx + "\" text-anchor=\"" + anchor.svg + "\" fill=\"" + hex(colour) + "\"",
+                words);
         strokes.add(canvas -> {
             canvas.setColor(new Color(colour));
             canvas.setFont(new Font(Font.SANS_SERIF, Font.PLAIN, sizePx));
@@ -132,7 +125,11 @@ public final class Chart {
     }
 
     public String svg() {
-        return svg + "</svg>\n";
+        return svg.end();
+    }
+
+    private static String hex(int colour) {
+        return String.format(Locale.ROOT, "#%06x", colour);
     }
 
     /** An image of twice the size of the drawing, for high-resolution screens. */

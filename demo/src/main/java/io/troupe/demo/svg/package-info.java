@@ -1,4 +1,4 @@
-/** Charts and SVG elements shared by the pictures of the commands. */
+/** Charts, shared by the figures of the commands. */
 @NullMarked
 package io.troupe.demo.svg;
 

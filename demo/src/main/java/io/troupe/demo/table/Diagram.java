@@ -1,10 +1,12 @@
 package io.troupe.demo.table;
 
+import io.troupe.common.svg.Dot;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 
 /**
  * The content of a diagram of a table. Every state that can end leads to every other state, so the label of an arrow
@@ -88,5 +90,35 @@ record Diagram(String title, List<Node> nodes, List<String> notes) {
             }
         }
         return arrows;
+    }
+
+    /** The diagram in the DOT format of Graphviz, which lays it out. */
+    String dot() {
+        var text = new StringBuilder("digraph table {\n");
+        text.append("  label=").append(Dot.leftAligned(notes)).append(";\n");
+        text.append("  labeljust=l; rankdir=").append(hasBar() ? "LR" : "TB").append(";\n");
+        text.append("  node [shape=box, style=rounded, fontname=\"sans-serif\"];\n");
+        text.append("  edge [fontname=\"sans-serif\"];\n");
+        text.append("  start [shape=point];\n");
+        for (Node node : nodes) {
+            var lines = new ArrayList<>(List.of(node.heading));
+            lines.addAll(node.lines);
+            text.append("  s").append(node.number).append(" [label=").append(Dot.quoted(String.join("\n", lines)));
+            text.append(node.ends ? "" : ", style=\"rounded,dashed\"").append("];\n");
+        }
+        text.append("  start -> s1;\n");
+        if (hasBar()) {
+            text.append("  any [style=filled, label=").append(Dot.quoted(BAR)).append("];\n");
+            nodes.forEach(node -> dotEdge(text, "any", node));
+        } else {
+            arrows().forEach(arrow -> dotEdge(text, "s" + nodes.get(arrow.from).number, nodes.get(arrow.to)));
+        }
+        return text.append("}\n").toString();
+    }
+
+    private static void dotEdge(StringBuilder text, String from, Node to) {
+        text.append("  ").append(from).append(" -> s").append(to.number);
+        text.append(" [label=").append(Dot.quoted(to.enters));
+        text.append(String.format(Locale.ROOT, ", color=\"#%06x\"];\n", to.colour));
     }
 }

@@ -67,7 +67,7 @@ public final class TableCommand implements Callable<Integer> {
     }
 
     private void write(String name, Diagram diagram) throws IOException {
-        OutputFiles.write(out.resolve(name + ".dot"), DiagramDot.write(diagram));
+        OutputFiles.write(out.resolve(name + ".dot"), diagram.dot());
         OutputFiles.write(out.resolve(name + ".svg"), DiagramSvg.draw(diagram));
     }
 

@@ -173,6 +173,6 @@ class TableCommandTest {
         String svg = DiagramSvg.draw(Diagram.ofStates(table));
         assertThat(xml(svg).getElementsByTagName("text").item(1).getTextContent())
                 .isEqualTo("robot 1: a<\"b\\&c");
-        assertThat(DiagramDot.write(Diagram.ofStates(table))).contains("robot 1: a<\\\"b\\\\&amp;c");
+        assertThat(Diagram.ofStates(table).dot()).contains("robot 1: a<\\\"b\\\\&amp;c");
     }
 }

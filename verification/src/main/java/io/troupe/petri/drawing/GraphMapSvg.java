@@ -30,7 +30,7 @@ final class GraphMapSvg {
     private final double left;
     private final double row;
     private final Size size;
-    private final Svg svg;
+    private final Page page;
 
     GraphMapSvg(GraphContent content) {
         this.content = content;
@@ -50,7 +50,7 @@ final class GraphMapSvg {
                         left + layout.node(state.index()).x() + RADIUS, MARGIN + row * distances[state.index()]))
                 .toArray(PixelPoint[]::new);
         size = new Size(left + width, 2 * MARGIN + row * (rows - 1));
-        svg = new Svg(size, content.graph.toString(), FONT_PX);
+        page = new Page(size, content.graph.toString(), FONT_PX);
     }
 
     /**
@@ -86,24 +86,28 @@ final class GraphMapSvg {
                 .forEach(edge -> edge(edge, Palette.FAINT));
         content.edges.stream().filter(GraphContent.Edge::onPath).forEach(edge -> edge(edge, Palette.PATH));
         content.states.forEach(this::state);
-        return svg.end();
+        return page.end();
     }
 
     private void edge(GraphContent.Edge edge, String colour) {
-        svg.open("g", "class", edge.onPath() ? "edge path" : isForward(edge) ? "edge" : "edge back");
-        svg.title(content.title(edge));
+        page.group(edge.onPath() ? "edge path" : isForward(edge) ? "edge" : "edge back", content.title(edge));
         double width = edge.onPath() ? 2 : 0.5;
         double head = edge.onPath() ? 8 : 4;
         if (isForward(edge)) {
-            svg.arrow(straight(edge), colour, width, head);
+            page.arrow(straight(edge), colour, width, head);
         } else {
-            svg.arrow(bent(edge), colour, width, head);
+            page.arrow(bent(edge), colour, width, head);
         }
         if (edge.onPath()) {
             var middle = (centres[edge.from()].y() + centres[edge.to()].y()) / 2;
-            svg.text(edge.transition().name(), "x", MARGIN / 2, "y", middle + FONT_PX * 0.35, "fill", colour);
+            page.add(
+                    "<text x=\"%s\" y=\"%s\" fill=\"%s\">%s</text>\n",
+                    MARGIN / 2,
+                    middle + FONT_PX * 0.35,
+                    colour,
+                    edge.transition().name());
         }
-        svg.close("g");
+        page.endGroup();
     }
 
     private List<PixelPoint> straight(GraphContent.Edge edge) {
@@ -116,12 +120,12 @@ final class GraphMapSvg {
      * A curve that deviates from the straight line by a tenth, so that edges in both directions stay apart; a loop for
      * an edge from a marking to itself.
      */
-    private Svg.Curve bent(GraphContent.Edge edge) {
+    private Page.Curve bent(GraphContent.Edge edge) {
         var from = centres[edge.from()];
         var to = centres[edge.to()];
         if (edge.from() == edge.to()) {
             var side = from.x() + RADIUS;
-            return new Svg.Curve(
+            return new Page.Curve(
                     new PixelPoint(side, from.y() - 1),
                     new PixelPoint(side + 2 * RADIUS, from.y() - 2 * RADIUS),
                     new PixelPoint(side + 2 * RADIUS, from.y() + 2 * RADIUS),
@@ -130,7 +134,7 @@ final class GraphMapSvg {
         var x = (from.x() + to.x()) / 2 + (to.y() - from.y()) * 0.1;
         var y = (from.y() + to.y()) / 2 - (to.x() - from.x()) * 0.1;
         var bend = new PixelPoint(Math.clamp(x, left, size.width()), Math.clamp(y, 0, size.height()));
-        return new Svg.Curve(towards(from, bend), bend, bend, towards(to, bend));
+        return new Page.Curve(towards(from, bend), bend, bend, towards(to, bend));
     }
 
     /** The point where the line from the centre of a dot to another point leaves the dot. */
@@ -142,32 +146,24 @@ final class GraphMapSvg {
     }
 
     private void state(State state) {
-        svg.open("g", "class", content.classes(state));
-        svg.title(content.title(state));
+        page.group(content.classes(state), content.title(state));
         dot(state, RADIUS);
         if (content.isInitial(state)) {
             dot(state, RADIUS - 2);
         }
-        svg.close("g");
+        page.endGroup();
     }
 
     private void dot(State state, double radius) {
         var centre = centres[state.index()];
-        svg.empty(
-                "circle",
-                "cx",
+        page.add(
+                "<circle cx=\"%s\" cy=\"%s\" r=\"%s\" fill=\"%s\" stroke=\"%s\" stroke-width=\"%s\" stroke-dasharray=\"%s\"/>",
                 centre.x(),
-                "cy",
                 centre.y(),
-                "r",
                 radius,
-                "fill",
                 content.fill(state),
-                "stroke",
                 content.isOnPath(state) ? Palette.PATH : Palette.LINE,
-                "stroke-width",
                 content.isOnPath(state) ? 1.5 : 0.8,
-                "stroke-dasharray",
                 state.isOpen() ? "2 1" : "none");
     }
 }

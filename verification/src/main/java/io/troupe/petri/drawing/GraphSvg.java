@@ -15,12 +15,12 @@ final class GraphSvg {
 
     private final GraphContent content;
     private final Layout layout;
-    private final Svg svg;
+    private final Page page;
 
     GraphSvg(GraphContent content) {
         this.content = content;
         layout = Layout.of(layoutGraph());
-        svg = new Svg(layout.size(), content.graph.toString(), FONT_PX);
+        page = new Page(layout.size(), content.graph.toString(), FONT_PX);
     }
 
     private LayoutGraph layoutGraph() {
@@ -54,29 +54,27 @@ final class GraphSvg {
             }
         }
         content.states.forEach(this::state);
-        return svg.end();
+        return page.end();
     }
 
     private void edge(int number) {
         var edge = content.edges.get(number);
         var colour = edge.onPath() ? Palette.PATH : Palette.LINE;
-        svg.open("g", "class", edge.onPath() ? "edge path" : "edge");
-        svg.title(content.title(edge));
-        svg.arrow(layout.route(number), colour, edge.onPath() ? 2 : 1, 8);
+        page.group(edge.onPath() ? "edge path" : "edge", content.title(edge));
+        page.arrow(layout.route(number), colour, edge.onPath() ? 2 : 1, 8);
         var corner = layout.label(number);
         var label = label(edge);
         if (corner != null) {
             var centre = new PixelPoint(corner.x() + label.width() / 2, corner.y() + label.height() / 2);
-            svg.lines(List.of(edge.transition().name()), centre, EDGE_FONT_PX, colour);
+            page.lines(List.of(edge.transition().name()), centre, EDGE_FONT_PX, colour);
         }
-        svg.close("g");
+        page.endGroup();
     }
 
     private void state(State state) {
         var corner = layout.node(state.index());
         var size = size(state);
-        svg.open("g", "class", content.classes(state));
-        svg.title(content.title(state));
+        page.group(content.classes(state), content.title(state));
         border(state, corner, size);
         if (content.isInitial(state)) {
             border(
@@ -85,30 +83,20 @@ final class GraphSvg {
                     new Size(size.width() - 2 * GAP_PX, size.height() - 2 * GAP_PX));
         }
         var centre = new PixelPoint(corner.x() + size.width() / 2, corner.y() + size.height() / 2);
-        svg.lines(lines(state), centre, FONT_PX, "black");
-        svg.close("g");
+        page.lines(lines(state), centre, FONT_PX, "black");
+        page.endGroup();
     }
 
     private void border(State state, PixelPoint corner, Size size) {
-        svg.empty(
-                "rect",
-                "x",
+        page.add(
+                "<rect x=\"%s\" y=\"%s\" width=\"%s\" height=\"%s\" rx=\"6\" fill=\"%s\" stroke=\"%s\" stroke-width=\"%s\" stroke-dasharray=\"%s\"/>",
                 corner.x(),
-                "y",
                 corner.y(),
-                "width",
                 size.width(),
-                "height",
                 size.height(),
-                "rx",
-                6,
-                "fill",
                 content.fill(state),
-                "stroke",
                 content.isOnPath(state) ? Palette.PATH : Palette.LINE,
-                "stroke-width",
                 content.isOnPath(state) ? 2 : 1,
-                "stroke-dasharray",
                 state.isOpen() ? "4 2" : "none");
     }
 }

@@ -35,7 +35,7 @@ final class NetSvg {
     private final Map<Place, String> tints = new HashMap<>();
     private final List<ArcWriter.DrawnArc> arcs = new ArrayList<>();
     private final Layout layout;
-    private final Svg svg;
+    private final Page page;
 
     NetSvg(PetriNet net, Marking marking, Set<Transition> highlighted, Map<String, List<Place>> components) {
         this.net = net;
@@ -59,7 +59,7 @@ final class NetSvg {
         var size = new Size(
                 Math.max(layout.size().width(), legendX(this.components.size())),
                 layout.size().height() + legend);
-        svg = new Svg(size, net + " in " + marking, FONT_PX);
+        page = new Page(size, net + " in " + marking, FONT_PX);
     }
 
     /** Lays out a small net as one chain, and a large one breadth first or, if that is too long and flat, in rows. */
@@ -107,11 +107,11 @@ final class NetSvg {
     }
 
     String write() {
-        new ArcWriter(svg, layout, highlighted).write(arcs);
+        new ArcWriter(page, layout, highlighted).write(arcs);
         net.places().forEach(this::place);
         net.transitions().forEach(this::transition);
         legend();
-        return svg.end();
+        return page.end();
     }
 
     /** Draws a sample of each fill below the net. */
@@ -119,23 +119,17 @@ final class NetSvg {
         var middle = layout.size().height() + LEGEND_PX / 2 - MARGIN_PX / 2;
         for (var i = 0; i < components.size(); i++) {
             var x = legendX(i);
-            svg.empty(
-                    "rect",
-                    "class",
-                    "tint",
-                    "x",
+            page.add(
+                    "<rect class=\"tint\" x=\"%s\" y=\"%s\" width=\"%s\" height=\"%s\" fill=\"%s\" stroke=\"%s\"/>",
                     x,
-                    "y",
                     middle - SAMPLE_PX / 2,
-                    "width",
                     SAMPLE_PX,
-                    "height",
                     SAMPLE_PX,
-                    "fill",
                     Palette.TINTS.get(i % Palette.TINTS.size()),
-                    "stroke",
                     Palette.LINE);
-            svg.text(components.get(i), "x", x + SAMPLE_PX + 6, "y", middle + FONT_PX * 0.35);
+            page.add(
+                    "<text x=\"%s\" y=\"%s\">%s</text>\n",
+                    x + SAMPLE_PX + 6, middle + FONT_PX * 0.35, components.get(i));
         }
     }
 
@@ -167,46 +161,34 @@ final class NetSvg {
         var tokens = marking.tokens(place);
         var corner = layout.node(place.index());
         var centre = new PixelPoint(corner.x() + RADIUS, corner.y() + RADIUS);
-        svg.open("g", "class", "place");
-        svg.title(place.name() + ": " + tokens + (tokens == 1 ? " token" : " tokens"));
-        svg.empty(
-                "circle",
-                "cx",
+        page.group("place", place.name() + ": " + tokens + (tokens == 1 ? " token" : " tokens"));
+        page.add(
+                "<circle cx=\"%s\" cy=\"%s\" r=\"%s\" fill=\"%s\" stroke=\"%s\" stroke-width=\"%s\"/>",
                 centre.x(),
-                "cy",
                 centre.y(),
-                "r",
                 RADIUS,
-                "fill",
                 fill(place, tokens),
-                "stroke",
                 Palette.LINE,
-                "stroke-width",
                 tokens > 0 && tints.containsKey(place) ? 2.4 : 1.3);
         tokens(tokens, centre);
         var below = new PixelPoint(centre.x(), centre.y() + RADIUS + 2 + TextMetrics.lineHeight(FONT_PX) / 2);
-        svg.lines(List.of(place.name()), below, FONT_PX, "black");
-        svg.close("g");
+        page.lines(List.of(place.name()), below, FONT_PX, "black");
+        page.endGroup();
     }
 
     private void tokens(int tokens, PixelPoint centre) {
         if (tokens > MOST_DOTS) {
-            svg.lines(List.of(String.valueOf(tokens)), centre, tokens < 1000 ? FONT_PX : 6, "black");
+            page.lines(List.of(String.valueOf(tokens)), centre, tokens < 1000 ? FONT_PX : 6, "black");
             return;
         }
         var distance = tokens == 1 ? 0 : RADIUS * 0.45;
         for (var i = 0; i < tokens; i++) {
             var angle = Math.PI * (2 * i + 1) / Math.max(1, tokens) + (tokens == 2 ? Math.PI / 2 : 0);
-            svg.empty(
-                    "circle",
-                    "cx",
+            page.add(
+                    "<circle cx=\"%s\" cy=\"%s\" r=\"%s\" fill=\"black\"/>",
                     centre.x() + distance * Math.sin(angle),
-                    "cy",
                     centre.y() + distance * Math.cos(angle),
-                    "r",
-                    tokens == 1 ? 4 : 3,
-                    "fill",
-                    "black");
+                    tokens == 1 ? 4 : 3);
         }
     }
 
@@ -214,32 +196,24 @@ final class NetSvg {
         var coloured = highlighted.contains(transition);
         var corner = layout.node(number(transition));
         var size = size(transition);
-        svg.open("g", "class", coloured ? "transition path" : "transition");
-        svg.title(transition.name());
-        svg.empty(
-                "rect",
-                "x",
+        page.group(coloured ? "transition path" : "transition", transition.name());
+        page.add(
+                "<rect x=\"%s\" y=\"%s\" width=\"%s\" height=\"%s\" fill=\"%s\" stroke=\"%s\" stroke-width=\"%s\"/>",
                 corner.x(),
-                "y",
                 corner.y(),
-                "width",
                 size.width(),
-                "height",
                 size.height(),
-                "fill",
                 fill(transition),
-                "stroke",
                 coloured ? Palette.PATH : Palette.LINE,
-                "stroke-width",
                 coloured ? 2 : 1.3);
         var middle = corner.x() + size.width() / 2;
-        svg.lines(List.of(transition.name()), new PixelPoint(middle, corner.y() + BOX_HEIGHT / 2), FONT_PX, "black");
+        page.lines(List.of(transition.name()), new PixelPoint(middle, corner.y() + BOX_HEIGHT / 2), FONT_PX, "black");
         if (transition.priority() != 0) {
             var below =
                     new PixelPoint(middle, corner.y() + size.height() - TextMetrics.lineHeight(SMALL_FONT_PX) / 2 - 2);
-            svg.lines(List.of(priority(transition)), below, SMALL_FONT_PX, Palette.LINE);
+            page.lines(List.of(priority(transition)), below, SMALL_FONT_PX, Palette.LINE);
         }
-        svg.close("g");
+        page.endGroup();
     }
 
     /** Writes the arcs of a net. */
@@ -255,12 +229,12 @@ final class NetSvg {
             }
         }
 
-        private final Svg svg;
+        private final Page page;
         private final Layout layout;
         private final Set<Transition> highlighted;
 
-        ArcWriter(Svg svg, Layout layout, Set<Transition> highlighted) {
-            this.svg = svg;
+        ArcWriter(Page page, Layout layout, Set<Transition> highlighted) {
+            this.page = page;
             this.layout = layout;
             this.highlighted = highlighted;
         }
@@ -278,25 +252,26 @@ final class NetSvg {
         }
 
         private void arc(int number, DrawnArc arc, boolean coloured) {
-            svg.open("g", "class", coloured ? "arc path" : "arc");
-            svg.title(arc.from() + " → " + arc.to() + (arc.weight == 1 ? "" : ", weight " + arc.weight));
+            page.group(
+                    coloured ? "arc path" : "arc",
+                    arc.from() + " → " + arc.to() + (arc.weight == 1 ? "" : ", weight " + arc.weight));
             var route = new ArrayList<>(layout.route(number));
             var corner = layout.node(arc.place.index());
             var centre = new PixelPoint(corner.x() + RADIUS, corner.y() + RADIUS);
             var end = arc.input ? 0 : route.size() - 1;
             route.set(end, ontoCircle(route.get(end), route.get(arc.input ? 1 : end - 1), centre));
-            svg.arrow(route, coloured ? Palette.PATH : Palette.LINE, coloured ? 2 : 1, 8);
+            page.arrow(route, coloured ? Palette.PATH : Palette.LINE, coloured ? 2 : 1, 8);
             var label = layout.label(number);
             if (label != null) {
                 weight(arc.weight, label, coloured);
             }
-            svg.close("g");
+            page.endGroup();
         }
 
         private void weight(int weight, PixelPoint corner, boolean coloured) {
             var text = List.of(String.valueOf(weight));
             var size = TextMetrics.size(text, FONT_PX);
-            svg.lines(
+            page.lines(
                     text,
                     new PixelPoint(corner.x() + size.width() / 2, corner.y() + size.height() / 2),
                     FONT_PX,

@@ -1,0 +1,240 @@
+package io.troupe.view;
+
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.SubsumptionRun;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SynchronousRound;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.DeviceBinding;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Scenario;
+import io.troupe.sim.model.SonarSpec;
+import io.troupe.sim.worldfile.WorldFileException;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.List;
+import java.util.Set;
+import java.util.concurrent.locks.LockSupport;
+import java.util.stream.Collectors;
+
+/**
+ * One run of the main job: the robots of a scenario, controlled by the paper's arbitrator, in lock step with the
+ * simulated world, and recorded.
+ *
+ * {@snippet :
+ * Scenario scenario = ScenarioReader.read(world);
+ * var settings = RecordedRun.Settings.DEFAULT.withSeed(7).withSeconds(60);
+ * var run = new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings);
+ * RunResult result = run.run(folder.resolve("run.jsonl"));
+ * Files.writeString(folder.resolve("summary.txt"), result.summary());
+ * Files.writeString(folder.resolve("trajectory.svg"), Pictures.trajectory(scenario.world(), result));
+ * }
+ *
+ * <p><b>Threads.</b> The calling thread advances the world, another thread runs the services. At any time one of the
+ * two waits for the other.
+ *
+ * <p><b>Order.</b> The same scenario, table and settings give the same log, byte for byte, on every machine.
+ *
+ * <p><b>Errors.</b> A world without the devices that the services need is a {@link WorldFileException}. A service that
+ * fails ends the run with its exception; the last line of the log reports it.
+ *
+ * <p><b>Source.</b> Paper, sections 3.4 to 3.6.
+ */
+public final class RecordedRun {
+    private static final double JITTER_M = 0.02;
+    private static final double JITTER_RAD = StrictMath.toRadians(2);
+
+    private static final int SONARS = 8;
+
+    private final Scenario scenario;
+    private final int port;
+    private final SubsumptionTable table;
+    private final Settings settings;
+
+    /** A device that the world's configuration offers. */
+    private record Binding(String type, int index, String model) {}
+
+    /**
+     * How to run.
+     *
+     * @param seed moves the start poses by up to 2 cm along x and y, and 2 degrees
+     * @param seconds simulated time to run
+     * @param realTime no faster than real time
+     * @param reconnects whether every service opens a new connection; not in synchronous mode
+     * @param round how the synchronous mode distributes readings among the services
+     */
+    public record Settings(
+            Mode mode, long seed, double seconds, boolean realTime, boolean reconnects, SynchronousRound round) {
+        /** Promise mode, seed 1, 300 s as fast as possible, one connection per robot, the paper's synchronous round. */
+        public static final Settings DEFAULT =
+                new Settings(Mode.PROMISE, 1, 300, false, false, SynchronousRound.ONE_SERVICE_A_READING);
+
+        public Settings withMode(Mode newMode) {
+            return new Settings(newMode, seed, seconds, realTime, reconnects, round);
+        }
+
+        public Settings withSeed(long newSeed) {
+            return new Settings(mode, newSeed, seconds, realTime, reconnects, round);
+        }
+
+        public Settings withSeconds(double newSeconds) {
+            return new Settings(mode, seed, newSeconds, realTime, reconnects, round);
+        }
+
+        public Settings withRealTime(boolean newRealTime) {
+            return new Settings(mode, seed, seconds, newRealTime, reconnects, round);
+        }
+
+        public Settings withReconnection(boolean newReconnects) {
+            return new Settings(mode, seed, seconds, realTime, newReconnects, round);
+        }
+
+        public Settings withRound(SynchronousRound newRound) {
+            return new Settings(mode, seed, seconds, realTime, reconnects, newRound);
+        }
+    }
+
+    /** What a run reports while it runs, on the thread that called {@link RecordedRun#run}. */
+    public interface Listener {
+        /** Does nothing, and lets the run reach its end. */
+        Listener NONE = new Listener() {};
+
+        /** A state began; {@code line} describes it. */
+        default void stateStarted(String line) {}
+
+        /** A reading of the sensors was handled. */
+        default void ticked(long timeMicros) {}
+
+        /** Whether to end the run now. */
+        default boolean isStopRequested() {
+            return false;
+        }
+    }
+
+    /**
+     * Prepares a run.
+     *
+     * @throws WorldFileException if the scenario lacks a robot or a device that the table's services need
+     */
+    public RecordedRun(Scenario scenario, SubsumptionTable table, Settings settings) {
+        this.scenario = scenario;
+        this.table = table;
+        this.settings = settings;
+        this.port = check(scenario, table);
+    }
+
+    /**
+     * Checks that the world has the devices that the services of the table need, and returns the port that offers them.
+     */
+    private static int check(Scenario scenario, SubsumptionTable table) {
+        int expected = table.robots();
+        List<RobotSpec> robots = scenario.world().robots();
+        if (robots.size() != expected) {
+            throw new WorldFileException(scenario.world().file() + " has " + RunResult.count(robots.size(), "robot")
+                    + ", expected " + expected + " as the table of services has");
+        }
+        int port = scenario.devices().stream()
+                .filter(device -> device.interfaceName().equals("position2d"))
+                .mapToInt(DeviceBinding::port)
+                .findFirst()
+                .orElseThrow(() -> new WorldFileException(scenario.world().file() + " offers no position2d"));
+        Set<Binding> offered = scenario.devices().stream()
+                .filter(device -> device.port() == port)
+                .map(device -> new Binding(device.interfaceName(), device.index(), device.model()))
+                .collect(Collectors.toSet());
+        for (int index = 0; index < expected; index++) {
+            RobotSpec robot = robots.get(index);
+            SonarSpec sonar = robot.sonar();
+            if (sonar == null || sonar.mounts().size() < SONARS || robot.blobfinder() == null) {
+                throw new WorldFileException(
+                        robot.where(),
+                        "robot '" + robot.name() + "' has "
+                                + RunResult.count(
+                                        sonar == null ? 0 : sonar.mounts().size(), "sonar") + " and "
+                                + (robot.blobfinder() == null ? "no" : "a")
+                                + " blobfinder, expected " + SONARS
+                                + " sonars or more and a blobfinder for the services");
+            }
+            for (String type : List.of("position2d", "sonar", "blobfinder")) {
+                if (!offered.contains(new Binding(type, index, robot.name()))) {
+                    throw new WorldFileException(
+                            robot.where(),
+                            "robot '" + robot.name() + "' is not " + type + ":" + index + " on port " + port
+                                    + " of the configuration, expected the robots' devices in the order of the world file on one port");
+                }
+            }
+        }
+        for (int number : table.robotsWithLaser()) {
+            RobotSpec robot = robots.get(number - 1);
+            if (!offered.contains(new Binding("laser", number - 1, robot.name()))) {
+                throw new WorldFileException(
+                        robot.where(),
+                        "robot '" + robot.name() + "' has no laser:" + (number - 1) + " on port " + port
+                                + ", expected one for the services that the table gives to robot " + number);
+            }
+        }
+        return port;
+    }
+
+    /**
+     * Runs until the end time, and writes the log.
+     *
+     * @param file the log, by custom {@code run.jsonl}
+     * @throws IOException if the log cannot be written; the message names it
+     */
+    public RunResult run(Path file) throws IOException, InterruptedException {
+        try (var log = new RunLog(file)) {
+            return run(log, Listener.NONE);
+        }
+    }
+
+    /** Runs until the end time, or until the listener requests to stop. The caller closes the log. */
+    public RunResult run(RunLog log, Listener listener) throws InterruptedException {
+        long endMicros = StrictMath.round(settings.seconds() * 1e6);
+        var world = WorldSettings.DEFAULT.withSeed(settings.seed()).withJitter(JITTER_M, JITTER_RAD);
+        try (var simulation = Simulation.open(scenario, world)) {
+            log.write(header(endMicros));
+            var recorder = new RunRecorder(scenario.world(), table, log, listener::stateStarted);
+            var services = new SubsumptionRun.Settings(
+                            settings.mode(), "localhost", port, table, simulation.clock(), recorder, recorder)
+                    .withReconnection(settings.reconnects())
+                    .withRound(settings.round());
+            try (var running = SubsumptionRun.start(services)) {
+                recorder.start(simulation.latest());
+                long origin = System.nanoTime();
+                while (simulation.timeMicros() < endMicros && !listener.isStopRequested()) {
+                    Snapshot snapshot = simulation.tick();
+                    running.check();
+                    recorder.record(snapshot);
+                    listener.ticked(snapshot.timeMicros());
+                    if (settings.realTime()) {
+                        awaitRealTime(origin + snapshot.timeMicros() * 1000);
+                    }
+                }
+                return recorder.finish(simulation.timeMicros() < endMicros);
+            } catch (RuntimeException | Error failure) {
+                recorder.fail();
+                throw failure;
+            }
+        }
+    }
+
+    private Json header(long endMicros) {
+        return RunLog.header()
+                .put("world", scenario.world().name())
+                .put("robots", scenario.world().robots().size())
+                .put("seed", settings.seed())
+                .put("mode", settings.mode())
+                .put("reconnect", settings.reconnects())
+                .put("seconds", new Json.Fragment(Json.seconds(endMicros)))
+                .put("interval", new Json.Fragment(Json.seconds(scenario.world().intervalMillis() * 1000L)));
+    }
+
+    private static void awaitRealTime(long deadlineNanos) {
+        for (long left = deadlineNanos - System.nanoTime(); left > 0; left = deadlineNanos - System.nanoTime()) {
+            LockSupport.parkNanos(left);
+        }
+    }
+}

@@ -1,0 +1,221 @@
+package io.troupe.view;
+
+import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceObserver;
+import io.troupe.services.subsumption.State;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Contact;
+import io.troupe.sim.RobotReading;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.view.RunResult.Messages;
+import io.troupe.view.RunResult.StateChange;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Records a run: writes {@code run.jsonl} and collects the {@link RunResult}.
+ *
+ * <p><b>Role.</b> For a run whose loop is the caller's; {@link RecordedRun} has the loop of the main job.
+ *
+ * {@snippet :
+ * var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
+ * var settings = new SubsumptionRun.Settings(
+ *         Mode.CALLBACK, "localhost", 6665, table, simulation.clock(), recorder, recorder);
+ * try (var running = SubsumptionRun.start(settings)) {
+ *     recorder.start(simulation.latest());
+ *     while (simulation.timeMicros() < 2_000_000) {
+ *         Snapshot snapshot = simulation.tick();
+ *         running.check();
+ *         recorder.record(snapshot);
+ *     }
+ * }
+ * RunResult result = recorder.finish(false);
+ * }
+ *
+ * <p><b>Threads.</b> The services call it on the actor space's thread, the run loop on the thread that advances the
+ * world. In lock step the two never call at the same time, and each tick publishes the writes of one thread to the
+ * other.
+ *
+ * <p><b>Errors.</b> A line that cannot be written does not end the run; {@link RunLog#close} reports it.
+ */
+public final class RunRecorder implements ServiceObserver, Arbitrator.StateListener {
+    /**
+     * From this number of robots on, a run is reported as a crowd: the summary has sums and extremes, and the log has
+     * poses once a second instead of at every tick.
+     */
+    public static final int MANY_ROBOTS = 11;
+
+    private static final long CROWD_POSE_MICROS = 1_000_000;
+    private static final double CROWD_PATH_STEP_M = 0.25;
+
+    private final SubsumptionTable table;
+    private final RunLog log;
+    private final Consumer<String> changes;
+    private final List<RobotRecord> robots;
+    private final List<StateChange> states = new ArrayList<>();
+    private long sent;
+    private long received;
+    private long tooLate;
+    private int statesLogged;
+    private Snapshot last;
+
+    /**
+     * Creates the recorder of one run.
+     *
+     * @param changes is called with a line of text for every state change, on the thread that calls {@link #record}
+     */
+    public RunRecorder(WorldSpec world, SubsumptionTable table, RunLog log, Consumer<String> changes) {
+        this.table = table;
+        this.log = log;
+        this.changes = changes;
+        this.robots = IntStream.range(0, world.robots().size())
+                .mapToObj(index -> new RobotRecord(index, world.robots().size() < MANY_ROBOTS ? 0 : CROWD_PATH_STEP_M))
+                .toList();
+    }
+
+    // ---- called by the services
+
+    @Override
+    public void serviceStarted(int robot, Service service) {
+        robots.get(robot).began(service);
+    }
+
+    @Override
+    public void cycleEnded(int robot, Service service) {
+        robots.get(robot).cycled(service);
+    }
+
+    @Override
+    public void serviceEnded(int robot, Service service) {
+        robots.get(robot).ended(service);
+    }
+
+    @Override
+    public void colourSent(int robot, int colour) {
+        sent++;
+    }
+
+    @Override
+    public void colourReceived(int robot, int colour) {
+        received++;
+    }
+
+    @Override
+    public void colourTooLate(int robot, int colour) {
+        tooLate++;
+    }
+
+    @Override
+    public void stateStarted(State state, @Nullable Integer seenBy) {
+        states.add(new StateChange(last == null ? 0 : last.timeMicros(), state, seenBy));
+    }
+
+    // ---- called by the run loop
+
+    /** Records the world before the first tick. */
+    public void start(Snapshot snapshot) {
+        last = snapshot;
+        logStates();
+        logPoses(snapshot);
+    }
+
+    /**
+     * Records the world after a tick. Events of the services during the tick are written before the contacts and poses
+     * that follow from them.
+     */
+    public void record(Snapshot snapshot) {
+        logStates();
+        logCharge();
+        robots.forEach(RobotRecord::tickEnds);
+        for (Contact contact : snapshot.contacts()) {
+            logContact(contact);
+        }
+        last = snapshot;
+        logPoses(snapshot);
+    }
+
+    /**
+     * Writes the summary as the last line of the log.
+     *
+     * @param cutShort whether the run was interrupted before its end time
+     */
+    public RunResult finish(boolean cutShort) {
+        var result = new RunResult(
+                last.timeMicros(), table, List.copyOf(states), robots, new Messages(sent, received, tooLate));
+        Json summary = result.toJson();
+        log.write(cutShort ? summary.put("cutShort", "interrupted") : summary);
+        return result;
+    }
+
+    /** Writes to the log that the run ended with an error. */
+    public void fail() {
+        log.write(Json.line(last == null ? 0 : last.timeMicros(), "cutShort").put("cutShort", "failed"));
+    }
+
+    private void logStates() {
+        for (; statesLogged < states.size(); statesLogged++) {
+            StateChange change = states.get(statesLogged);
+            var line = Json.line(change.timeMicros(), "state")
+                    .put("state", change.state().number());
+            if (change.seenBy() != null) {
+                line.put("robot", change.seenBy() + 1);
+            }
+            log.write(line.put("colour", change.state().colour())
+                    .put("services", Json.texts(change.state().services())));
+            changes.accept(change.describe(table));
+        }
+    }
+
+    /**
+     * Logs a robot without exactly one service. The arbitrator's handshake guarantees one for every robot between two
+     * readings.
+     */
+    private void logCharge() {
+        for (RobotRecord robot : robots) {
+            if (robot.servicesInCharge().size() != 1) {
+                robot.countChargeFault();
+                log.write(Json.line(last.timeMicros(), "charge")
+                        .put("robot", robot.index() + 1)
+                        .put("services", Json.texts(robot.servicesInCharge())));
+            }
+        }
+    }
+
+    private void logContact(Contact contact) {
+        RobotRecord robot = robots.get(contact.robot());
+        robot.touched(contact);
+        var line = Json.line(contact.timeMicros(), "contact")
+                .put("robot", contact.robot() + 1)
+                .put("service", robot.serviceName());
+        if (contact.otherRobot() >= 0) {
+            robots.get(contact.otherRobot()).touched(contact);
+            line.put("otherRobot", contact.otherRobot() + 1);
+        } else {
+            line.put("obstacle", contact.other());
+        }
+        log.write(line);
+    }
+
+    private void logPoses(Snapshot snapshot) {
+        for (int index = 0; index < robots.size(); index++) {
+            RobotReading reading = snapshot.robots().get(index);
+            RobotRecord robot = robots.get(index);
+            robot.moved(snapshot.timeMicros(), reading);
+            if (robots.size() >= MANY_ROBOTS && snapshot.timeMicros() % CROWD_POSE_MICROS != 0) {
+                continue;
+            }
+            log.write(Json.line(snapshot.timeMicros(), "pose")
+                    .put("robot", index + 1)
+                    .put("x", reading.pose().x())
+                    .put("y", reading.pose().y())
+                    .put("heading", reading.pose().headingRad())
+                    .put("gap", reading.wallGapM())
+                    .put("service", robot.serviceName()));
+        }
+    }
+}
