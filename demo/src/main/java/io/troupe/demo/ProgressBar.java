@@ -1,15 +1,14 @@
 package io.troupe.demo;
 
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.Interruption;
-import io.troupe.demo.terminal.ProgressLine;
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.view.RecordedRun;
 import java.util.Locale;
 import java.util.function.Consumer;
 
 /** The progress of a run: a bar on the last line of a terminal, or an occasional line in a log file. */
 final class ProgressBar implements AutoCloseable {
-    private static final int WIDTH = 30;
-
     private final ProgressLine line;
     private final String label;
     private final double endSeconds;
@@ -60,15 +59,13 @@ final class ProgressBar implements AutoCloseable {
             return;
         }
         shown = permille;
-        int full = permille * WIDTH / 1000;
         line.show(
                 label,
                 String.format(
                         Locale.ROOT,
-                        "%s[%s%s] %6.1f of %.1f s",
+                        "%s%s %6.1f of %.1f s",
                         label,
-                        "#".repeat(full),
-                        ".".repeat(WIDTH - full),
+                        ProgressLine.bar(permille / 1000.0),
                         seconds,
                         endSeconds));
     }

@@ -1,7 +1,10 @@
 package io.troupe.bench;
 
+import io.troupe.bench.BenchmarkCommand.AtLeastOne;
+import io.troupe.common.measure.ProgressLine;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumMap;
@@ -10,6 +13,11 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Random;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 
 /**
  * Compares Troupe with other actor libraries, and all of them with the limit.
@@ -20,90 +28,135 @@ import java.util.Random;
  *
  * <p><b>Errors.</b> A contender that fails or hangs is reported and left out.
  */
-public final class CompareActors {
-    private final CompareOptions options;
-    private final Random random;
+@Command(
+        name = "CompareActors",
+        description = "Compares Troupe with other actor libraries, and all of them with the limit.",
+        showDefaultValues = true)
+public final class CompareActors implements Callable<Integer> {
+    @Option(
+            names = "--rounds",
+            paramLabel = "N",
+            converter = AtLeastOne.class,
+            description = "how many turns each contender has in each workload")
+    int rounds = 20;
+
+    @Option(
+            names = "--warm-up",
+            paramLabel = "MILLIS",
+            converter = AtLeastOne.class,
+            description = "for each contender and workload")
+    int warmUpMillis = 2_000;
+
+    @Option(names = "--seed", paramLabel = "N", description = "of the order of the turns")
+    long seed = 1;
+
+    @Option(
+            names = "--only",
+            paramLabel = "NAME",
+            split = ",",
+            converter = Contenders.Converter.class,
+            description = "these contenders, and the limit")
+    List<Contenders> only = List.of(Contenders.values());
+
+    @Option(
+            names = "--workloads",
+            paramLabel = "NAME",
+            split = ",",
+            converter = Workload.Converter.class,
+            description = "these workloads")
+    List<Workload> workloads = List.of(Workload.values());
+
+    @Option(names = "--figure", paramLabel = "FILE", description = "draws the ratios, as SVG")
+    @Nullable
+    Path figure;
+
     private final Results results = new Results(new EnumMap<>(Workload.class), new LinkedHashMap<>());
 
-    private CompareActors(CompareOptions options) {
-        this.options = options;
-        random = new Random(options.seed());
+    public static void main(String[] arguments) {
+        System.exit(BenchmarkCommand.of(new CompareActors()).execute(arguments));
     }
 
-    public static void main(String[] args) throws IOException {
-        CompareOptions options;
-        try {
-            options = CompareOptions.parse(args);
-        } catch (IllegalArgumentException wrong) {
-            System.err.println(wrong.getMessage());
-            System.err.print(CompareOptions.USAGE);
-            System.exit(2);
-            return;
-        }
-        new CompareActors(options).run();
+    /** The contenders to compare, the limit first. */
+    List<Contenders> contenders() {
+        return Stream.concat(Stream.of(Contenders.LIMIT), only.stream())
+                .distinct()
+                .toList();
     }
 
-    private void run() throws IOException {
-        List<ContenderPipe> pipes = new ArrayList<>();
-        try {
-            for (String name : options.contenders()) {
-                start(name).ifPresent(pipes::add);
-            }
-            for (Workload workload : options.workloads()) {
-                results.turns().put(workload, compare(workload, pipes));
-            }
-            if (options.workloads().contains(Workload.CREATE)) {
-                measureRetained(pipes);
-            }
-        } finally {
-            for (ContenderPipe pipe : pipes) {
-                pipe.close();
-            }
+    @Override
+    public Integer call() throws IOException {
+        try (var line = ProgressLine.open()) {
+            compare(line);
         }
-        System.out.print(new CompareReport(options, results).table());
-        var figure = options.figure();
+        System.out.print(new CompareReport(rounds, seed, results).table());
         if (figure != null) {
             Files.writeString(figure, CompareDrawing.of(results).svg());
         }
+        return 0;
     }
 
-    private static Optional<ContenderPipe> start(String name) throws IOException {
+    private void compare(ProgressLine line) throws IOException {
+        var random = new Random(seed);
+        List<ContenderProcess> processes = new ArrayList<>();
         try {
-            return Optional.of(new ContenderPipe(name));
+            for (Contenders contender : contenders()) {
+                start(contender, line).ifPresent(processes::add);
+            }
+            for (Workload workload : workloads) {
+                results.turns().put(workload, compare(workload, processes, random, line));
+            }
+            if (workloads.contains(Workload.CREATE)) {
+                measureRetained(processes, line);
+            }
+        } finally {
+            processes.forEach(ContenderProcess::close);
+        }
+    }
+
+    private static Optional<ContenderProcess> start(Contenders contender, ProgressLine line) throws IOException {
+        try {
+            return Optional.of(new ContenderProcess(contender));
         } catch (IOException failure) {
-            leftOut(name, failure);
+            leftOut(contender, failure, line);
             return Optional.empty();
         }
     }
 
-    private Map<String, List<TurnResult>> compare(Workload workload, List<ContenderPipe> pipes) throws IOException {
+    private Map<String, List<TurnResult>> compare(
+            Workload workload, List<ContenderProcess> processes, Random random, ProgressLine line) throws IOException {
         Map<String, List<TurnResult>> turns = new LinkedHashMap<>();
-        Map<ContenderPipe, Integer> operations = new LinkedHashMap<>();
-        for (ContenderPipe pipe : List.copyOf(pipes)) {
-            progress(workload.label() + ": warming up " + pipe.name());
-            turns.put(pipe.name(), new ArrayList<>());
-            attempt(pipe, pipes, () -> operations.put(pipe, pipe.warm(workload, options.warmUpMillis())));
+        Map<ContenderProcess, Integer> operations = new LinkedHashMap<>();
+        for (ContenderProcess process : List.copyOf(processes)) {
+            line.show(workload.label() + ": warming up " + process.name());
+            turns.put(process.name(), new ArrayList<>());
+            attempt(process, processes, line, () -> operations.put(process, process.warm(workload, warmUpMillis)));
         }
-        for (int round = 1; round <= options.rounds(); round++) {
-            progress(workload.label() + ": round " + round + " of " + options.rounds());
-            var order = new ArrayList<>(pipes);
+        for (int round = 1; round <= rounds; round++) {
+            line.show(workload.label() + ": round " + round + " of " + rounds);
+            var order = new ArrayList<>(processes);
             Collections.shuffle(order, random);
-            for (ContenderPipe pipe : order) {
-                attempt(pipe, pipes, () -> turns.get(pipe.name()).add(pipe.turn(workload, operations.get(pipe))));
+            for (ContenderProcess process : order) {
+                attempt(
+                        process,
+                        processes,
+                        line,
+                        () -> turns.get(process.name()).add(process.turn(workload, operations.get(process))));
             }
         }
-        progress("");
-        turns.values().removeIf(each -> each.size() < options.rounds());
+        turns.values().removeIf(each -> each.size() < rounds);
         return turns;
     }
 
     /** Measures the retained bytes. Runs after all the turns, because it collects garbage many times. */
-    private void measureRetained(List<ContenderPipe> pipes) throws IOException {
-        for (ContenderPipe pipe : List.copyOf(pipes)) {
-            progress("retained bytes: " + pipe.name());
-            attempt(pipe, pipes, () -> results.retainedBytes().put(pipe.name(), pipe.retainedBytes()));
+    private void measureRetained(List<ContenderProcess> processes, ProgressLine line) throws IOException {
+        for (ContenderProcess process : List.copyOf(processes)) {
+            line.show("retained bytes: " + process.name());
+            attempt(
+                    process,
+                    processes,
+                    line,
+                    () -> results.retainedBytes().put(process.name(), process.retainedBytes()));
         }
-        progress("");
     }
 
     private interface Attempt {
@@ -111,27 +164,22 @@ public final class CompareActors {
     }
 
     /** Drops a contender that fails; without the limit there is no comparison. */
-    private static void attempt(ContenderPipe pipe, List<ContenderPipe> pipes, Attempt attempt) throws IOException {
+    private static void attempt(
+            ContenderProcess process, List<ContenderProcess> processes, ProgressLine line, Attempt attempt)
+            throws IOException {
         try {
             attempt.run();
         } catch (IOException failure) {
-            leftOut(pipe.name(), failure);
-            pipes.remove(pipe);
-            pipe.close();
+            leftOut(process.contender(), failure, line);
+            processes.remove(process);
+            process.close();
         }
     }
 
-    private static void leftOut(String name, IOException failure) throws IOException {
-        if (name.equals(Contenders.LIMIT.label())) {
+    private static void leftOut(Contenders contender, IOException failure, ProgressLine line) throws IOException {
+        if (contender == Contenders.LIMIT) {
             throw failure;
         }
-        System.err.println("\nleft out: " + failure.getMessage());
-    }
-
-    private static void progress(String text) {
-        System.err.printf("\r%-60s", text);
-        if (text.isEmpty()) {
-            System.err.print("\r");
-        }
+        line.interrupt(() -> System.err.println("left out: " + failure.getMessage()));
     }
 }

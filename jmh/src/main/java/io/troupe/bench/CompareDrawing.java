@@ -1,5 +1,6 @@
 package io.troupe.bench;
 
+import io.troupe.common.measure.SampleStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -11,7 +12,7 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
     /**
      * The times of one contender in one workload, in nanoseconds and as a multiple of the limit's in the same round.
      */
-    record Bar(Quartiles nanos, Quartiles ratio) {}
+    record Bar(SampleStatistics nanos, SampleStatistics ratio) {}
 
     private static final int COLUMNS = 2;
     private static final int MARGIN = 16;
@@ -116,7 +117,7 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
     private static String bar(boolean ranked, String name, Bar bar, int left, int top) {
         boolean ours = name.equals(Contenders.TROUPE.label());
         int middle = top + BAR_HEIGHT / 2;
-        Quartiles ratio = bar.ratio;
+        SampleStatistics ratio = bar.ratio;
         return CompareReport.format(
                 "<text x='%d' y='%d'>%s</text><rect x='%d' y='%d' width='%.1f' height='%d' class='%s'/>"
                         + "<line x1='%.1f' x2='%.1f' y1='%d' y2='%d' class='q'/><text x='%.1f' y='%d'>%s ns, %s×</text>%n",
@@ -128,11 +129,11 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
                 place(ratio.median()) - LABEL_WIDTH,
                 BAR_HEIGHT - 4,
                 !ranked ? "u" : ours ? "m" : "b",
-                left + place(ratio.lower()),
-                left + place(ratio.upper()),
+                left + place(ratio.lowerQuartile()),
+                left + place(ratio.upperQuartile()),
                 middle,
                 middle,
-                left + Math.max(place(ratio.median()), place(ratio.upper())) + 6,
+                left + Math.max(place(ratio.median()), place(ratio.upperQuartile())) + 6,
                 middle + 4,
                 CompareReport.number(bar.nanos.median()),
                 CompareReport.number(ratio.median()));

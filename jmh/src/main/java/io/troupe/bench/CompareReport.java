@@ -1,5 +1,6 @@
 package io.troupe.bench;
 
+import io.troupe.common.measure.SampleStatistics;
 import java.util.List;
 import java.util.Locale;
 
@@ -7,7 +8,7 @@ import java.util.Locale;
  * Formats the results as Markdown: a table of the workloads that are compared, and one of those that show how soon a
  * sleeping thread runs.
  */
-record CompareReport(CompareOptions options, Results results) {
+record CompareReport(int rounds, long seed, Results results) {
     static final String NOT_RANKED = "wake-up of a thread, not ranked";
     private static final String HEAD = """
             | workload | contender | ns per operation | ratio to the limit, same round | bytes per operation | retained bytes per actor |
@@ -19,7 +20,7 @@ record CompareReport(CompareOptions options, Results results) {
         var text = new StringBuilder();
         text.append(format(
                 "Java %s, %d processors, %d rounds, seed %d%n%n",
-                Runtime.version(), Runtime.getRuntime().availableProcessors(), options.rounds(), options.seed()));
+                Runtime.version(), Runtime.getRuntime().availableProcessors(), rounds, seed));
         rows(text, workloads(true));
         var wakeUps = workloads(false);
         if (!wakeUps.isEmpty()) {
@@ -58,8 +59,8 @@ record CompareReport(CompareOptions options, Results results) {
                 retained == null ? "" : bytes(retained));
     }
 
-    private static String cell(Quartiles of) {
-        return number(of.median()) + " (" + number(of.lower()) + ".." + number(of.upper()) + ")";
+    private static String cell(SampleStatistics of) {
+        return number(of.median()) + " (" + number(of.lowerQuartile()) + ".." + number(of.upperQuartile()) + ")";
     }
 
     private static String bytes(double value) {

@@ -14,7 +14,7 @@ interface Contender extends AutoCloseable {
     /** Outside threads send {@code messages} numbers to one actor, which adds them up. */
     void tell(int messages, Senders senders) throws Exception;
 
-    /** Creates one more actor with ten message types, loaded again for it; see {@link FamilyLoader}. */
+    /** Creates one more actor with ten message types, loaded again for it; see {@link Families#copy}. */
     Family newFamily(Tally tally) throws Exception;
 
     /** Two actors on one thread pass one message to and fro. */
@@ -44,4 +44,18 @@ interface Contender extends AutoCloseable {
     /** Lets its threads end, as far as the contender can, without waiting for them. */
     @Override
     void close();
+
+    /** The threads that send the messages of {@link #tell}. */
+    interface Senders {
+        /** The calling thread alone. */
+        Senders ONE = (messages, loop) -> loop.send(messages);
+
+        /** Returns when all messages are sent, though not yet handled. */
+        void send(int messages, Loop loop) throws Exception;
+
+        /** The contender's loop that sends {@code messages} messages; several threads may run it at once. */
+        interface Loop {
+            void send(int messages);
+        }
+    }
 }

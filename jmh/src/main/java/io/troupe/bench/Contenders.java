@@ -3,6 +3,7 @@ package io.troupe.bench;
 import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
+import picocli.CommandLine.ITypeConverter;
 
 /** All contenders by name. The first is the limit, which the ratios refer to. */
 enum Contenders {
@@ -36,7 +37,20 @@ enum Contenders {
         return Arrays.stream(values())
                 .filter(each -> each.label.equals(label))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("no contender " + label + ", there are " + labels()));
+                .orElseThrow(() -> BenchmarkCommand.unknown(label, labels()));
+    }
+
+    /** Converts labels. */
+    static final class Converter implements ITypeConverter<Contenders> {
+        @Override
+        public Contenders convert(String label) {
+            return named(label);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return label;
     }
 
     static List<String> labels() {

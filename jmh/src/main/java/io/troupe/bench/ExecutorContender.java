@@ -73,7 +73,7 @@ final class ExecutorContender implements Contender {
 
     @Override
     public Family newFamily(Tally tally) throws Exception {
-        return FamilyLoader.copy(ExecutorFamily.class, executor, tally);
+        return Families.copy(ExecutorFamily.class, executor, tally);
     }
 
     @Override

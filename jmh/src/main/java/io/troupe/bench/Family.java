@@ -4,7 +4,7 @@ package io.troupe.bench;
  * An actor with ten message types, written as a user of one contender would write it.
  *
  * <p><b>Role.</b> A benchmark with a few message types flatters every library: the compiler inlines the few types it
- * has met at each call site. A large program has hundreds. So {@link FamilyLoader} loads each implementation, with its
+ * has met at each call site. A large program has hundreds. So {@link Families} loads each implementation, with its
  * nested classes, twenty times, and each copy has separate message types, closures and call sites. The implementations
  * are public because a copy lies in another run-time package than the harness.
  *

@@ -95,7 +95,7 @@ final class KontraktorContender implements Contender {
 
     @Override
     public Family newFamily(Tally tally) throws Exception {
-        return FamilyLoader.copy(KontraktorFamily.class, scheduler, tally);
+        return Families.copy(KontraktorFamily.class, scheduler, tally);
     }
 
     @Override

@@ -68,7 +68,7 @@ final class Limit implements Contender {
                 }
             } else if (message == null) {
                 pause(spins);
-            } else if (message instanceof LimitTask task) {
+            } else if (message instanceof Task task) {
                 task.run();
             } else if (message == END) {
                 return;
@@ -173,7 +173,7 @@ final class Limit implements Contender {
 
     @Override
     public Family newFamily(Tally tally) throws Exception {
-        return FamilyLoader.copy(LimitFamily.class, (Consumer<Object>) this::send, tally);
+        return Families.copy(LimitFamily.class, (Consumer<Object>) this::send, tally);
     }
 
     @Override
@@ -240,5 +240,14 @@ final class Limit implements Contender {
     public void close() {
         wake();
         send(END);
+    }
+
+    /**
+     * A message that the thread of the limit runs. A class and not an interface, because a virtual call is the cheapest
+     * way to tell types apart.
+     */
+    public abstract static class Task {
+        /** Handles this message. */
+        public abstract void run();
     }
 }

@@ -1,5 +1,8 @@
 package io.troupe.bench;
 
+import io.troupe.bench.BenchmarkCommand.AtLeastOne;
+import io.troupe.common.measure.SampleStatistics;
+import io.troupe.common.measure.UsedHeap;
 import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PetriNet;
@@ -15,27 +18,32 @@ import java.lang.ref.Reference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.concurrent.Callable;
 import java.util.function.Supplier;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Option;
 
 /**
  * Measures the searches over the paper's nets, and prints a table. Progress goes to stderr, one line for each finished
  * search.
  */
-public final class MeasureNets {
-    private static final int DEFAULT_REPETITIONS = 7;
+@Command(name = "MeasureNets", description = "Measures the searches over the paper's nets.", showDefaultValues = true)
+public final class MeasureNets implements Callable<Integer> {
     private static final int WARM_UPS = 3;
 
-    private MeasureNets() {}
+    @Option(
+            names = "--repetitions",
+            paramLabel = "N",
+            converter = AtLeastOne.class,
+            description = "of each search, after " + WARM_UPS + " warm-ups")
+    int repetitions = 7;
 
-    public static void main(String... args) {
-        int repetitions;
-        try {
-            repetitions = repetitions(args);
-        } catch (IllegalArgumentException e) {
-            System.err.println(e.getMessage());
-            System.exit(2);
-            return;
-        }
+    public static void main(String... arguments) {
+        System.exit(BenchmarkCommand.of(new MeasureNets()).execute(arguments));
+    }
+
+    @Override
+    public Integer call() {
         System.out.printf(
                 Locale.ROOT,
                 "Java %s, %d processors, at most %d MiB of heap, %d warm-ups, %d repetitions%n%n",
@@ -49,26 +57,7 @@ public final class MeasureNets {
         for (NetTask task : NetTask.all()) {
             System.out.println(measure(task, repetitions));
         }
-    }
-
-    static int repetitions(String... args) {
-        if (args.length == 0) {
-            return DEFAULT_REPETITIONS;
-        }
-        if (args.length != 2 || !args[0].equals("--repetitions")) {
-            throw new IllegalArgumentException(
-                    "arguments are " + List.of(args) + ", expected none or --repetitions and a number");
-        }
-        int number;
-        try {
-            number = Integer.parseInt(args[1]);
-        } catch (NumberFormatException e) {
-            throw new IllegalArgumentException("--repetitions is " + args[1] + ", expected a number", e);
-        }
-        if (number < 1) {
-            throw new IllegalArgumentException("--repetitions is " + number + ", expected 1 or more");
-        }
-        return number;
+        return 0;
     }
 
     /** A row of the table. */
@@ -85,12 +74,12 @@ public final class MeasureNets {
             System.err.printf(
                     Locale.ROOT, "%s: %s %.1f ms%n", task.name(), i < 0 ? "warm-up" : "run " + (i + 1), spent);
         }
-        long before = usedBytes();
+        long before = UsedHeap.bytes();
         var found = task.work().get();
-        long kept = usedBytes() - before;
+        long kept = UsedHeap.bytes() - before;
         // keeps the result alive until the heap is measured
         Reference.reachabilityFence(found.kept());
-        var spread = Quartiles.of(millis);
+        var spread = SampleStatistics.of(millis);
         return String.format(
                 Locale.ROOT,
                 "| %s | %,d %s; %s | %.1f (%.1f..%.1f) | %,.0f | %d |",
@@ -99,17 +88,10 @@ public final class MeasureNets {
                 found.unit(),
                 found.text(),
                 spread.median(),
-                spread.lower(),
-                spread.upper(),
+                spread.lowerQuartile(),
+                spread.upperQuartile(),
                 found.items() / (spread.median() / 1000),
                 mebibytes(kept));
-    }
-
-    private static long usedBytes() {
-        for (int i = 0; i < 4; i++) {
-            System.gc();
-        }
-        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
     }
 
     private static long mebibytes(long bytes) {

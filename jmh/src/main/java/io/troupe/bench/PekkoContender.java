@@ -171,7 +171,7 @@ final class PekkoContender implements Contender {
 
     @Override
     public Family newFamily(Tally tally) throws Exception {
-        return FamilyLoader.copy(PekkoFamily.class, system, "family" + families++, tally);
+        return Families.copy(PekkoFamily.class, system, "family" + families++, tally);
     }
 
     @Override

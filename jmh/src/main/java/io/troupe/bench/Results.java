@@ -1,5 +1,6 @@
 package io.troupe.bench;
 
+import io.troupe.common.measure.SampleStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -12,21 +13,21 @@ import org.jspecify.annotations.Nullable;
  * @param retainedBytes the bytes of the heap that an actor retains, by contender; empty if no workload creates actors
  */
 record Results(Map<Workload, Map<String, List<TurnResult>>> turns, Map<String, Double> retainedBytes) {
-    Quartiles nanos(Workload workload, String contender) {
-        return Quartiles.of(
+    SampleStatistics nanos(Workload workload, String contender) {
+        return SampleStatistics.of(
                 of(workload, contender).stream().map(TurnResult::nanos).toList());
     }
 
-    Quartiles bytes(Workload workload, String contender) {
-        return Quartiles.of(
+    SampleStatistics bytes(Workload workload, String contender) {
+        return SampleStatistics.of(
                 of(workload, contender).stream().map(TurnResult::bytes).toList());
     }
 
     /** The contender's time as a multiple of the limit's in the same round. */
-    Quartiles ratio(Workload workload, String contender) {
+    SampleStatistics ratio(Workload workload, String contender) {
         var limit = of(workload, Contenders.LIMIT.label());
         var mine = of(workload, contender);
-        return Quartiles.of(IntStream.range(0, mine.size())
+        return SampleStatistics.of(IntStream.range(0, mine.size())
                 .mapToObj(round -> mine.get(round).nanos() / limit.get(round).nanos())
                 .toList());
     }

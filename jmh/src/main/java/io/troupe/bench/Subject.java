@@ -23,7 +23,7 @@ final class Subject implements AutoCloseable {
     }
 
     void tell(int messages) throws Exception {
-        contender.tell(messages, Senders.ONE);
+        contender.tell(messages, Contender.Senders.ONE);
     }
 
     void tellFromFour(int messages) throws Exception {
@@ -55,7 +55,7 @@ final class Subject implements AutoCloseable {
      * Four threads that start together and send a quarter of the messages each. They live through all turns, and park
      * between two of them.
      */
-    static final class FourSenders implements Senders, AutoCloseable {
+    static final class FourSenders implements Contender.Senders, AutoCloseable {
         private static final int COUNT = 4;
 
         private final ExecutorService threads = Executors.newFixedThreadPool(

@@ -115,7 +115,7 @@ final class TroupeContender implements Contender {
 
     @Override
     public Family newFamily(Tally tally) throws Exception {
-        return FamilyLoader.copy(TroupeFamily.class, space, tally);
+        return Families.copy(TroupeFamily.class, space, tally);
     }
 
     @Override

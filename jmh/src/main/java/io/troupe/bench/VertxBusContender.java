@@ -118,7 +118,7 @@ final class VertxBusContender implements Contender {
 
     @Override
     public Family newFamily(Tally tally) throws Exception {
-        return FamilyLoader.copy(VertxBusFamily.class, vertx, "family" + names++, tally);
+        return Families.copy(VertxBusFamily.class, vertx, "family" + names++, tally);
     }
 
     @Override

@@ -90,7 +90,7 @@ final class VertxContender implements Contender {
 
     @Override
     public Family newFamily(Tally tally) throws Exception {
-        return FamilyLoader.copy(VertxFamily.class, vertx, tally);
+        return Families.copy(VertxFamily.class, vertx, tally);
     }
 
     @Override

@@ -112,7 +112,7 @@ final class VirtualThreadContender implements Contender {
 
     @Override
     public Family newFamily(Tally tally) throws Exception {
-        return FamilyLoader.copy(VirtualThreadFamily.class, tally);
+        return Families.copy(VirtualThreadFamily.class, tally);
     }
 
     @Override

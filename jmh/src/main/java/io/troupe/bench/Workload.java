@@ -1,5 +1,8 @@
 package io.troupe.bench;
 
+import java.util.Arrays;
+import picocli.CommandLine.ITypeConverter;
+
 /**
  * The workloads: one operation is one message, one hop, one answer or one actor. {@code tellOfMany} comes last because
  * its many types would spoil the compiled code of all others.
@@ -47,7 +50,21 @@ enum Workload {
                 return each;
             }
         }
-        throw new IllegalArgumentException("no workload " + label);
+        throw BenchmarkCommand.unknown(
+                label, Arrays.stream(values()).map(Workload::label).toList());
+    }
+
+    /** Converts labels. */
+    static final class Converter implements ITypeConverter<Workload> {
+        @Override
+        public Workload convert(String label) {
+            return named(label);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return label;
     }
 
     /** The next number of operations that the workload can run with each message type equally often. */

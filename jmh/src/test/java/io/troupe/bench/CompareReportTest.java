@@ -2,6 +2,7 @@ package io.troupe.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.SampleStatistics;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,7 +29,7 @@ class CompareReportTest {
                     limitAndTroupe())),
             Map.of("troupe", 80.4));
 
-    private final String table = new CompareReport(CompareOptions.parse("--rounds", "3"), results).table();
+    private final String table = new CompareReport(3, 1, results).table();
     private final String drawing = CompareDrawing.of(results).svg();
 
     private static Map<String, List<TurnResult>> limitAndTroupe() {
@@ -113,11 +114,12 @@ class CompareReportTest {
         assertThat(documented).hasContent(svg);
     }
 
-    private static Quartiles quartiles(Matcher row, int group) {
+    private static SampleStatistics quartiles(Matcher row, int group) {
         double[] numbers = new double[3];
         for (int i = 0; i < numbers.length; i++) {
             numbers[i] = Double.parseDouble(row.group(group + i).replace(",", ""));
         }
-        return new Quartiles(numbers[1], numbers[0], numbers[2]);
+        // five values whose quartiles are these
+        return SampleStatistics.of(numbers[1], numbers[1], numbers[0], numbers[2], numbers[2]);
     }
 }

@@ -1,7 +1,6 @@
 package io.troupe.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
@@ -33,15 +32,15 @@ class MeasureNetsTest {
 
     @Test
     void arguments_thatAreWrong_areRefused() {
-        assertThat(MeasureNets.repetitions("--repetitions", "3")).isEqualTo(3);
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> MeasureNets.repetitions("--repetitions", "0"))
-                .withMessage("--repetitions is 0, expected 1 or more");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> MeasureNets.repetitions("--repetitions", "many"))
-                .withMessage("--repetitions is many, expected a number");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> MeasureNets.repetitions("--runs"))
-                .withMessage("arguments are [--runs], expected none or --repetitions and a number");
+        var command = new MeasureNets();
+        BenchmarkCommand.of(command).parseArgs();
+        assertThat(command.repetitions).isEqualTo(7);
+        BenchmarkCommand.of(command).parseArgs("--repetitions", "3");
+        assertThat(command.repetitions).isEqualTo(3);
+        assertThat(WrongOption.of(new MeasureNets(), "--repetitions", "0"))
+                .startsWith("--repetitions is 0, expected 1 or more");
+        assertThat(WrongOption.of(new MeasureNets(), "--repetitions", "many"))
+                .startsWith("--repetitions is many, expected a whole number");
+        assertThat(WrongOption.of(new MeasureNets(), "--runs")).contains("'--runs'", "--repetitions=N");
     }
 }

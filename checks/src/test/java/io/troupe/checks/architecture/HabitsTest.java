@@ -61,7 +61,7 @@ class HabitsTest {
     void standardStreams_areUsedByCommandLinesOnly() {
         noClasses()
                 .that()
-                .resideOutsideOfPackages("io.troupe.demo..", "io.troupe.bench..")
+                .resideOutsideOfPackages("io.troupe.common.measure", "io.troupe.demo..", "io.troupe.bench..")
                 .should(ACCESS_STANDARD_STREAMS)
                 .check(Classes.MAIN);
     }
@@ -74,7 +74,8 @@ class HabitsTest {
                         .contains(access.getTarget().getName()));
         noClasses()
                 .that()
-                .resideOutsideOfPackages("io.troupe.actor.time", "io.troupe.demo..", "io.troupe.bench..")
+                .resideOutsideOfPackages(
+                        "io.troupe.actor.time", "io.troupe.common.measure", "io.troupe.demo..", "io.troupe.bench..")
                 .should(accessTargetWhere(clock))
                 .check(Classes.MAIN);
     }

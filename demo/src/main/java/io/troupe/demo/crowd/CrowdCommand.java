@@ -1,18 +1,17 @@
 package io.troupe.demo.crowd;
 
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.sim.worldfile.CrowdWorld;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
@@ -35,7 +34,6 @@ import picocli.CommandLine.Spec;
 public final class CrowdCommand implements Callable<Integer> {
     private static final double MOST_SECONDS = 1e5;
     private static final int MOST_REPEATS = 1000;
-    private static final int BAR = 30;
 
     @Spec
     private CommandSpec spec;
@@ -122,7 +120,7 @@ public final class CrowdCommand implements Callable<Integer> {
                                     robots, colours, services, round == 0 ? Math.min(seconds, 2) : seconds, seed))
                             .run(done -> {
                                 interruption.check();
-                                show(line, what, done);
+                                line.show(what, ProgressLine.bar(Math.min(1, done)) + " " + what);
                             });
                     if (round > 0) {
                         trials.add(trial);
@@ -130,10 +128,5 @@ public final class CrowdCommand implements Callable<Integer> {
                 }
             }
         }
-    }
-
-    private static void show(ProgressLine line, String what, double done) {
-        int full = (int) (Math.min(1, done) * BAR);
-        line.show(what, String.format(Locale.ROOT, "[%s%s] %s", "#".repeat(full), ".".repeat(BAR - full), what));
     }
 }

@@ -1,5 +1,6 @@
 package io.troupe.demo.crowd;
 
+import io.troupe.common.measure.SampleStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.ToDoubleFunction;
@@ -43,36 +44,29 @@ final class CrowdReport {
     private Row row(int robots) {
         List<TrialResult> rounds =
                 trials.stream().filter(trial -> trial.robots() == robots).toList();
-        double[] speeds = sorted(rounds, TrialResult::timesRealTimeOfOneCore);
+        var speeds = of(rounds, TrialResult::timesRealTimeOfOneCore);
+        var micros = of(rounds, TrialResult::micros);
         return new Row(
                 robots,
-                median(speeds),
-                speeds[0],
-                speeds[speeds.length - 1],
-                median(sorted(rounds, TrialResult::timesRealTime)),
-                median(sorted(rounds, TrialResult::micros)),
-                quantile(sorted(rounds, TrialResult::micros), 0.25),
-                quantile(sorted(rounds, TrialResult::micros), 0.75),
-                median(sorted(rounds, TrialResult::worldMicros)),
-                median(sorted(rounds, TrialResult::servicesMicros)),
-                median(sorted(rounds, TrialResult::retainedKilobytesPerRobot)),
-                median(sorted(rounds, TrialResult::states)));
+                speeds.median(),
+                speeds.least(),
+                speeds.most(),
+                median(rounds, TrialResult::timesRealTime),
+                micros.median(),
+                micros.lowerQuartile(),
+                micros.upperQuartile(),
+                median(rounds, TrialResult::worldMicros),
+                median(rounds, TrialResult::servicesMicros),
+                median(rounds, TrialResult::retainedKilobytesPerRobot),
+                median(rounds, TrialResult::states));
     }
 
-    private static double[] sorted(List<TrialResult> rounds, ToDoubleFunction<TrialResult> figure) {
-        return rounds.stream().mapToDouble(figure).sorted().toArray();
+    private static SampleStatistics of(List<TrialResult> rounds, ToDoubleFunction<TrialResult> figure) {
+        return SampleStatistics.of(rounds.stream().mapToDouble(figure).toArray());
     }
 
-    private static double median(double[] sorted) {
-        return quantile(sorted, 0.5);
-    }
-
-    /** Quantile with linear interpolation. */
-    static double quantile(double[] sorted, double share) {
-        double at = share * (sorted.length - 1);
-        int below = (int) at;
-        int above = Math.min(below + 1, sorted.length - 1);
-        return sorted[below] + (at - below) * (sorted[above] - sorted[below]);
+    private static double median(List<TrialResult> rounds, ToDoubleFunction<TrialResult> figure) {
+        return of(rounds, figure).median();
     }
 
     String table() {

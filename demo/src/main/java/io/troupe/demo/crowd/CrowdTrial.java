@@ -1,6 +1,7 @@
 package io.troupe.demo.crowd;
 
 import com.sun.management.OperatingSystemMXBean;
+import io.troupe.common.measure.UsedHeap;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
@@ -35,7 +36,6 @@ final class CrowdTrial {
     /** Minimum wall-clock time: a few robots simulate ten seconds too fast to be measured. */
     private static final long LEAST_WALL_NANOS = 500_000_000;
 
-    private static final int COLLECTIONS = 4;
     private static final OperatingSystemMXBean PROCESS =
             ManagementFactory.getPlatformMXBean(OperatingSystemMXBean.class);
     private static final ThreadMXBean THREADS = ManagementFactory.getThreadMXBean();
@@ -67,7 +67,7 @@ final class CrowdTrial {
 
     /** @param progress called with the completed share, from 0 to 1 */
     TrialResult run(DoubleConsumer progress) throws InterruptedException {
-        long before = usedHeapBytes();
+        long before = UsedHeap.bytes();
         var scenario = CrowdWorld.scenario(settings.robots(), settings.colours());
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(settings.seed()))) {
             var watch = new Watch();
@@ -79,7 +79,7 @@ final class CrowdTrial {
                     simulation.tick();
                 }
                 TrialResult timed = measure(simulation, running, watch, progress);
-                return withRetained(timed, usedHeapBytes() - before);
+                return withRetained(timed, UsedHeap.bytes() - before);
             }
         }
     }
@@ -124,13 +124,5 @@ final class CrowdTrial {
                 trial.servicesNanos(),
                 bytes,
                 trial.states());
-    }
-
-    private static long usedHeapBytes() {
-        for (int i = 0; i < COLLECTIONS; i++) {
-            System.gc();
-        }
-        var runtime = Runtime.getRuntime();
-        return runtime.totalMemory() - runtime.freeMemory();
     }
 }

@@ -1,10 +1,10 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
@@ -113,26 +113,21 @@ public final class EvaluateCommand implements Callable<Integer> {
         var paperWorld = PaperWorld.of(loader.read(world), world);
         long begin = System.nanoTime();
         try (var interruption = Interruption.open()) {
-            Measurements measurements;
-            Evaluation evaluation;
+            Evaluation.Outcome outcome;
             try (var progress = new EvaluationProgress(ProgressLine.open())) {
-                evaluation = new Evaluation(settings, paperWorld, progress, interruption);
-                measurements = evaluation.measure();
+                outcome = new Evaluation(settings, paperWorld, progress, interruption).run();
             }
             double tookSeconds = (System.nanoTime() - begin) / 1e9;
-            if (interruption.isRequested()) {
-                return interrupted(settings, measurements, evaluation.completeRepetitions());
-            }
-            return report(settings, measurements, tookSeconds);
+            return interruption.isRequested() ? interrupted(settings, outcome) : report(outcome, tookSeconds);
         }
     }
 
-    /** Reports what was measured before the interruption. Claims and figures use complete repetitions only. */
-    private int interrupted(EvaluationSettings settings, Measurements measurements, int complete) throws IOException {
+    /** Reports what was measured before the interruption. */
+    private int interrupted(Evaluation.Settings settings, Evaluation.Outcome outcome) throws IOException {
         PrintWriter terminal = spec.commandLine().getOut();
+        int complete = outcome.settings().repetitions();
         if (complete > 0) {
-            var counted = settings.withRepetitions(complete);
-            terminal.print(new EvaluationReport(counted, measurements.ofRepetitions(complete)).text());
+            terminal.print(new EvaluationReport(outcome).text());
         }
         terminal.printf(
                 "%ninterrupted: %d of %s complete%n",
@@ -142,37 +137,38 @@ public final class EvaluateCommand implements Callable<Integer> {
         if (Files.size(settings.log()) == 0) {
             Files.delete(settings.log());
         }
-        if (!measurements.all().isEmpty()) {
+        if (!outcome.all().all().isEmpty()) {
             Path csv = out.resolve("evaluation.csv");
-            measurements.writeCsv(csv);
-            terminal.println("wrote " + Plural.of(measurements.all().size(), "number") + ", all that was measured, to "
+            outcome.all().writeCsv(csv);
+            terminal.println("wrote " + Plural.of(outcome.all().all().size(), "number") + ", all that was measured, to "
                     + csv + "; there are no new pictures");
         }
         terminal.flush();
         return Interruption.STATUS;
     }
 
-    private int report(EvaluationSettings settings, Measurements measurements, double tookSeconds) throws IOException {
+    private int report(Evaluation.Outcome outcome, double tookSeconds) throws IOException {
         PrintWriter terminal = spec.commandLine().getOut();
-        terminal.print(new EvaluationReport(settings, measurements).text()); // before writing files, which may fail
+        terminal.print(new EvaluationReport(outcome).text()); // before writing files, which may fail
         terminal.flush();
-        if (Files.size(settings.log()) == 0) {
-            Files.delete(settings.log());
+        Path log = outcome.settings().log();
+        if (Files.size(log) == 0) {
+            Files.delete(log);
         } else {
-            terminal.println("\nwhat was logged meanwhile is in " + settings.log());
+            terminal.println("\nwhat was logged meanwhile is in " + log);
         }
         Path csv = out.resolve("evaluation.csv");
-        measurements.writeCsv(csv);
+        outcome.all().writeCsv(csv);
         terminal.printf(Locale.ROOT, "%ntook %.0f s, wrote %s%n", tookSeconds, csv);
         terminal.flush();
-        var names = new EvaluationFigures(settings, measurements).write(out);
+        var names = new EvaluationFigures(outcome.settings(), outcome.measurements()).write(out);
         terminal.println("and, as .svg and .png: "
                 + names.stream().map(name -> out.resolve(name).toString()).collect(Collectors.joining(", ")));
         terminal.flush();
         return 0;
     }
 
-    private EvaluationSettings settings() {
+    private Evaluation.Settings settings() {
         check(loops >= 2 && loops <= MOST_LOOPS, "--loops is " + loops + ", expected a number from 2 to " + MOST_LOOPS);
         for (int count : cores) {
             check(
@@ -190,7 +186,7 @@ public final class EvaluateCommand implements Callable<Integer> {
         check(
                 changing > 0 && changing <= 1e6,
                 "--seconds is " + changing + ", expected a number above 0 and up to 1000000");
-        return new EvaluationSettings(
+        return new Evaluation.Settings(
                 world,
                 loops,
                 cores.stream().distinct().sorted().toList(),

@@ -1,8 +1,12 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.common.measure.SampleStatistics;
 import io.troupe.common.svg.Svg;
-import io.troupe.demo.svg.Chart;
+import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.demo.svg.Chart.Anchor;
+import io.troupe.demo.svg.Chart;
+import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -15,17 +19,16 @@ import java.util.stream.Collectors;
 
 /** Draws the paper's figures from our measurements: elapsed robot time on the left, computing time on the right. */
 final class EvaluationFigures {
-    private static final List<String> SUBJECTS =
-            List.of(CoreMeasurements.FOLLOWER, CoreMeasurements.WANDERER, Measurement.BOTH);
+    private static final List<String> SUBJECTS = List.of(Measurement.FOLLOWER, Measurement.WANDERER, Measurement.BOTH);
     private static final List<String> PASSING = List.of("wall follower", "space wanderer", "both");
     private static final List<String> COMPUTING = List.of("wall follower", "space wanderer", "both, with messages");
     /** Colours that colour-blind readers can distinguish. */
     private static final List<Integer> COLOURS = List.of(0x4477AA, 0xDDAA33, 0x228833, 0x66CCEE, 0xAA3377);
 
-    private final EvaluationSettings settings;
+    private final Evaluation.Settings settings;
     private final Measurements measurements;
 
-    EvaluationFigures(EvaluationSettings settings, Measurements measurements) {
+    EvaluationFigures(Evaluation.Settings settings, Measurements measurements) {
         this.settings = settings;
         this.measurements = measurements;
     }
@@ -62,18 +65,16 @@ final class EvaluationFigures {
         List<Bars> series = new ArrayList<>();
         for (int cores : settings.cores()) {
             series.add(new Bars(
-                    "JVM with " + CoreMeasurements.cores(cores),
-                    mode,
-                    cores,
-                    COLOURS.get(series.size() % COLOURS.size())));
+                    "JVM with " + Plural.of(cores, "core"), mode, cores, COLOURS.get(series.size() % COLOURS.size())));
         }
         Bars last = series.getLast();
-        String title = CoreMeasurements.format(
+        String title = String.format(
+                Locale.ROOT,
                 "%s: both services take %s, the wall follower %s and the space wanderer %s",
                 mode,
                 seconds(last, Measurement.BOTH),
-                seconds(last, CoreMeasurements.FOLLOWER),
-                seconds(last, CoreMeasurements.WANDERER));
+                seconds(last, Measurement.FOLLOWER),
+                seconds(last, Measurement.WANDERER));
         charts.put("evaluation-" + figure, chart(title, figure, "", series));
     }
 
@@ -88,9 +89,7 @@ final class EvaluationFigures {
         String title = series.stream()
                 .map(bars -> bars.name() + " " + seconds(bars, Measurement.BOTH))
                 .collect(Collectors.joining(", ", "Both services take: ", ""));
-        charts.put(
-                "evaluation-" + figure,
-                chart(title, figure, ", on a JVM with " + CoreMeasurements.cores(cores), series));
+        charts.put("evaluation-" + figure, chart(title, figure, ", on a JVM with " + Plural.of(cores, "core"), series));
     }
 
     private String seconds(Bars bars, String subject) {
@@ -132,7 +131,7 @@ final class EvaluationFigures {
     }
 
     private SampleStatistics statistics(Bars bars, String subject, Quantity quantity) {
-        return measurements.statistics(MeasurementKind.LOOPS, bars.mode, bars.cores, subject, quantity);
+        return measurements.statistics(Kind.LOOPS, bars.mode, bars.cores, subject, quantity);
     }
 
     /**

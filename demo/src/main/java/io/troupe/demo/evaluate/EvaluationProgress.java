@@ -1,13 +1,12 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.time.Clock;
-import io.troupe.demo.terminal.ProgressLine;
+import io.troupe.common.measure.ProgressLine;
+import io.troupe.demo.terminal.Plural;
 import java.util.Locale;
 
 /** Shows the progress of an evaluation and the estimated remaining time on the last line of a terminal. */
 final class EvaluationProgress implements AutoCloseable {
-    private static final int WIDTH = 30;
-
     private final ProgressLine line;
     private final Clock clock;
     private final long beganNanos;
@@ -32,11 +31,11 @@ final class EvaluationProgress implements AutoCloseable {
     }
 
     void warmsUp(int cores) {
-        show("warming up, told " + CoreMeasurements.cores(cores));
+        show("warming up, told " + Plural.of(cores, "core"));
     }
 
     void begins(Job job, int cores) {
-        show(job.title() + ", told " + CoreMeasurements.cores(cores));
+        show(job.title() + ", told " + Plural.of(cores, "core"));
     }
 
     /** Reports the completed part of the current job. May be called by any thread, one at a time. */
@@ -57,17 +56,10 @@ final class EvaluationProgress implements AutoCloseable {
         if (!line.isVisible()) {
             return;
         }
-        int full = (int) (share * WIDTH);
         line.show(
                 doing,
                 String.format(
-                        Locale.ROOT,
-                        "[%s%s] %3.0f %%%s  %s",
-                        "#".repeat(full),
-                        ".".repeat(WIDTH - full),
-                        100 * share,
-                        left(share),
-                        doing));
+                        Locale.ROOT, "%s %3.0f %%%s  %s", ProgressLine.bar(share), 100 * share, left(share), doing));
     }
 
     private String left(double share) {

@@ -1,5 +1,9 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.common.measure.SampleStatistics;
+import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.demo.evaluate.Measurement.Quantity;
+import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Mode;
 import java.util.List;
 import java.util.Locale;
@@ -7,16 +11,14 @@ import java.util.stream.Collectors;
 
 /** Formats the results for the terminal. */
 final class EvaluationReport {
-    private final EvaluationSettings settings;
+    private final Evaluation.Outcome outcome;
+    private final Evaluation.Settings settings;
     private final Measurements measurements;
 
-    EvaluationReport(EvaluationSettings settings, Measurements measurements) {
-        this.settings = settings;
-        this.measurements = measurements;
-    }
-
-    List<PaperClaim> claims() {
-        return Claims.of(measurements, settings.modes(), settings.cores(), settings.realTime());
+    EvaluationReport(Evaluation.Outcome outcome) {
+        this.outcome = outcome;
+        this.settings = outcome.settings();
+        this.measurements = outcome.measurements();
     }
 
     String text() {
@@ -44,7 +46,7 @@ final class EvaluationReport {
         }
         text.append(changes());
         text.append("\nThe paper, and what we find\n");
-        claims().forEach(claim -> text.append(paragraph(claim)));
+        outcome.claims().forEach(judged -> text.append(paragraph(judged)));
         return text.toString();
     }
 
@@ -61,7 +63,9 @@ final class EvaluationReport {
         return missing.isEmpty()
                 ? machine
                 : machine + "told "
-                        + missing.stream().map(CoreMeasurements::cores).collect(Collectors.joining(", "))
+                        + missing.stream()
+                                .map(cores -> Plural.of(cores, "core"))
+                                .collect(Collectors.joining(", "))
                         + ", the machine has " + real
                         + ": that changes how many threads Java starts, not how many run\n";
     }
@@ -72,27 +76,27 @@ final class EvaluationReport {
                 mode,
                 cores,
                 seconds(mode, cores),
-                text(mode, cores, CoreMeasurements.FOLLOWER, Quantity.CYCLE),
-                text(mode, cores, CoreMeasurements.WANDERER, Quantity.CYCLE),
+                text(mode, cores, Measurement.FOLLOWER, Quantity.CYCLE),
+                text(mode, cores, Measurement.WANDERER, Quantity.CYCLE),
                 text(mode, cores, Measurement.BOTH, Quantity.TURN),
                 text(mode, cores, Measurement.BOTH, Quantity.PROCESSOR));
     }
 
     private String seconds(Mode mode, int cores) {
-        double[] millis = measurements.values(MeasurementKind.LOOPS, mode, cores, Measurement.BOTH, Quantity.TIME);
-        return CoreMeasurements.seconds(millis).replace(" s", "");
+        double[] millis = measurements.values(Kind.LOOPS, mode, cores, Measurement.BOTH, Quantity.TIME);
+        return Measurements.seconds(millis).text(1);
     }
 
     private String text(Mode mode, int cores, String subject, Quantity quantity) {
         return measurements
-                .statistics(MeasurementKind.LOOPS, mode, cores, subject, quantity)
+                .statistics(Kind.LOOPS, mode, cores, subject, quantity)
                 .text(2);
     }
 
     private String changes() {
         var text = new StringBuilder("\nChanges of state, connection kept");
         text.append(settings.reconnect() ? "; below it with a new connection for each service\n" : "\n");
-        for (MeasurementKind kind : List.of(MeasurementKind.SWITCHES, MeasurementKind.RECONNECTS)) {
+        for (Kind kind : List.of(Kind.SWITCHES, Kind.RECONNECTS)) {
             for (Mode mode : settings.modes()) {
                 for (int cores : settings.cores()) {
                     if (measurements.has(kind, mode, cores, Measurement.BOTH, Quantity.STATE_CHANGES)) {
@@ -104,7 +108,7 @@ final class EvaluationReport {
         return text.toString();
     }
 
-    private String change(MeasurementKind kind, Mode mode, int cores) {
+    private String change(Kind kind, Mode mode, int cores) {
         return String.format(
                 "  %-9s %-6d %s changes, %s messages%s%s%n",
                 mode,
@@ -116,22 +120,23 @@ final class EvaluationReport {
                                 + statistics(kind, mode, cores, Quantity.SWITCH_TIME)
                                         .text(0) + " ms"
                         : "",
-                kind == MeasurementKind.RECONNECTS ? " (connecting anew)" : "");
+                kind == Kind.RECONNECTS ? " (connecting anew)" : "");
     }
 
-    private SampleStatistics statistics(MeasurementKind kind, Mode mode, int cores, Quantity quantity) {
+    private SampleStatistics statistics(Kind kind, Mode mode, int cores, Quantity quantity) {
         return measurements.statistics(kind, mode, cores, Measurement.BOTH, quantity);
     }
 
-    private static String paragraph(PaperClaim claim) {
+    private static String paragraph(PaperClaims.Judged judged) {
+        var claim = judged.claim();
         return String.format(
                 "%n  %-14s  %s: %s%n                  ours, %s: %s%n                  criterion: %s%n",
-                claim.verdict(),
+                judged.verdict(),
                 claim.source(),
                 quoted(claim.words()),
                 claim.measure(),
-                claim.ours(),
-                claim.criterion());
+                judged.ours(),
+                claim.rule().criterion());
     }
 
     private static String quoted(String words) {

@@ -1,16 +1,20 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.time.Clock;
+import io.troupe.common.measure.MeasuringJvm;
+import io.troupe.common.text.NamedColours;
+import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.common.text.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.model.Scenario;
+import java.nio.file.Path;
 import java.util.List;
 
 /**
- * Executes one job.
+ * Executes jobs. The main class of the JVM of a {@link MeasuringProcess}.
  *
  * <p><b>Threads.</b> The calling thread advances the world if the job has a separate one. The services run on a
  * separate thread.
@@ -29,14 +33,23 @@ final class JobRunner {
         this.port = port;
     }
 
-    Result measure(Job job) throws InterruptedException {
+    /** @param arguments the world file */
+    public static void main(String[] arguments) throws Exception {
+        MeasuringJvm.serve(() -> {
+            var world = PaperWorld.read(Path.of(arguments[0]));
+            var runner = new JobRunner(world.scenario(), world.port());
+            return request -> runner.measure(Job.parse(request)).lines();
+        });
+    }
+
+    Job.Result measure(Job job) throws InterruptedException {
         return job.server() == 0 ? inLockStep(job) : inRealTime(job);
     }
 
-    private Result inLockStep(Job job) throws InterruptedException {
+    private Job.Result inLockStep(Job job) throws InterruptedException {
         try (var simulation = Simulation.open(scenario, PaperWorld.settings(job.seed()))) {
             long intervalNanos = scenario.world().intervalMillis() * 1_000_000L;
-            var time = new RobotClock() {
+            var time = new Meter.RobotClock() {
                 @Override
                 public long nanos() {
                     return simulation.clock().nanos();
@@ -63,9 +76,9 @@ final class JobRunner {
         }
     }
 
-    private static Result inRealTime(Job job) throws InterruptedException {
+    private static Job.Result inRealTime(Job job) throws InterruptedException {
         var clock = Clock.system();
-        var time = new RobotClock() {
+        var time = new Meter.RobotClock() {
             @Override
             public long nanos() {
                 return clock.nanos();
@@ -88,10 +101,10 @@ final class JobRunner {
 
     private static SubsumptionRun.Settings settings(Job job, String host, int port, Clock clock, Meter meter) {
         return new SubsumptionRun.Settings(job.mode(), host, port, table(job), clock, meter, meter)
-                .withReconnection(job.kind() == MeasurementKind.RECONNECTS);
+                .withReconnection(job.kind() == Kind.RECONNECTS);
     }
 
-    private static Meter meter(Job job, RobotClock time) {
+    private static Meter meter(Job job, Meter.RobotClock time) {
         return job.countsLoops()
                 ? new LoopMeter(job.mode(), table(job).first(), job.loops(), time)
                 : new SwitchMeter(job.seconds(), time);

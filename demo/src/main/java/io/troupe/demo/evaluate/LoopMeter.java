@@ -1,5 +1,6 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
@@ -134,8 +135,8 @@ final class LoopMeter implements Meter {
     }
 
     @Override
-    public Result result() {
-        var result = new Result.Builder();
+    public Job.Result result() {
+        var result = new Job.Result.Builder();
         for (Track track : tracks) {
             result.add(track.service, Quantity.TIME, track.timeNanos / NANOS_PER_MILLI)
                     .add(track.service, Quantity.CYCLE, track.cycles.trimmedMean(NANOS_PER_MICRO))

@@ -1,10 +1,14 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.common.measure.SampleStatistics;
+import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.stream.Collectors;
@@ -31,12 +35,12 @@ final class Measurements {
         return some;
     }
 
-    boolean has(MeasurementKind kind, Mode mode, int cores, String subject, Quantity quantity) {
+    boolean has(Kind kind, Mode mode, int cores, String subject, Quantity quantity) {
         return values(kind, mode, cores, subject, quantity).length > 0;
     }
 
     /** Values by repetition; empty if not measured. */
-    double[] values(MeasurementKind kind, Mode mode, int cores, String subject, Quantity quantity) {
+    double[] values(Kind kind, Mode mode, int cores, String subject, Quantity quantity) {
         return all.stream()
                 .filter(each -> each.kind() == kind
                         && each.mode() == mode
@@ -49,7 +53,7 @@ final class Measurements {
     }
 
     /** @throws IllegalArgumentException if not measured */
-    SampleStatistics statistics(MeasurementKind kind, Mode mode, int cores, String subject, Quantity quantity) {
+    SampleStatistics statistics(Kind kind, Mode mode, int cores, String subject, Quantity quantity) {
         double[] values = values(kind, mode, cores, subject, quantity);
         if (values.length == 0) {
             throw new IllegalArgumentException(
@@ -69,6 +73,12 @@ final class Measurements {
             ratios[index] = numerators[index] / denominators[index];
         }
         return ratios;
+    }
+
+    /** Statistics of times in milliseconds, in seconds. */
+    static SampleStatistics seconds(double[] millis) {
+        return SampleStatistics.of(
+                Arrays.stream(millis).map(each -> each / 1000).toArray());
     }
 
     /** Writes all measurements as CSV, one number per line. */

@@ -1,5 +1,6 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
 import java.util.HashMap;
@@ -81,8 +82,8 @@ final class SwitchMeter implements Meter {
     }
 
     @Override
-    public Result result() {
-        var result = new Result.Builder().add(Measurement.BOTH, Quantity.STATE_CHANGES, changes);
+    public Job.Result result() {
+        var result = new Job.Result.Builder().add(Measurement.BOTH, Quantity.STATE_CHANGES, changes);
         if (passing.count() > 0) {
             result.add(Measurement.BOTH, Quantity.SWITCH_TIME, passing.quantile(0.5, NANOS_PER_MILLI));
         }

@@ -1,7 +1,7 @@
 package io.troupe.demo.serve;
 
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.FileProblems;
-import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.sim.Pace;
 import io.troupe.sim.WorldSettings;
 import java.io.IOException;

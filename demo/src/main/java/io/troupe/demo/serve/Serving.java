@@ -1,6 +1,6 @@
 package io.troupe.demo.serve;
 
-import io.troupe.demo.terminal.ProgressLine;
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.sim.Pace;

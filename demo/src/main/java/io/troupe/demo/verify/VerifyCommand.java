@@ -1,11 +1,11 @@
 package io.troupe.demo.verify;
 
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
-import io.troupe.demo.terminal.ProgressLine;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.Pnml;
 import java.io.IOException;

@@ -2,6 +2,8 @@ package io.troupe.demo.evaluate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.demo.svg.Chart;
 import io.troupe.services.subsumption.Mode;
 import java.awt.image.BufferedImage;
@@ -91,7 +93,7 @@ class EvaluationFiguresTest {
 
     @Test
     void whatWasMeasuredOnce_hasNoSpread() {
-        var once = new EvaluationSettings(
+        var once = new Evaluation.Settings(
                 out, 10, List.of(2), List.of(Mode.PROMISE), 1, 0, 10, false, true, out.resolve("log"));
         var measured = new Measurements();
         var often = new Measurements();
@@ -152,14 +154,14 @@ class EvaluationFiguresTest {
             int cores = Integer.parseInt(row.group(2));
             for (int repetition = 1; repetition <= 5; repetition++) {
                 for (int column = 0; column < 3; column++) {
-                    String subject = List.of(CoreMeasurements.FOLLOWER, CoreMeasurements.WANDERER, Measurement.BOTH)
+                    String subject = List.of(Measurement.FOLLOWER, Measurement.WANDERER, Measurement.BOTH)
                             .get(column);
                     int group = 4 + 3 * column + (repetition < 3 ? 1 : repetition == 3 ? 0 : 2);
                     double seconds = Double.parseDouble(column == 2 ? row.group(3) : alone.group(column + 1));
                     measurements.add(new Measurement(
-                            MeasurementKind.LOOPS, mode, cores, repetition, subject, Quantity.TIME, 1000 * seconds));
+                            Kind.LOOPS, mode, cores, repetition, subject, Quantity.TIME, 1000 * seconds));
                     measurements.add(new Measurement(
-                            MeasurementKind.LOOPS,
+                            Kind.LOOPS,
                             mode,
                             cores,
                             repetition,
@@ -175,7 +177,7 @@ class EvaluationFiguresTest {
 
     @Test
     void modesThatWereNotMeasured_haveNoFigure() {
-        var settings = new EvaluationSettings(
+        var settings = new Evaluation.Settings(
                 out, 10, List.of(2), List.of(Mode.PROMISE), 1, 0, 10, false, false, out.resolve("log"));
         var charts = new EvaluationFigures(
                         settings, SyntheticMeasurements.confirmingThePaper().measurements())

@@ -3,7 +3,8 @@ package io.troupe.demo.evaluate;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.time.ManualClock;
-import io.troupe.demo.terminal.ProgressLine;
+import io.troupe.common.measure.ProgressLine;
+import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.services.subsumption.Mode;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
@@ -12,12 +13,12 @@ import java.time.Duration;
 import org.junit.jupiter.api.Test;
 
 class EvaluationProgressTest {
-    private static final Job JOB = new Job(MeasurementKind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 0);
+    private static final Job JOB = new Job(Kind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 0);
 
     private final ByteArrayOutputStream terminal = new ByteArrayOutputStream();
     private final ManualClock clock = new ManualClock();
     private final EvaluationProgress progress = new EvaluationProgress(
-            ProgressLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock), clock);
+            ProgressLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock::nanos), clock);
 
     /** The output since the previous call. */
     private String shown() {
@@ -38,7 +39,7 @@ class EvaluationProgressTest {
         clock.advance(Duration.ofSeconds(10));
         progress.ended(50);
         progress.begins(JOB, 1);
-        String doing = JOB.title() + ", told " + CoreMeasurements.cores(1);
+        String doing = JOB.title() + ", told " + "1 core";
         assertThat(shown()).isEqualTo(bar(7) + "  25 %, 30 s left  " + doing);
         clock.advance(Duration.ofSeconds(10));
         progress.within(50);

@@ -3,6 +3,7 @@ package io.troupe.demo.evaluate;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
 import org.junit.jupiter.api.Test;
@@ -15,7 +16,7 @@ class LoopMeterTest {
 
     private long millis;
 
-    private final RobotClock time = new RobotClock() {
+    private final Meter.RobotClock time = new Meter.RobotClock() {
         @Override
         public long nanos() {
             return millis * 1_000_000;
@@ -48,7 +49,7 @@ class LoopMeterTest {
     private static double value(LoopMeter meter, String subject, Quantity quantity) {
         return meter.result().values().stream()
                 .filter(each -> each.subject().equals(subject) && each.quantity() == quantity)
-                .mapToDouble(Result.Value::value)
+                .mapToDouble(Job.Result.Value::value)
                 .sum();
     }
 

@@ -3,6 +3,8 @@ package io.troupe.demo.evaluate;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
 import java.nio.file.Path;
@@ -21,22 +23,22 @@ class MeasuringProcessTest {
 
     @Test
     void jobAndValue_areReadAsTheyAreWritten() {
-        var job = new Job(MeasurementKind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 6665);
+        var job = new Job(Kind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 6665);
         assertThat(Job.parse(job.line())).isEqualTo(job);
-        var value = new Result.Value("both", Quantity.DELAY_P99, 0.1);
-        assertThat(Result.Value.parse(value.line())).isEqualTo(value);
+        var value = new Job.Result.Value("both", Quantity.DELAY_P99, 0.1);
+        assertThat(Job.Result.Value.parse(value.line())).isEqualTo(value);
         assertThatThrownBy(() -> Job.parse("ALONE SYNC")).hasMessageContaining("a job of 2 fields, expected 7");
     }
 
     @Test
     void jobThatFails_isToldWithItsReason_andTheNextOneIsDone() throws IOException {
         try (var process = MeasuringProcess.start(2, WORLD, directory.resolve("log"))) {
-            var nobodyThere = new Job(MeasurementKind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 1);
+            var nobodyThere = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 1);
             assertThatThrownBy(() -> process.measure(nobodyThere))
                     .isInstanceOf(IOException.class)
                     .hasMessageContainingAll("promise mode, loops: ", "127.0.0.1:1 cannot be reached");
-            var fine = new Job(MeasurementKind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
-            assertThat(process.measure(fine).values()).contains(new Result.Value("both", Quantity.TIME, 200));
+            var fine = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+            assertThat(process.measure(fine).values()).contains(new Job.Result.Value("both", Quantity.TIME, 200));
         }
     }
 
@@ -45,7 +47,7 @@ class MeasuringProcessTest {
     @ValueSource(ints = {1, 5})
     void jvmThatMeasures_hasAsManyProcessorsAsItIsTold(int cores) throws IOException {
         try (var process = MeasuringProcess.start(cores, WORLD, directory.resolve("log"))) {
-            var job = new Job(MeasurementKind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+            var job = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
             assertThat(process.measure(job).values()).isNotEmpty(); // rejected if the JVM reports another number
         }
     }
@@ -53,7 +55,7 @@ class MeasuringProcessTest {
     @Test
     void jvmThatEnds_isToldWithItsStatus() throws IOException {
         try (var process = MeasuringProcess.start(2, directory.resolve("no.world"), directory.resolve("log"))) {
-            var job = new Job(MeasurementKind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+            var job = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
             assertThatThrownBy(() -> process.measure(job))
                     .isInstanceOf(IOException.class)
                     .hasMessageContaining("the JVM that measures (told 2 cores) has ended: exit status 1, see "

@@ -1,5 +1,7 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Mode;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
@@ -12,12 +14,12 @@ final class SyntheticMeasurements {
     static final List<Integer> CORES = List.of(2, 3);
     static final int REPETITIONS = ClaimVerdict.ENOUGH_REPETITIONS;
 
-    private record Key(MeasurementKind kind, Mode mode, String subject, Quantity quantity) {}
+    private record Key(Kind kind, Mode mode, String subject, Quantity quantity) {}
 
     private final Map<Key, Double> values = new LinkedHashMap<>();
 
-    static EvaluationSettings settings(Path out) {
-        return new EvaluationSettings(
+    static Evaluation.Settings settings(Path out) {
+        return new Evaluation.Settings(
                 Path.of("none.world"), 1000, CORES, MODES, REPETITIONS, 0, 300, false, false, out.resolve("log"));
     }
 
@@ -30,34 +32,34 @@ final class SyntheticMeasurements {
                     .loops(mode, Measurement.BOTH, Quantity.TURN, both[mode.ordinal()])
                     .loops(mode, Measurement.BOTH, Quantity.PROCESSOR, 2 * both[mode.ordinal()]);
             for (Quantity quantity : List.of(Quantity.TIME, Quantity.CYCLE)) {
-                made.loops(mode, CoreMeasurements.FOLLOWER, quantity, 4_000)
-                        .loops(mode, CoreMeasurements.WANDERER, quantity, 1_000);
+                made.loops(mode, Measurement.FOLLOWER, quantity, 4_000)
+                        .loops(mode, Measurement.WANDERER, quantity, 1_000);
             }
-            made.loops(mode, CoreMeasurements.WANDERER, Quantity.INTERVAL, 250);
-            made.add(MeasurementKind.SWITCHES, mode, Measurement.BOTH, Quantity.STATE_CHANGES, 10);
+            made.loops(mode, Measurement.WANDERER, Quantity.INTERVAL, 250);
+            made.add(Kind.SWITCHES, mode, Measurement.BOTH, Quantity.STATE_CHANGES, 10);
         }
         made.loops(Mode.SYNC, Measurement.BOTH, Quantity.TIME, 8_000)
-                .add(MeasurementKind.ALONE, Mode.PROMISE, CoreMeasurements.FOLLOWER, Quantity.TIME, 4_000)
-                .add(MeasurementKind.ALONE, Mode.PROMISE, CoreMeasurements.WANDERER, Quantity.TIME, 4_000);
+                .add(Kind.ALONE, Mode.PROMISE, Measurement.FOLLOWER, Quantity.TIME, 4_000)
+                .add(Kind.ALONE, Mode.PROMISE, Measurement.WANDERER, Quantity.TIME, 4_000);
         made.loops(Mode.SYNC, Measurement.BOTH, Quantity.TURN, 8_000)
-                .add(MeasurementKind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1_500)
-                .add(MeasurementKind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY_P99, 2_000)
-                .add(MeasurementKind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 300)
-                .add(MeasurementKind.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.SENT, 10);
+                .add(Kind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1_500)
+                .add(Kind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY_P99, 2_000)
+                .add(Kind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 300)
+                .add(Kind.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.SENT, 10);
         return made;
     }
 
     SyntheticMeasurements loops(Mode mode, String subject, Quantity quantity, double value) {
-        return add(MeasurementKind.LOOPS, mode, subject, quantity, value);
+        return add(Kind.LOOPS, mode, subject, quantity, value);
     }
 
     /** Adds a value; replaces an existing one. */
-    SyntheticMeasurements add(MeasurementKind kind, Mode mode, String subject, Quantity quantity, double value) {
+    SyntheticMeasurements add(Kind kind, Mode mode, String subject, Quantity quantity, double value) {
         values.put(new Key(kind, mode, subject, quantity), value);
         return this;
     }
 
-    SyntheticMeasurements forget(MeasurementKind kind, Mode mode) {
+    SyntheticMeasurements forget(Kind kind, Mode mode) {
         values.keySet().removeIf(key -> key.kind() == kind && key.mode() == mode);
         return this;
     }
@@ -75,7 +77,7 @@ final class SyntheticMeasurements {
         return measurements;
     }
 
-    List<PaperClaim> claims() {
-        return Claims.of(measurements(), MODES, CORES, false);
+    List<PaperClaims.Judged> claims() {
+        return PaperClaims.judge(measurements(), MODES, CORES, false);
     }
 }

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
-import io.troupe.demo.terminal.ProgressLine;
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
 import io.troupe.player.structures.PlayerConstants;

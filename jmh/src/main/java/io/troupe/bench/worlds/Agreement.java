@@ -1,5 +1,6 @@
 package io.troupe.bench.worlds;
 
+import io.troupe.bench.worlds.BenchWorld.Readings;
 import io.troupe.sim.model.WorldSpec;
 import java.util.List;
 import java.util.stream.Stream;

@@ -1,7 +1,11 @@
 package io.troupe.bench.worlds;
 
+import io.troupe.bench.BenchmarkCommand;
+import io.troupe.bench.BenchmarkCommand.AtLeastOne;
+import io.troupe.common.measure.ProgressLine;
 import java.io.IOException;
 import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumMap;
@@ -10,6 +14,12 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import java.util.TreeMap;
+import java.util.concurrent.Callable;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Option;
 
 /**
  * Compares our simulator with two physics engines that carry the same robots.
@@ -20,114 +30,172 @@ import java.util.TreeMap;
  *
  * <p><b>Errors.</b> The comparison ends if contenders do not sense the same after a second, or if one fails.
  */
-public final class CompareWorlds {
-    private final WorldsOptions options;
-    private final Random random;
+@Command(
+        name = "CompareWorlds",
+        description = "Compares our simulator with two physics engines that carry the same robots.",
+        showDefaultValues = true)
+public final class CompareWorlds implements Callable<Integer> {
+    /** Above this number, the other contenders get {@link #FEW_ROUNDS} turns and a warm-up of one interval. */
+    private static final int MANY_ROBOTS = 1_000;
+
+    private static final int FEW_ROUNDS = 3;
+
+    @Option(
+            names = "--robots",
+            paramLabel = "N",
+            split = ",",
+            converter = AtLeastOne.class,
+            description = "how many robots")
+    List<Integer> robots = List.of(1, 2, 10, 100, 1_000, 10_000);
+
+    @Option(
+            names = "--rounds",
+            paramLabel = "N",
+            converter = AtLeastOne.class,
+            description = "how many turns each contender has for each number of robots")
+    int rounds = 9;
+
+    @Option(names = "--turn", paramLabel = "MILLIS", converter = AtLeastOne.class, description = "of a turn")
+    int turnMillis = 500;
+
+    @Option(
+            names = "--warm-up",
+            paramLabel = "MILLIS",
+            converter = AtLeastOne.class,
+            description = "for each contender and number of robots")
+    int warmUpMillis = 3_000;
+
+    @Option(names = "--seed", paramLabel = "N", description = "of the order of the turns")
+    long seed = 1;
+
+    @Option(
+            names = "--only",
+            paramLabel = "NAME",
+            split = ",",
+            converter = WorldKind.Converter.class,
+            description = "these contenders, and troupe")
+    List<WorldKind> only = List.of(WorldKind.values());
+
+    @Option(names = "--figure", paramLabel = "FILE", description = "draws the curve, as SVG")
+    @Nullable
+    Path figure;
+
     private final WorldsResults results = new WorldsResults(new TreeMap<>(), new TreeMap<>());
 
-    private CompareWorlds(WorldsOptions options) {
-        this.options = options;
-        random = new Random(options.seed());
+    /** Replaces the options before it, and is replaced by those after it. */
+    @Option(
+            names = "--quick",
+            description = "as --robots 1,2,10,100 --rounds 3 --turn 200 --warm-up 1000",
+            showDefaultValue = Visibility.NEVER)
+    private void quick(boolean chosen) {
+        if (chosen) {
+            robots = List.of(1, 2, 10, 100);
+            rounds = 3;
+            turnMillis = 200;
+            warmUpMillis = 1_000;
+        }
     }
 
-    public static void main(String[] args) throws IOException {
-        WorldsOptions options;
-        try {
-            options = WorldsOptions.parse(args);
-        } catch (IllegalArgumentException wrong) {
-            System.err.println(wrong.getMessage());
-            System.err.print(WorldsOptions.USAGE);
-            System.exit(2);
-            return;
-        }
-        new CompareWorlds(options).run();
+    public static void main(String[] arguments) {
+        System.exit(BenchmarkCommand.of(new CompareWorlds()).execute(arguments));
     }
 
-    private void run() throws IOException {
-        agree();
-        measureRetained();
-        List<WorldPipe> pipes = new ArrayList<>();
-        try {
-            for (WorldKind kind : options.only()) {
-                pipes.add(new WorldPipe(kind));
-            }
-            for (int robots : options.robots()) {
-                results.turns().put(robots, compare(robots, pipes));
-            }
-        } finally {
-            pipes.forEach(WorldPipe::close);
+    /** The numbers of robots, in ascending order. */
+    List<Integer> robots() {
+        return robots.stream().distinct().sorted().toList();
+    }
+
+    /** The contenders, ours first. */
+    List<WorldKind> contenders() {
+        return Stream.concat(Stream.of(WorldKind.TROUPE), only.stream())
+                .distinct()
+                .toList();
+    }
+
+    @Override
+    public Integer call() throws IOException {
+        try (var line = ProgressLine.open()) {
+            agree(line);
+            measureRetained(line);
+            measureTurns(line);
         }
-        System.out.print(new WorldsReport(options, results).table());
-        var figure = options.figure();
+        System.out.print(new WorldsReport(rounds, turnMillis, seed, results).table());
         if (figure != null) {
             Files.writeString(figure, WorldsDrawing.of(results).svg());
         }
+        return 0;
     }
 
-    private void agree() {
-        for (int robots : options.robots()) {
-            if (robots <= WorldsOptions.MANY_ROBOTS) {
-                progress("comparing the readings of " + robots);
-                Agreement agreement = Agreement.check(robots);
-                progress("");
-                System.out.printf(
+    private void measureTurns(ProgressLine line) throws IOException {
+        var random = new Random(seed);
+        List<WorldProcess> processes = new ArrayList<>();
+        try {
+            for (WorldKind kind : contenders()) {
+                processes.add(new WorldProcess(kind));
+            }
+            for (int count : robots()) {
+                results.turns().put(count, compare(count, processes, random, line));
+            }
+        } finally {
+            processes.forEach(WorldProcess::close);
+        }
+    }
+
+    private void agree(ProgressLine line) {
+        for (int count : robots()) {
+            if (count <= MANY_ROBOTS) {
+                line.show("comparing the readings of " + count);
+                Agreement agreement = Agreement.check(count);
+                line.interrupt(() -> System.out.printf(
                         Locale.ROOT,
                         "%,d robots: after one second the sonars of all contenders agree within %.2f mm, but for %d rays that graze a corner%n",
-                        robots,
+                        count,
                         1000 * agreement.largestM(),
-                        agreement.grazing());
+                        agreement.grazing()));
             }
         }
         System.out.println();
     }
 
     /** Measures the retained bytes in a separate JVM. */
-    private void measureRetained() throws IOException {
-        try (var pipe = new WorldPipe(WorldKind.TROUPE)) {
-            for (int robots : options.robots()) {
-                if (robots > 1) {
-                    progress("memory of " + robots);
-                    results.retainedBytes().put(robots, pipe.retainedBytes(robots));
+    private void measureRetained(ProgressLine line) throws IOException {
+        try (var process = new WorldProcess(WorldKind.TROUPE)) {
+            for (int count : robots()) {
+                if (count > 1) {
+                    line.show("memory of " + count);
+                    results.retainedBytes().put(count, process.retainedBytes(count));
                 }
             }
         }
-        progress("");
     }
 
-    private Map<WorldKind, List<WorldTurn>> compare(int robots, List<WorldPipe> pipes) throws IOException {
+    private Map<WorldKind, List<WorldTurn>> compare(
+            int count, List<WorldProcess> processes, Random random, ProgressLine line) throws IOException {
         Map<WorldKind, List<WorldTurn>> turns = new EnumMap<>(WorldKind.class);
-        for (WorldPipe pipe : pipes) {
-            progress(robots + " robots: warming up " + pipe.kind().label());
-            turns.put(pipe.kind(), new ArrayList<>());
-            pipe.build(robots);
-            pipe.turn(isShort(robots, pipe) ? 1 : options.warmUpMillis());
+        for (WorldProcess process : processes) {
+            line.show(count + " robots: warming up " + process.kind().label());
+            turns.put(process.kind(), new ArrayList<>());
+            process.build(count);
+            process.turn(isShort(count, process) ? 1 : warmUpMillis);
         }
-        for (int round = 1; round <= options.rounds(); round++) {
-            progress(robots + " robots: round " + round + " of " + options.rounds());
-            var order = new ArrayList<>(pipes);
+        for (int round = 1; round <= rounds; round++) {
+            line.show(count + " robots: round " + round + " of " + rounds);
+            var order = new ArrayList<>(processes);
             Collections.shuffle(order, random);
-            for (WorldPipe pipe : order) {
-                if (round <= WorldsOptions.FEW_ROUNDS || !isShort(robots, pipe)) {
-                    turns.get(pipe.kind()).add(pipe.turn(options.turnMillis()));
+            for (WorldProcess process : order) {
+                if (round <= FEW_ROUNDS || !isShort(count, process)) {
+                    turns.get(process.kind()).add(process.turn(turnMillis));
                 }
             }
         }
-        for (WorldPipe pipe : pipes) {
-            pipe.drop();
+        for (WorldProcess process : processes) {
+            process.drop();
         }
-        progress("");
         return turns;
     }
 
     /** With many robots the other contenders get only a few turns. */
-    private static boolean isShort(int robots, WorldPipe pipe) {
-        return robots > WorldsOptions.MANY_ROBOTS && !pipe.kind().isOurs();
-    }
-
-    private static void progress(String text) {
-        System.err.printf("\r%-60s", text);
-        if (text.isEmpty()) {
-            System.err.print("\r");
-        }
+    private static boolean isShort(int count, WorldProcess process) {
+        return count > MANY_ROBOTS && !process.kind().isOurs();
     }
 }

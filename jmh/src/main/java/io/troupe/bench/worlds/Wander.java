@@ -1,5 +1,7 @@
 package io.troupe.bench.worlds;
 
+import io.troupe.bench.worlds.BenchWorld.Readings;
+
 /**
  * The control law of all robots: drive on, towards the freer side and away from colours; with an obstacle ahead, turn
  * to one side until the way is free.

@@ -1,9 +1,11 @@
 package io.troupe.bench.worlds;
 
+import io.troupe.bench.BenchmarkCommand;
 import io.troupe.sim.model.WorldSpec;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.BiFunction;
+import picocli.CommandLine.ITypeConverter;
 
 /** The contenders. */
 enum WorldKind {
@@ -42,7 +44,20 @@ enum WorldKind {
         return Arrays.stream(values())
                 .filter(each -> each.label.equals(label))
                 .findFirst()
-                .orElseThrow(() -> new IllegalArgumentException("no contender " + label + ", there are " + labels()));
+                .orElseThrow(() -> BenchmarkCommand.unknown(label, labels()));
+    }
+
+    /** Converts labels. */
+    static final class Converter implements ITypeConverter<WorldKind> {
+        @Override
+        public WorldKind convert(String label) {
+            return named(label);
+        }
+    }
+
+    @Override
+    public String toString() {
+        return label;
     }
 
     static List<String> labels() {

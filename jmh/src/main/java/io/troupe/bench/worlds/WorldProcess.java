@@ -1,95 +1,136 @@
 package io.troupe.bench.worlds;
 
+import io.troupe.common.measure.MeasuringJvm;
+import io.troupe.common.measure.UsedHeap;
 import io.troupe.sim.model.WorldSpec;
-import java.io.BufferedReader;
 import java.io.IOException;
-import java.io.InputStreamReader;
-import java.io.PrintStream;
 import java.lang.ref.Reference;
-import java.nio.charset.StandardCharsets;
+import java.util.List;
 import org.jspecify.annotations.Nullable;
 
-/**
- * The main class of a contender's JVM. It reads requests from standard input: {@code retained <robots>}, answered by
- * bytes per robot; {@code build <robots>}; {@code turn <millis>}, answered by a {@link WorldTurn}; and {@code drop}. It
- * exits at the end of its input.
- */
-final class WorldProcess {
-    private static final int COLLECTIONS = 4;
-    /** Enough for everything that is created on demand. */
-    private static final int SETTLING_INTERVALS = 5;
-
+/** A contender in a separate JVM. Between two requests that process waits, and uses no processor. */
+final class WorldProcess implements AutoCloseable {
     private final WorldKind kind;
-    private @Nullable BenchWorld world;
-    private double lastFactor;
+    private final MeasuringJvm jvm;
 
-    private WorldProcess(WorldKind kind) {
+    /** Starts the contender, and waits until it is ready. */
+    WorldProcess(WorldKind kind) throws IOException {
         this.kind = kind;
-    }
-
-    public static void main(String[] args) throws IOException {
-        PrintStream answers = System.out;
-        System.setOut(System.err); // output of libraries must not mix with the answers
-        var commands = new BufferedReader(new InputStreamReader(System.in, StandardCharsets.UTF_8));
-        var process = new WorldProcess(WorldKind.named(args[0]));
-        answers.println("ready");
-        for (String line = commands.readLine(); line != null; line = commands.readLine()) {
-            answers.println(process.answer(line.split(" ")));
+        this.jvm = MeasuringJvm.running(Child.class, kind.label())
+                .withOptions("-Xmx2g", "-XX:+UseSerialGC") // one thread, including the collector
+                .start();
+        try {
+            ask("ready");
+        } catch (IOException failure) {
+            jvm.close();
+            throw failure;
         }
     }
 
-    private String answer(String[] command) {
-        return switch (command[0]) {
-            case "retained" -> Double.toString(retainedBytes(Integer.parseInt(command[1])));
-            case "build" -> {
-                world = kind.create(TiledScene.of(Integer.parseInt(command[1])), true);
-                lastFactor = 0;
-                yield "built";
-            }
-            case "turn" -> {
-                if (world == null) {
-                    throw new IllegalStateException("a turn was asked for before a world was built");
-                }
-                WorldTurn turn = WorldTurn.run(world, Long.parseLong(command[1]) * 1_000_000, lastFactor);
-                lastFactor = turn.factor();
-                yield turn.line();
-            }
-            case "drop" -> {
-                world = null;
-                System.gc();
-                yield "dropped";
-            }
-            default ->
-                throw new IllegalArgumentException(
-                        "a command is " + command[0] + ", expected retained, build, turn or drop");
-        };
+    WorldKind kind() {
+        return kind;
+    }
+
+    double retainedBytes(int robotCount) throws IOException {
+        return Double.parseDouble(ask("retained " + robotCount));
+    }
+
+    void build(int robotCount) throws IOException {
+        ask("build " + robotCount);
+    }
+
+    WorldTurn turn(int millis) throws IOException {
+        return WorldTurn.parse(ask("turn " + millis));
+    }
+
+    void drop() throws IOException {
+        ask("drop");
+    }
+
+    private String ask(String request) throws IOException {
+        return jvm.ask(request, kind.label() + ", " + request).getFirst();
+    }
+
+    /** Ends the process. */
+    @Override
+    public void close() {
+        jvm.close();
     }
 
     /**
-     * What a robot adds to the heap: the difference between the world with all robots and the same world with the first
-     * of them only.
+     * The main class of a contender's JVM. It answers {@code ready}; {@code retained <robots>} by bytes per robot;
+     * {@code build <robots>}; {@code turn <millis>} by a {@link WorldTurn}; and {@code drop}.
      */
-    private double retainedBytes(int robotCount) {
-        WorldSpec full = TiledScene.of(robotCount);
-        var lonely = new WorldSpec(
-                full.name(), full.file(), full.intervalMillis(), full.robots().subList(0, 1), full.obstacles());
-        keptBytes(lonely); // loads classes and fills pools that all worlds share
-        return (double) (keptBytes(full) - keptBytes(lonely)) / (robotCount - 1);
-    }
+    static final class Child {
+        /** Enough for everything that is created on demand. */
+        private static final int SETTLING_INTERVALS = 5;
 
-    private long keptBytes(WorldSpec spec) {
-        long before = usedBytes();
-        BenchWorld kept = kind.create(spec, true);
-        kept.advance(SETTLING_INTERVALS);
-        long after = usedBytes();
-        Reference.reachabilityFence(kept);
-        return after - before;
-    }
+        private final WorldKind kind;
+        private @Nullable BenchWorld world;
+        private double lastFactor;
 
-    private static long usedBytes() {
-        for (int i = 0; i < COLLECTIONS; i++) {
-            System.gc();
+        private Child(WorldKind kind) {
+            this.kind = kind;
         }
-        return Runtime.getRuntime().totalMemory() - Runtime.getRuntime().freeMemory();
+
+        public static void main(String[] args) throws Exception {
+            MeasuringJvm.serve(() -> {
+                var child = new Child(WorldKind.named(args[0]));
+                return request -> List.of(child.answer(request.split(" ")));
+            });
+        }
+
+        private String answer(String[] command) {
+            return switch (command[0]) {
+                case "ready" -> command[0];
+                case "retained" -> Double.toString(retainedBytes(Integer.parseInt(command[1])));
+                case "build" -> {
+                    world = kind.create(TiledScene.of(Integer.parseInt(command[1])), true);
+                    lastFactor = 0;
+                    yield "built";
+                }
+                case "turn" -> {
+                    if (world == null) {
+                        throw new IllegalStateException("a turn was asked for before a world was built");
+                    }
+                    WorldTurn turn = WorldTurn.run(world, Long.parseLong(command[1]) * 1_000_000, lastFactor);
+                    lastFactor = turn.factor();
+                    yield turn.line();
+                }
+                case "drop" -> {
+                    world = null;
+                    System.gc();
+                    yield "dropped";
+                }
+                default ->
+                    throw new IllegalArgumentException(
+                            "a command is " + command[0] + ", expected ready, retained, build, turn or drop");
+            };
+        }
+
+        /**
+         * What a robot adds to the heap: the difference between the world with all robots and the same world with the
+         * first of them only.
+         */
+        private double retainedBytes(int robotCount) {
+            WorldSpec full = TiledScene.of(robotCount);
+            var lonely = new WorldSpec(
+                    full.name(),
+                    full.file(),
+                    full.intervalMillis(),
+                    full.robots().subList(0, 1),
+                    full.obstacles());
+            keptBytes(lonely); // loads classes and fills pools that all worlds share
+            return (double) (keptBytes(full) - keptBytes(lonely)) / (robotCount - 1);
+        }
+
+        private long keptBytes(WorldSpec spec) {
+            long before = UsedHeap.bytes();
+            BenchWorld kept = kind.create(spec, true);
+            kept.advance(SETTLING_INTERVALS);
+            long after = UsedHeap.bytes();
+            Reference.reachabilityFence(kept);
+            return after - before;
+        }
     }
 }

@@ -2,7 +2,7 @@ package io.troupe.bench.worlds;
 
 import static java.util.Objects.requireNonNull;
 
-import io.troupe.bench.Quartiles;
+import io.troupe.common.measure.SampleStatistics;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;
@@ -14,7 +14,7 @@ import java.util.stream.Stream;
  * Draws how many times faster than real time the contenders are, by the number of robots, as SVG. Both axes are
  * logarithmic.
  */
-record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
+record WorldsDrawing(Map<Integer, Map<WorldKind, SampleStatistics>> factors) {
     private static final double LINE_HEIGHT = 13;
     private static final int LEFT = 60;
     private static final int TOP = 74;
@@ -24,9 +24,9 @@ record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
     private static final int FOOT = 70;
 
     static WorldsDrawing of(WorldsResults results) {
-        Map<Integer, Map<WorldKind, Quartiles>> factors = new TreeMap<>();
+        Map<Integer, Map<WorldKind, SampleStatistics>> factors = new TreeMap<>();
         results.turns().forEach((robots, kinds) -> {
-            Map<WorldKind, Quartiles> its = new EnumMap<>(WorldKind.class);
+            Map<WorldKind, SampleStatistics> its = new EnumMap<>(WorldKind.class);
             kinds.keySet().forEach(kind -> its.put(kind, results.factor(robots, kind)));
             factors.put(robots, its);
         });
@@ -130,13 +130,19 @@ record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
         double x = 0;
         double y = 0;
         for (int robots : robotsOf(kind)) {
-            Quartiles factor = quartiles(robots, kind);
+            SampleStatistics factor = quartiles(robots, kind);
             x = x(robots);
             y = y(Math.log10(factor.median()));
             points.append(WorldsReport.format("%.1f,%.1f ", x, y));
             marks.append(WorldsReport.format(
                     "<circle cx='%.1f' cy='%.1f' r='2.5' class='%s' fill='white'/><line x1='%.1f' x2='%.1f' y1='%.1f' y2='%.1f' class='q'/>%n",
-                    x, y, style.substring(0, 1), x, x, y(Math.log10(factor.lower())), y(Math.log10(factor.upper()))));
+                    x,
+                    y,
+                    style.substring(0, 1),
+                    x,
+                    x,
+                    y(Math.log10(factor.lowerQuartile())),
+                    y(Math.log10(factor.upperQuartile()))));
         }
         if (points.isEmpty()) {
             return "";
@@ -169,7 +175,7 @@ record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
         return labels.toString();
     }
 
-    private Quartiles quartiles(int robots, WorldKind kind) {
+    private SampleStatistics quartiles(int robots, WorldKind kind) {
         return requireNonNull(factors.getOrDefault(robots, Map.of()).get(kind), kind::label);
     }
 
@@ -182,7 +188,7 @@ record WorldsDrawing(Map<Integer, Map<WorldKind, Quartiles>> factors) {
 
     private List<Double> medians() {
         return factors.values().stream()
-                .flatMap(kinds -> kinds.values().stream().map(Quartiles::median))
+                .flatMap(kinds -> kinds.values().stream().map(SampleStatistics::median))
                 .toList();
     }
 

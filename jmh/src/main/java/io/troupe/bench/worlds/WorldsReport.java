@@ -1,10 +1,10 @@
 package io.troupe.bench.worlds;
 
-import io.troupe.bench.Quartiles;
+import io.troupe.common.measure.SampleStatistics;
 import java.util.Locale;
 
 /** Formats the results as a table in Markdown. */
-record WorldsReport(WorldsOptions options, WorldsResults results) {
+record WorldsReport(int rounds, int turnMillis, long seed, WorldsResults results) {
     private static final String HEAD = """
             | robots | contender | simulated seconds per second | divided by ours, same round | bytes per physics step | bytes kept per robot |
             |---|---|---|---|---|---|
@@ -14,11 +14,7 @@ record WorldsReport(WorldsOptions options, WorldsResults results) {
     String table() {
         var text = new StringBuilder(format(
                 "Java %s, %d processors, %d rounds of %d ms, seed %d%n%n",
-                Runtime.version(),
-                Runtime.getRuntime().availableProcessors(),
-                options.rounds(),
-                options.turnMillis(),
-                options.seed()));
+                Runtime.version(), Runtime.getRuntime().availableProcessors(), rounds, turnMillis, seed));
         text.append(HEAD);
         for (int robots : results.turns().keySet()) {
             for (WorldKind kind : results.turns().get(robots).keySet()) {
@@ -40,8 +36,8 @@ record WorldsReport(WorldsOptions options, WorldsResults results) {
                 retained == null ? "" : format("%,d", Math.round(retained)));
     }
 
-    private static String cell(Quartiles of) {
-        return number(of.median()) + " (" + number(of.lower()) + ".." + number(of.upper()) + ")";
+    private static String cell(SampleStatistics of) {
+        return number(of.median()) + " (" + number(of.lowerQuartile()) + ".." + number(of.upperQuartile()) + ")";
     }
 
     static String number(double value) {

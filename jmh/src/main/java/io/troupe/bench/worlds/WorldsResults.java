@@ -1,6 +1,6 @@
 package io.troupe.bench.worlds;
 
-import io.troupe.bench.Quartiles;
+import io.troupe.common.measure.SampleStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.stream.IntStream;
@@ -12,20 +12,21 @@ import java.util.stream.IntStream;
  * @param retainedBytes the bytes of the heap that one of our robots retains, by number of robots
  */
 record WorldsResults(Map<Integer, Map<WorldKind, List<WorldTurn>>> turns, Map<Integer, Double> retainedBytes) {
-    Quartiles factor(int robots, WorldKind kind) {
-        return Quartiles.of(of(robots, kind).stream().map(WorldTurn::factor).toList());
+    SampleStatistics factor(int robots, WorldKind kind) {
+        return SampleStatistics.of(
+                of(robots, kind).stream().map(WorldTurn::factor).toList());
     }
 
-    Quartiles bytesPerStep(int robots, WorldKind kind) {
-        return Quartiles.of(
+    SampleStatistics bytesPerStep(int robots, WorldKind kind) {
+        return SampleStatistics.of(
                 of(robots, kind).stream().map(WorldTurn::bytesPerStep).toList());
     }
 
     /** The contender's factor divided by ours in the same round. */
-    Quartiles ratio(int robots, WorldKind kind) {
+    SampleStatistics ratio(int robots, WorldKind kind) {
         var ours = of(robots, WorldKind.TROUPE);
         var its = of(robots, kind);
-        return Quartiles.of(IntStream.range(0, its.size())
+        return SampleStatistics.of(IntStream.range(0, its.size())
                 .mapToObj(round -> its.get(round).factor() / ours.get(round).factor())
                 .toList());
     }

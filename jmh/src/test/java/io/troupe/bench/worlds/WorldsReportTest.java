@@ -1,9 +1,8 @@
 package io.troupe.bench.worlds;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import io.troupe.bench.Quartiles;
+import io.troupe.common.measure.SampleStatistics;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -36,7 +35,7 @@ class WorldsReportTest {
 
     @Test
     void table_dividesByOursOfTheSameRound() {
-        assertThat(new WorldsReport(WorldsOptions.parse("--rounds", "3"), results).table())
+        assertThat(new WorldsReport(3, 500, 1, results).table())
                 .contains("| 2 | troupe | 200 (150..300) | 1.00 (1.00..1.00) | 2,000 |  |")
                 .contains("| 2 | jbox2d | 100 (75.0..150) | 0.500 (0.500..0.500) | 1,000 |  |")
                 .contains("| 10,000 | troupe | 0.700 (0.650..0.750) | 1.00 (1.00..1.00) | 7 | 1,234 |")
@@ -64,14 +63,14 @@ class WorldsReportTest {
     @Test
     void drawingInTheDocumentation_isThatOfTheTableThere() throws IOException {
         var row = Pattern.compile("\\| ([\\d,]+) \\| (\\S+) \\| ([\\d,.]+) \\(([\\d,.]+?)\\.\\.([\\d,.]+)\\) \\|.*");
-        var factors = new TreeMap<Integer, Map<WorldKind, Quartiles>>();
+        var factors = new TreeMap<Integer, Map<WorldKind, SampleStatistics>>();
         for (String line : Files.readAllLines(Path.of("..", "docs", "benchmarks.md"))) {
             var found = row.matcher(line);
             if (found.matches() && WorldKind.labels().contains(found.group(2))) {
                 factors.computeIfAbsent((int) number(found.group(1)), robots -> new EnumMap<>(WorldKind.class))
                         .put(
                                 WorldKind.named(found.group(2)),
-                                new Quartiles(number(found.group(4)), number(found.group(3)), number(found.group(5))));
+                                quartiles(number(found.group(4)), number(found.group(3)), number(found.group(5))));
             }
         }
         assertThat(factors).hasSize(6);
@@ -88,17 +87,8 @@ class WorldsReportTest {
         return Double.parseDouble(text.replace(",", ""));
     }
 
-    @Test
-    void options_areRead_andWrongOnesRefused() {
-        var options = WorldsOptions.parse("--quick", "--robots", "100,2", "--only", "dyn4j");
-        assertThat(options.robots()).containsExactly(2, 100);
-        assertThat(options.rounds()).isEqualTo(3);
-        assertThat(options.only()).containsExactly(WorldKind.TROUPE, WorldKind.DYN4J);
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> WorldsOptions.parse("--robots", "0"))
-                .withMessage("--robots is 0, expected 1 or more");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> WorldsOptions.parse("--only", "stage"))
-                .withMessageStartingWith("no contender stage");
+    /** The statistics of five values whose quartiles are these. */
+    private static SampleStatistics quartiles(double lower, double median, double upper) {
+        return SampleStatistics.of(lower, lower, median, upper, upper);
     }
 }

@@ -1,7 +1,5 @@
 package io.troupe.actor.soak;
 
-import java.util.List;
-
 /**
  * Length and load of a soak test.
  *
@@ -26,37 +24,5 @@ record SoakOptions(long messages, int producers, int window, int capacity, int h
         if (value < least) {
             throw new IllegalArgumentException("--" + name + " is " + value + ", expected " + least + " or more");
         }
-    }
-
-    /** Parses {@code --name number} pairs. */
-    static SoakOptions parse(List<String> arguments) {
-        var options = DEFAULT;
-        for (int at = 0; at < arguments.size(); at += 2) {
-            String name = arguments.get(at);
-            if (at + 1 == arguments.size()) {
-                throw new IllegalArgumentException(name + " has no value, expected a whole number");
-            }
-            options = options.with(name, arguments.get(at + 1));
-        }
-        return options;
-    }
-
-    private SoakOptions with(String name, String value) {
-        long number;
-        try {
-            number = Long.parseLong(value.replace("_", ""));
-        } catch (NumberFormatException notOne) {
-            throw new IllegalArgumentException(name + " is " + value + ", expected a whole number", notOne);
-        }
-        return switch (name) {
-            case "--messages" -> new SoakOptions(number, producers, window, capacity, heapBoundMib);
-            case "--producers" -> new SoakOptions(messages, Math.toIntExact(number), window, capacity, heapBoundMib);
-            case "--window" -> new SoakOptions(messages, producers, Math.toIntExact(number), capacity, heapBoundMib);
-            case "--capacity" -> new SoakOptions(messages, producers, window, Math.toIntExact(number), heapBoundMib);
-            case "--heap-bound-mib" -> new SoakOptions(messages, producers, window, capacity, Math.toIntExact(number));
-            default ->
-                throw new IllegalArgumentException("unknown option " + name
-                        + ", expected --messages, --producers, --window, --capacity or --heap-bound-mib");
-        };
     }
 }

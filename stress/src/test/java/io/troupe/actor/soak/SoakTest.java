@@ -1,20 +1,22 @@
 package io.troupe.actor.soak;
 
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.testkit.TestSpace;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.util.ArrayList;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 class SoakTest {
     @Test
     @Timeout(120)
     void shortSoak_losesNothing_andKeepsTheOrder() throws InterruptedException {
         var lines = new ArrayList<String>();
-        var options = SoakOptions.parse(List.of("--messages", "200_000", "--window", "1_000", "--capacity", "100"));
+        var options = SoakMain.options("--messages", "200_000", "--window", "1_000", "--capacity", "100");
         assertThat(new Soak(options, lines::add).run()).isEmpty();
         // a sample may be taken between the last message and the end of a phase: then its line appears twice
         assertThat(lines)
@@ -50,12 +52,39 @@ class SoakTest {
     }
 
     @Test
-    void optionsThatMakeNoSense_areRejected() {
-        assertThatThrownBy(() -> SoakOptions.parse(List.of("--messages", "many")))
-                .hasMessage("--messages is many, expected a whole number");
-        assertThatThrownBy(() -> SoakOptions.parse(List.of("--producers", "0")))
-                .hasMessage("--producers is 0, expected 1 or more");
-        assertThatThrownBy(() -> SoakOptions.parse(List.of("--message", "1"))).hasMessageContaining("--message, exp");
-        assertThatThrownBy(() -> SoakOptions.parse(List.of("--window"))).hasMessageContaining("has no value");
+    void options_haveTheirDefaults_andAreRead() {
+        assertThat(SoakMain.options()).isEqualTo(new SoakOptions(20_000_000, 4, 5_000, 1_000, 24));
+        assertThat(SoakMain.options(
+                        "--messages",
+                        "99",
+                        "--producers",
+                        "2",
+                        "--window",
+                        "3",
+                        "--capacity",
+                        "4",
+                        "--heap-bound-mib",
+                        "5",
+                        "--window",
+                        "6"))
+                .isEqualTo(new SoakOptions(99, 2, 6, 4, 5));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--messages many | soak: --messages is many, expected a whole number",
+                "--producers 0 | soak: --producers is 0, expected 1 or more",
+                "--producers 5_000_000_000 | soak: --producers is 5_000_000_000, expected a whole number",
+                "--messages 15 | soak: --messages is 15, expected 16 or more",
+                "--message 1 | '--message'",
+                "--window | soak: Missing required parameter for option '--window' (N)"
+            })
+    void optionsThatMakeNoSense_areRejected_beforeTheUsage(String line, String message) {
+        var err = new StringWriter();
+        int status = SoakMain.commandLine().setErr(new PrintWriter(err)).execute(line.split(" "));
+        assertThat(err.toString()).contains(message).contains("Usage: soak");
+        assertThat(status).isEqualTo(2);
     }
 }

@@ -5,16 +5,19 @@ import static io.troupe.demo.evaluate.ClaimVerdict.DOES_NOT_HOLD;
 import static io.troupe.demo.evaluate.ClaimVerdict.HOLDS;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Mode;
+import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** Each verdict is tested in both directions. */
-class ClaimsTest {
+class PaperClaimsTest {
     private static ClaimVerdict verdict(SyntheticMeasurements made, String words, String measure) {
         return made.claims().stream()
-                .filter(claim ->
-                        claim.words().contains(words) && claim.measure().equals(measure))
+                .filter(judged -> judged.claim().words().contains(words)
+                        && judged.claim().measure().equals(measure))
                 .findFirst()
                 .orElseThrow()
                 .verdict();
@@ -28,8 +31,8 @@ class ClaimsTest {
     void everythingAsThePaperSays_holds() {
         assertThat(SyntheticMeasurements.confirmingThePaper().claims())
                 .hasSize(17)
-                .allSatisfy(
-                        claim -> assertThat(claim.verdict()).as(claim.words()).isEqualTo(HOLDS));
+                .allSatisfy(each ->
+                        assertThat(each.verdict()).as(each.claim().words()).isEqualTo(HOLDS));
     }
 
     @Test
@@ -60,21 +63,21 @@ class ClaimsTest {
 
     @Test
     void onTheWall_aDifferenceOfLessThanACycle_isNone() {
-        var claims = Claims.of(
+        var claims = PaperClaims.judge(
                 SyntheticMeasurements.confirmingThePaper().measurements(),
                 SyntheticMeasurements.MODES,
                 SyntheticMeasurements.CORES,
                 true);
         assertThat(claims)
-                .filteredOn(claim -> claim.measure().equals("time on the wall")
-                        && claim.words().contains("It [promise] is faster than [..] actor with callback"))
+                .filteredOn(each -> each.claim().measure().equals("time on the wall")
+                        && each.claim().words().contains("It [promise] is faster than [..] actor with callback"))
                 .singleElement()
-                .extracting(PaperClaim::verdict)
+                .extracting(PaperClaims.Judged::verdict)
                 .isEqualTo(CANNOT_BE_TOLD);
         assertThat(claims)
-                .filteredOn(claim -> claim.words().contains("It [callback] is faster"))
+                .filteredOn(each -> each.claim().words().contains("It [callback] is faster"))
                 .singleElement()
-                .extracting(PaperClaim::verdict)
+                .extracting(PaperClaims.Judged::verdict)
                 .isEqualTo(HOLDS);
     }
 
@@ -83,7 +86,7 @@ class ClaimsTest {
         var made = SyntheticMeasurements.confirmingThePaper()
                 .loops(Mode.CALLBACK, Measurement.BOTH, Quantity.TURN, 2_000)
                 .loops(Mode.SYNC, Measurement.BOTH, Quantity.TURN, 5_000)
-                .loops(Mode.PROMISE, CoreMeasurements.WANDERER, Quantity.CYCLE, 9_000);
+                .loops(Mode.PROMISE, Measurement.WANDERER, Quantity.CYCLE, 9_000);
         String turn = "computing time with messages";
         assertThat(verdict(made, "promise takes less time than callback", turn)).isEqualTo(DOES_NOT_HOLD);
         assertThat(verdict(made, "not much time difference", turn)).isEqualTo(DOES_NOT_HOLD);
@@ -112,54 +115,65 @@ class ClaimsTest {
     @Test
     void wandererThatTakesAsLong_doesNotTakeLess() {
         var made = SyntheticMeasurements.confirmingThePaper()
-                .loops(Mode.PROMISE, CoreMeasurements.WANDERER, Quantity.TIME, 4_000);
+                .loops(Mode.PROMISE, Measurement.WANDERER, Quantity.TIME, 4_000);
         assertThat(inTime(made, "very less time")).isEqualTo(DOES_NOT_HOLD);
     }
 
     @Test
     void cyclesFurtherApart_areNotFast() {
         var made = SyntheticMeasurements.confirmingThePaper()
-                .loops(Mode.SYNC, CoreMeasurements.WANDERER, Quantity.INTERVAL, 400);
+                .loops(Mode.SYNC, Measurement.WANDERER, Quantity.INTERVAL, 400);
         assertThat(inTime(made, "200-300")).isEqualTo(DOES_NOT_HOLD);
     }
 
     @Test
     void messages_areCountedAndTimed() {
         var made = SyntheticMeasurements.confirmingThePaper()
-                .add(MeasurementKind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1)
-                .add(MeasurementKind.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.SENT, 30)
-                .add(MeasurementKind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 10);
+                .add(Kind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1)
+                .add(Kind.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.SENT, 30)
+                .add(Kind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 10);
         assertThat(verdict(made, "1-2 milliseconds", "delay of a message")).isEqualTo(DOES_NOT_HOLD);
         assertThat(verdict(made, "only single time", "messages")).isEqualTo(DOES_NOT_HOLD);
         assertThat(verdict(made, "repeatedly", "messages")).isEqualTo(DOES_NOT_HOLD);
     }
 
     @Test
+    void incompleteRepetitions_decideNothing() {
+        var settings = SyntheticMeasurements.settings(Path.of("out"));
+        var all = SyntheticMeasurements.confirmingThePaper().measurements();
+        var two = Evaluation.Outcome.of(settings, 2, all);
+        assertThat(two.settings().repetitions()).isEqualTo(2);
+        assertThat(two.claims())
+                .hasSize(17)
+                .extracting(PaperClaims.Judged::verdict)
+                .contains(CANNOT_BE_TOLD);
+        assertThat(two.measurements().all()).hasSizeLessThan(two.all().all().size());
+        assertThat(Evaluation.Outcome.of(settings, 0, all).claims()).isEmpty();
+    }
+
+    @Test
     void noChangeOfState_tellsNothingOfMessages() {
         var made = SyntheticMeasurements.confirmingThePaper()
-                .add(MeasurementKind.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.STATE_CHANGES, 0);
+                .add(Kind.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.STATE_CHANGES, 0);
         assertThat(verdict(made, "only single time", "messages")).isEqualTo(CANNOT_BE_TOLD);
     }
 
     @Test
     void modeThatWasNotMeasured_hasNoClaim() {
         var made = SyntheticMeasurements.confirmingThePaper()
-                .forget(MeasurementKind.LOOPS, Mode.SYNC)
-                .forget(MeasurementKind.LOOPS, Mode.CALLBACK);
+                .forget(Kind.LOOPS, Mode.SYNC)
+                .forget(Kind.LOOPS, Mode.CALLBACK);
         assertThat(made.claims())
-                .extracting(PaperClaim::words)
+                .extracting(each -> each.claim().words())
                 .hasSize(4)
                 .noneMatch(words -> words.contains("[callback]") || words.contains("sum"));
     }
 
     @Test
     void differentFindingsForDifferentCores_cannotBeTold_andAreNamed() {
-        var claim = new PaperClaim(
-                "4",
-                "words",
-                "time",
-                "criterion",
-                List.of(new PaperClaim.Finding(1, "1 s", HOLDS), new PaperClaim.Finding(3, "2 s", DOES_NOT_HOLD)));
+        var claim = new PaperClaims.Judged(
+                new PaperClaims.Claim("4", "words", "time", new PaperClaims.SendsOnce()),
+                List.of(new PaperClaims.Finding(1, "1 s", HOLDS), new PaperClaims.Finding(3, "2 s", DOES_NOT_HOLD)));
         assertThat(claim.verdict()).isEqualTo(CANNOT_BE_TOLD);
         assertThat(claim.ours()).isEqualTo("1 core: 1 s; 3 cores: 2 s");
     }

@@ -1,8 +1,9 @@
-package io.troupe.demo.evaluate;
+package io.troupe.common.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.util.List;
 import org.junit.jupiter.api.Test;
 
 /** The statistics, compared with values calculated by hand. */
@@ -25,6 +26,11 @@ class SampleStatisticsTest {
     }
 
     @Test
+    void twoValues_areInterpolated_alsoFromACollection() {
+        assertThat(SampleStatistics.of(List.of(8.0, 4.0))).isEqualTo(new SampleStatistics(6, 5, 7, 4, 8, 2));
+    }
+
+    @Test
     void text_leavesQuartilesOutThatNobodySees() {
         assertThat(SampleStatistics.of(1, 2, 3).text(1)).isEqualTo("2.0 (1.5..2.5)");
         assertThat(SampleStatistics.of(2.001, 2.002, 2.003).text(1)).isEqualTo("2.0");
@@ -32,35 +38,7 @@ class SampleStatisticsTest {
 
     @Test
     void nothing_andWhatIsNoNumber_areRefused() {
-        assertThatThrownBy(SampleStatistics::of).hasMessage("0 values, expected at least one");
+        assertThatThrownBy(() -> SampleStatistics.of()).hasMessage("0 values, expected at least one");
         assertThatThrownBy(() -> SampleStatistics.of(1, Double.NaN)).hasMessageContaining("a value is NaN");
-    }
-
-    @Test
-    void trimmedMean_leavesOutTheLongestHundredth() {
-        var durations = new Durations();
-        for (int i = 0; i < 198; i++) {
-            durations.add(i % 2 == 0 ? 1_000 : 3_000);
-        }
-        durations.add(1_000_000);
-        durations.add(2_000_000);
-        assertThat(durations.trimmedMean(1_000)).isEqualTo(2);
-        assertThat(durations.quantile(0.5, 1_000)).isEqualTo(3);
-    }
-
-    @Test
-    void trimmedMean_ofFew_isTheMeanOfAll() {
-        var durations = new Durations();
-        durations.add(1);
-        durations.add(6);
-        assertThat(durations.trimmedMean(1)).isEqualTo(3.5);
-    }
-
-    @Test
-    void ratios_areOfTheSameRepetition() {
-        assertThat(Measurements.ratios(new double[] {2, 9}, new double[] {1, 3}))
-                .containsExactly(2, 3);
-        assertThatThrownBy(() -> Measurements.ratios(new double[2], new double[1]))
-                .hasMessage("2 numerators, expected 1 as there are denominators");
     }
 }

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Timeout;
 
 /** With a client that uses a plain socket. */
 @Timeout(60)
-class RealTimeServerTest {
+class PaperWorldServerTest {
     private static final double WORLD_SECONDS = 0.5;
     private static final int BANNER_BYTES = 32;
     private static final int HEADER_BYTES = 40;
@@ -47,7 +47,7 @@ class RealTimeServerTest {
     @Test
     void clientThatNeverAnswers_isGreetedAsByPlayer_andTheWorldGoesOnInRealTime() throws Exception {
         var passed = new CountDownLatch(1);
-        try (var server = RealTimeServer.open(PaperWorld.read(Path.of("worlds", "paper-arena.cfg")), 1, seconds -> {
+        try (var server = PaperWorld.read(Path.of("worlds", "paper-arena.cfg")).serve(1, seconds -> {
                     if (seconds >= WORLD_SECONDS) {
                         passed.countDown();
                     }

@@ -1,8 +1,7 @@
-package io.troupe.demo.terminal;
+package io.troupe.common.measure;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.time.ManualClock;
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
@@ -14,7 +13,7 @@ class ProgressLineTest {
 
     private final ByteArrayOutputStream bytes = new ByteArrayOutputStream();
     private final PrintStream stream = new PrintStream(bytes, true, StandardCharsets.UTF_8);
-    private final ManualClock clock = new ManualClock();
+    private long nanos;
 
     private String written() {
         String text = bytes.toString(StandardCharsets.UTF_8);
@@ -24,17 +23,17 @@ class ProgressLineTest {
 
     @Test
     void line_isWrittenAFewTimesASecond_howeverOftenItIsShown() {
-        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, () -> nanos, COLUMNS);
         for (int tick = 0; tick < 1000; tick++) { // ten seconds
             line.show("run", "tick " + tick);
-            clock.advance(Duration.ofMillis(10));
+            nanos += Duration.ofMillis(10).toNanos();
         }
         assertThat(written().split("\r", -1)).hasSizeBetween(10, 10 * 4 + 2);
     }
 
     @Test
     void nextStage_isShownAtOnce() {
-        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, () -> nanos, COLUMNS);
         line.show("one", "one 1");
         line.show("one", "one 2");
         line.show("two", "two 1");
@@ -43,7 +42,7 @@ class ProgressLineTest {
 
     @Test
     void textThatDiffersInItsNumbersOnly_isNoNextStage() {
-        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, () -> nanos, COLUMNS);
         line.show("net: 10,000 markings");
         line.show("net: 20,000 markings");
         assertThat(written()).doesNotContain("20,000");
@@ -51,14 +50,14 @@ class ProgressLineTest {
 
     @Test
     void line_isNoWiderThanTheTerminal() {
-        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, () -> nanos, COLUMNS);
         line.show("x".repeat(3 * COLUMNS));
         assertThat(written()).isEqualTo("\r" + "x".repeat(COLUMNS - 1) + "\033[K");
     }
 
     @Test
     void close_wipesWhatWasShown_andWhatComesNextIsShownAtOnce() {
-        var line = ProgressLine.onTerminal(stream, clock, COLUMNS);
+        var line = ProgressLine.onTerminal(stream, () -> nanos, COLUMNS);
         line.show("run", "1");
         line.interrupt(() -> stream.print("change\n"));
         line.show("run", "2");
@@ -67,13 +66,20 @@ class ProgressLineTest {
 
     @Test
     void offATerminal_aPlainLineIsPrintedNowAndThen_withoutEscapes() {
-        var line = ProgressLine.plain(stream, clock, Duration.ofSeconds(10));
+        var line = ProgressLine.plain(stream, () -> nanos, Duration.ofSeconds(10));
         for (int second = 0; second < 25; second++) {
             line.show("run", second + " s");
-            clock.advance(Duration.ofSeconds(1));
+            nanos += Duration.ofSeconds(1).toNanos();
         }
         line.close();
         assertThat(written().lines()).containsExactly("troupe: 10 s", "troupe: 20 s");
+    }
+
+    @Test
+    void bar_isFilledUpToTheShare() {
+        assertThat(ProgressLine.bar(0)).isEqualTo("[" + ".".repeat(30) + "]");
+        assertThat(ProgressLine.bar(0.5)).isEqualTo("[" + "#".repeat(15) + ".".repeat(15) + "]");
+        assertThat(ProgressLine.bar(1)).isEqualTo("[" + "#".repeat(30) + "]");
     }
 
     @Test

@@ -1,17 +1,17 @@
-package io.troupe.demo.terminal;
+package io.troupe.common.measure;
 
-import io.troupe.actor.time.Clock;
 import java.io.IOException;
 import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.function.LongSupplier;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The progress line of a command, on standard error.
+ * The progress line of a program, on standard error.
  *
  * <p>On a terminal it is one line, rewritten at most a few times a second and never wider than the terminal. Elsewhere,
  * and on a terminal without escape sequences ({@code TERM=dumb}), it is an occasional plain line, so that a log file
@@ -30,6 +30,7 @@ public final class ProgressLine implements AutoCloseable {
 
     private static final Pattern NUMBERS = Pattern.compile("[0-9.,]+");
     private static final int COLUMNS = 80;
+    private static final int BAR = 30;
     private static final int LEAST_COLUMNS = 10;
 
     private enum Kind {
@@ -40,48 +41,51 @@ public final class ProgressLine implements AutoCloseable {
 
     private final Kind kind;
     private final @Nullable PrintStream to;
-    private final Clock clock;
+    private final LongSupplier nanoClock;
     private final Duration interval;
     private final int columns;
     private String shown = "";
     private String stage = "";
     private long nextNanos;
 
-    private ProgressLine(Kind kind, @Nullable PrintStream to, Clock clock, Duration interval, int columns) {
+    private ProgressLine(Kind kind, @Nullable PrintStream to, LongSupplier nanoClock, Duration interval, int columns) {
         this.kind = kind;
         this.to = to;
-        this.clock = clock;
+        this.nanoClock = nanoClock;
         this.interval = interval;
         this.columns = columns;
-        this.nextNanos = clock.nanos() + (kind == Kind.PLAIN ? interval.toNanos() : 0);
+        this.nextNanos = nanoClock.getAsLong() + (kind == Kind.PLAIN ? interval.toNanos() : 0);
     }
 
     /** Opens the line on standard error. */
     public static ProgressLine open() {
-        Clock clock = Clock.system();
         return isTerminal() && knowsEscapes(System.getenv("TERM"))
-                ? onTerminal(System.err, clock, columns())
-                : plain(System.err, clock, plainInterval());
+                ? onTerminal(System.err, System::nanoTime, columns())
+                : plain(System.err, System::nanoTime, plainInterval());
     }
 
     /** Creates a line on a terminal of the given width. */
-    static ProgressLine onTerminal(PrintStream terminal, Clock clock, int columns) {
-        return new ProgressLine(Kind.TERMINAL, terminal, clock, REDRAW, columns);
+    static ProgressLine onTerminal(PrintStream terminal, LongSupplier nanoClock, int columns) {
+        return new ProgressLine(Kind.TERMINAL, terminal, nanoClock, REDRAW, columns);
     }
 
     /** Creates a line that prints plain text once per interval. */
-    static ProgressLine plain(PrintStream to, Clock clock, Duration interval) {
-        return new ProgressLine(Kind.PLAIN, to, clock, interval, Integer.MAX_VALUE);
+    static ProgressLine plain(PrintStream to, LongSupplier nanoClock, Duration interval) {
+        return new ProgressLine(Kind.PLAIN, to, nanoClock, interval, Integer.MAX_VALUE);
     }
 
-    /** Creates a line on a stream that is known to be a terminal, without a limit on its width. */
-    public static ProgressLine on(PrintStream terminal, Clock clock) {
-        return onTerminal(terminal, clock, Integer.MAX_VALUE);
+    /**
+     * Creates a line on a stream that is known to be a terminal, without a limit on its width.
+     *
+     * @param nanoClock a clock in nanoseconds that never goes back
+     */
+    public static ProgressLine on(PrintStream terminal, LongSupplier nanoClock) {
+        return onTerminal(terminal, nanoClock, Integer.MAX_VALUE);
     }
 
     /** Creates a line that prints nothing. */
     public static ProgressLine hidden() {
-        return new ProgressLine(Kind.HIDDEN, null, Clock.system(), REDRAW, COLUMNS);
+        return new ProgressLine(Kind.HIDDEN, null, System::nanoTime, REDRAW, COLUMNS);
     }
 
     public boolean isVisible() {
@@ -105,11 +109,11 @@ public final class ProgressLine implements AutoCloseable {
         if (to == null) {
             return;
         }
-        boolean due = clock.nanos() - nextNanos >= 0;
+        boolean due = nanoClock.getAsLong() - nextNanos >= 0;
         if (kind == Kind.PLAIN) {
             if (due) {
                 to.println("troupe: " + text);
-                nextNanos = clock.nanos() + interval.toNanos();
+                nextNanos = nanoClock.getAsLong() + interval.toNanos();
             }
             return;
         }
@@ -121,7 +125,13 @@ public final class ProgressLine implements AutoCloseable {
         to.print("\r" + line + "\033[K");
         to.flush();
         shown = line;
-        nextNanos = clock.nanos() + interval.toNanos();
+        nextNanos = nanoClock.getAsLong() + interval.toNanos();
+    }
+
+    /** A bar of fixed width for a share from 0 to 1. */
+    public static String bar(double share) {
+        int full = (int) (share * BAR);
+        return "[" + "#".repeat(full) + ".".repeat(BAR - full) + "]";
     }
 
     /** Prints other output in place of the line. */

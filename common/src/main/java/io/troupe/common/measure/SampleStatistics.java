@@ -1,22 +1,23 @@
-package io.troupe.demo.evaluate;
+package io.troupe.common.measure;
 
 import java.util.Arrays;
+import java.util.Collection;
 import java.util.Locale;
 
 /**
  * Median, quartiles and extremes of repeated measurements.
  *
- * <p><b>Units and shapes.</b> Values keep their unit. Quantiles are interpolated linearly between neighbouring sorted
- * values.
+ * <p><b>Units and shapes.</b> The values keep their unit. Quantiles are interpolated linearly between neighbouring
+ * sorted values.
  */
-record SampleStatistics(
+public record SampleStatistics(
         double median, double lowerQuartile, double upperQuartile, double least, double most, int count) {
     /**
      * Computes the statistics of the values.
      *
      * @throws IllegalArgumentException if there are none, or one is not finite
      */
-    static SampleStatistics of(double... values) {
+    public static SampleStatistics of(double... values) {
         if (values.length == 0) {
             throw new IllegalArgumentException("0 values, expected at least one");
         }
@@ -37,11 +38,20 @@ record SampleStatistics(
     }
 
     /**
+     * Computes the statistics of the values.
+     *
+     * @throws IllegalArgumentException if there are none, or one is not finite
+     */
+    public static SampleStatistics of(Collection<Double> values) {
+        return of(values.stream().mapToDouble(Double::doubleValue).toArray());
+    }
+
+    /**
      * The value below which the given share of the values lies.
      *
      * @param sorted in ascending order, at least one
      */
-    static double quantile(double[] sorted, double share) {
+    public static double quantile(double[] sorted, double share) {
         double at = share * (sorted.length - 1);
         int below = (int) Math.floor(at);
         int above = Math.min(below + 1, sorted.length - 1);
@@ -49,12 +59,12 @@ record SampleStatistics(
     }
 
     /** Half the distance between the quartiles. */
-    double halfWidth() {
+    public double halfWidth() {
         return (upperQuartile - lowerQuartile) / 2;
     }
 
     /** The median, followed by the quartiles in brackets if they differ from it in the printed digits. */
-    String text(int decimals) {
+    public String text(int decimals) {
         String format = "%." + decimals + "f";
         String middle = String.format(Locale.ROOT, format, median);
         String lower = String.format(Locale.ROOT, format, lowerQuartile);

@@ -1,0 +1,78 @@
+package io.troupe.bench;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+class CompareActorsTest {
+    private static CompareActors parsed(String... arguments) {
+        var command = new CompareActors();
+        BenchmarkCommand.of(command).parseArgs(arguments);
+        return command;
+    }
+
+    @Test
+    void noOption_comparesAllInEverything() {
+        var options = parsed();
+        assertThat(options.contenders()).containsExactly(Contenders.values());
+        assertThat(options.workloads).containsExactly(Workload.values());
+        assertThat(options)
+                .extracting(each -> each.rounds, each -> each.warmUpMillis, each -> each.seed, each -> each.figure)
+                .containsExactly(20, 2_000, 1L, null);
+    }
+
+    @Test
+    void only_addsTheLimitFirst() {
+        assertThat(parsed("--only", "vertx,limit,troupe").contenders())
+                .containsExactly(Contenders.LIMIT, Contenders.VERTX, Contenders.TROUPE);
+    }
+
+    @Test
+    void lastOfEqualOptions_counts() {
+        assertThat(parsed("--rounds", "3", "--rounds", "4").rounds).isEqualTo(4);
+    }
+
+    @Test
+    void allOptions_areRead() {
+        var options = parsed(
+                "--rounds",
+                "3",
+                "--warm-up",
+                "50",
+                "--seed",
+                "-9",
+                "--only",
+                "limit",
+                "--workloads",
+                "tell,create",
+                "--figure",
+                "a.svg");
+        assertThat(options.contenders()).containsExactly(Contenders.LIMIT);
+        assertThat(options.workloads).containsExactly(Workload.TELL, Workload.CREATE);
+        assertThat(options)
+                .extracting(each -> each.rounds, each -> each.warmUpMillis, each -> each.seed, each -> each.figure)
+                .containsExactly(3, 50, -9L, Path.of("a.svg"));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "--rounds 0 | --rounds is 0, expected 1 or more",
+                "--warm-up soon | --warm-up is soon, expected a whole number",
+                "--seed 1.5 | --seed is 1.5, expected a whole number",
+                "--rounds | Missing required parameter for option '--rounds' (N)",
+                "--only erlang | --only is erlang, expected one of limit, troupe, executor",
+                "--only limit,erlang | --only is erlang, expected one of limit, troupe, executor",
+                "--workloads nap | --workloads is nap, expected one of tell, tellFromFour",
+                "--fast yes | '--fast'"
+            })
+    void wrongOption_isNamed_withItsValueAndWhatWasExpected_beforeTheUsage(String line, String message) {
+        assertThat(WrongOption.of(new CompareActors(), line.split(" ")))
+                .contains(message)
+                .contains("Usage: CompareActors");
+    }
+}

@@ -1,0 +1,56 @@
+package io.troupe.bench.worlds;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.bench.BenchmarkCommand;
+import io.troupe.bench.WrongOption;
+import java.nio.file.Path;
+import org.junit.jupiter.api.Test;
+
+class CompareWorldsTest {
+    private static CompareWorlds parsed(String... arguments) {
+        var command = new CompareWorlds();
+        BenchmarkCommand.of(command).parseArgs(arguments);
+        return command;
+    }
+
+    @Test
+    void noOption_comparesAll() {
+        var options = parsed();
+        assertThat(options.robots()).containsExactly(1, 2, 10, 100, 1_000, 10_000);
+        assertThat(options.contenders()).containsExactly(WorldKind.values());
+        assertThat(options)
+                .extracting(each -> each.rounds, each -> each.turnMillis, each -> each.warmUpMillis, each -> each.seed)
+                .containsExactly(9, 500, 3_000, 1L);
+    }
+
+    @Test
+    void options_areRead() {
+        var options = parsed("--turn", "7", "--warm-up", "8", "--seed", "9", "--figure", "a.svg", "--robots", "2,1,2");
+        assertThat(options.robots()).containsExactly(1, 2);
+        assertThat(options)
+                .extracting(each -> each.turnMillis, each -> each.warmUpMillis, each -> each.seed, each -> each.figure)
+                .containsExactly(7, 8, 9L, Path.of("a.svg"));
+    }
+
+    @Test
+    void quick_replacesTheOptionsBeforeIt_andNotThoseAfterIt() {
+        var options = parsed("--rounds", "8", "--quick", "--robots", "100,2", "--only", "dyn4j");
+        assertThat(options.robots()).containsExactly(2, 100);
+        assertThat(options.rounds).isEqualTo(3);
+        assertThat(options.turnMillis).isEqualTo(200);
+        assertThat(options.warmUpMillis).isEqualTo(1_000);
+        assertThat(options.contenders()).containsExactly(WorldKind.TROUPE, WorldKind.DYN4J);
+        assertThat(parsed("--robots", "5", "--quick").robots()).containsExactly(1, 2, 10, 100);
+    }
+
+    @Test
+    void wrongOptions_areRefused() {
+        assertThat(WrongOption.of(new CompareWorlds(), "--robots", "1,0"))
+                .startsWith("--robots is 0, expected 1 or more");
+        assertThat(WrongOption.of(new CompareWorlds(), "--turn")).startsWith("Missing required parameter for option");
+        assertThat(WrongOption.of(new CompareWorlds(), "--only", "stage"))
+                .startsWith("--only is stage, expected one of troupe, troupe-2, jbox2d");
+        assertThat(WrongOption.of(new CompareWorlds(), "--slow")).contains("'--slow'", "Usage: CompareWorlds");
+    }
+}
