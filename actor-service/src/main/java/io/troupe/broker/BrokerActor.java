@@ -15,8 +15,11 @@ import java.util.function.Predicate;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** The broker's actor: keeps the registry, and assigns a provider to each need. */
-final class BrokerActor extends Actor implements BrokerProtocol {
+/**
+ * The actor of a {@link Broker}: keeps the registry, and assigns a provider to each need. Not final: its proxy is a
+ * subclass.
+ */
+class BrokerActor extends Actor {
     private final ProviderRegistry registry = new ProviderRegistry();
     private final EventPublisher events;
     private final Supervisor supervisor;
@@ -37,7 +40,6 @@ final class BrokerActor extends Actor implements BrokerProtocol {
                 registration -> registry.has(registration) && clients.waitFor(registration));
     }
 
-    @Override
     public Promise<ServiceRecord> register(Registration registration) {
         checkOpen();
         registry.add(registration);
@@ -46,7 +48,6 @@ final class BrokerActor extends Actor implements BrokerProtocol {
         return Promise.of(registration.toRecord());
     }
 
-    @Override
     public Promise<@Nullable Void> withdraw(Address provider) {
         checkOpen();
         Registration registration = registry.known(provider);
@@ -75,7 +76,6 @@ final class BrokerActor extends Actor implements BrokerProtocol {
         return stopped;
     }
 
-    @Override
     public Promise<ServiceRecord> replace(Address old, Registration by) {
         checkOpen();
         Registration before = registry.known(old);
@@ -112,18 +112,15 @@ final class BrokerActor extends Actor implements BrokerProtocol {
         return stopped;
     }
 
-    @Override
     public Promise<List<ServiceRecord>> registered() {
         return Promise.of(registry.records());
     }
 
-    @Override
     public Promise<List<ServiceRecord>> find(Need need) {
         return Promise.of(
                 registry.meeting(need).stream().map(Registration::toRecord).toList());
     }
 
-    @Override
     public Promise<ServiceRecord> require(Need need) {
         checkOpen();
         var found = new Deferred<ServiceRecord>();
@@ -131,14 +128,13 @@ final class BrokerActor extends Actor implements BrokerProtocol {
         return found;
     }
 
-    @Override
+    /** @param callback runs the listener on the client's space; cancelled when the client's actor has stopped */
     public Promise<ServiceRecord> connect(
             Need need, Broker.Connection connection, Callback<ConnectedClients.Notification> callback) {
         checkOpen();
         return clients.connect(need, connection, callback);
     }
 
-    @Override
     public Promise<@Nullable Void> disconnect(Broker.Connection connection) {
         clients.disconnect(connection);
         return Promise.done();
@@ -198,7 +194,6 @@ final class BrokerActor extends Actor implements BrokerProtocol {
 
     // ---- shutdown
 
-    @Override
     public Promise<List<ServiceRecord>> shutDown() {
         if (shutDown == null) {
             var done = new Deferred<List<ServiceRecord>>();
