@@ -71,7 +71,7 @@ public final class Broker implements AutoCloseable {
      */
     public Promise<ServiceRecord> register(
             String service, List<String> capabilities, Address address, Provider provider) {
-        return actor.register(new Registration(service, capabilities, address, provider));
+        return actor.register(service, List.copyOf(capabilities), address, provider);
     }
 
     /**
@@ -97,7 +97,7 @@ public final class Broker implements AutoCloseable {
      */
     public Promise<ServiceRecord> replace(
             Address old, String service, List<String> capabilities, Address address, Provider provider) {
-        return actor.replace(old, new Registration(service, capabilities, address, provider));
+        return actor.replace(old, service, List.copyOf(capabilities), address, provider);
     }
 
     /** All registered providers, in the order of registration. */
