@@ -1,23 +1,65 @@
 package io.troupe.broker;
 
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
 import java.util.List;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The service registry: finds providers, starts them on demand, checks their health, and notifies connected clients
  * when another provider takes over.
  *
+ * {@snippet :
+ * Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
+ * broker.register("camera", List.of("senses", "colour"), new Address("robot", "left"), left);
+ * broker.register("camera", List.of("senses"), new Address("robot", "right"), right);
+ *
+ * broker.require(Need.ofService("finder", "camera")).then(camera -> show(camera.provider()));
+ * }
+ *
+ * <p><b>Role.</b> One per process. Uses the clock of its space. Providers may run anywhere. The broker detects a
+ * provider that hangs only if it runs on a separate space, and so on another thread.
+ *
  * <p><b>Threads.</b> Methods may be called from any thread; listeners run on the actor space on which they were
  * registered.
  *
- * <p><b>Errors.</b> A need without a provider is rejected with a {@link MissingServiceException}.
+ * <p><b>Order.</b> Calls from one thread are executed in their order. A call does not wait until an earlier one that
+ * takes time, such as a start, is complete.
+ *
+ * <p><b>Errors.</b> A need without a provider is rejected with a {@link MissingServiceException}. All failures are
+ * reported to the observer of the settings, in addition to rejected promises. If the space is closed before the broker,
+ * the observer gets an event for each provider that may still run.
  *
  * <p><b>Source.</b> Paper, section 2.2.4; "in case a service is not present the system should terminate gracefully",
  * section 1.
  */
-public interface Broker extends AutoCloseable {
+public final class Broker implements AutoCloseable {
+    /** The listener of a connection: is notified which provider to use. */
+    public interface Connection {
+        /** Use this provider from now on. */
+        void use(ServiceRecord provider);
+
+        /** There is no provider at the moment; {@link #use} may follow later. */
+        void lost(MissingServiceException why);
+    }
+
+    private final BrokerActor actor;
+
+    private Broker(BrokerActor actor) {
+        this.actor = actor;
+    }
+
+    /** Opens a broker on that space, with an empty registry. */
+    public static Broker open(ActorSpace space, BrokerSettings settings) {
+        Objects.requireNonNull(settings, "settings");
+        return new Broker(
+                space.spawn(BrokerActor.class, () -> new BrokerActor(space, settings), ActorSettings.named("broker")));
+    }
+
     /**
      * Registers a provider of a service. It is started on demand. If a provider at the same address, or the same
      * {@code provider}, was withdrawn or replaced before and has not stopped yet, that one is stopped at once when the
@@ -27,7 +69,10 @@ public interface Broker extends AutoCloseable {
      * @param capabilities may be empty
      * @return rejected with an {@link IllegalArgumentException} if the address is already registered
      */
-    Promise<ServiceRecord> register(String service, List<String> capabilities, Address address, Provider provider);
+    public Promise<ServiceRecord> register(
+            String service, List<String> capabilities, Address address, Provider provider) {
+        return actor.register(service, List.copyOf(capabilities), address, provider);
+    }
 
     /**
      * Withdraws a provider. Its clients get another provider, or are notified that there is none; then it is stopped. A
@@ -36,7 +81,9 @@ public interface Broker extends AutoCloseable {
      * @return fulfilled when it has stopped; rejected with a {@link ProviderException} if it does not stop, and with an
      *     {@link IllegalArgumentException} if the address is not registered
      */
-    Promise<@Nullable Void> withdraw(Address provider);
+    public Promise<@Nullable Void> withdraw(Address provider) {
+        return actor.withdraw(provider);
+    }
 
     /**
      * Replaces a provider at run time: the new one is started, clients are notified, then the old one is stopped. The
@@ -48,17 +95,23 @@ public interface Broker extends AutoCloseable {
      *     cannot be started, in which case the old one stays in use; with an {@link IllegalStateException} if the old
      *     one is already being replaced
      */
-    Promise<ServiceRecord> replace(
-            Address old, String service, List<String> capabilities, Address address, Provider provider);
+    public Promise<ServiceRecord> replace(
+            Address old, String service, List<String> capabilities, Address address, Provider provider) {
+        return actor.replace(old, service, List.copyOf(capabilities), address, provider);
+    }
 
     /** All registered providers, in the order of registration. */
-    Promise<List<ServiceRecord>> registered();
+    public Promise<List<ServiceRecord>> registered() {
+        return actor.registered();
+    }
 
     /**
      * All providers that meet a need, best first: healthy before suspect, then in the order of registration. Starts
      * nothing.
      */
-    Promise<List<ServiceRecord>> find(Need need);
+    public Promise<List<ServiceRecord>> find(Need need) {
+        return actor.find(need);
+    }
 
     /**
      * Returns one running provider: healthy before suspect. If none runs, the first one that can be started, those that
@@ -66,7 +119,9 @@ public interface Broker extends AutoCloseable {
      *
      * @return rejected with a {@link MissingServiceException} that names each provider and why it does not run
      */
-    Promise<ServiceRecord> require(Need need);
+    public Promise<ServiceRecord> require(Need need) {
+        return actor.require(need);
+    }
 
     /**
      * Connects a client: the listener is notified of the provider to use, first now, and again whenever another one
@@ -76,10 +131,40 @@ public interface Broker extends AutoCloseable {
      * @return fulfilled with the first provider; rejected with a {@link MissingServiceException} if there is none now.
      *     The connection stays open even then, and its listener is notified when there is a provider
      */
-    Promise<ServiceRecord> connect(Need need, Connection connection);
+    public Promise<ServiceRecord> connect(Need need, Connection connection) {
+        Objects.requireNonNull(connection, "connection");
+        return actor.connect(need, connection, callbackFor(connection));
+    }
+
+    /**
+     * Calls the listener and confirms this to the broker: only then may the provider that the client used before be
+     * stopped.
+     */
+    private static Callback<ConnectedClients.Notification> callbackFor(Connection connection) {
+        return (notification, error) -> {
+            if (notification == null) {
+                return; // the broker's space was closed
+            }
+            try {
+                if (notification.use() != null) {
+                    connection.use(notification.use());
+                } else if (notification.lost() != null) {
+                    connection.lost(notification.lost());
+                }
+                notification.done().resolve(null);
+            } catch (RuntimeException thrown) {
+                notification.done().reject(thrown); // reported to the observer
+            } catch (Error thrown) {
+                notification.done().reject(thrown);
+                throw thrown;
+            }
+        };
+    }
 
     /** Ends a connection: its listener is not called any more. Providers keep running without connections. */
-    Promise<@Nullable Void> disconnect(Connection connection);
+    public Promise<@Nullable Void> disconnect(Connection connection) {
+        return actor.disconnect(connection);
+    }
 
     /**
      * Notifies clients that there is no provider any more, then stops all providers that the broker has started, one by
@@ -89,18 +174,13 @@ public interface Broker extends AutoCloseable {
      *
      * @return fulfilled, when that is done, with the providers that did not stop
      */
-    Promise<List<ServiceRecord>> shutDown();
+    public Promise<List<ServiceRecord>> shutDown() {
+        return actor.shutDown();
+    }
 
     /** Starts {@link #shutDown} without waiting for its end. To wait, use {@code broker.shutDown().get(..)}. */
     @Override
-    void close();
-
-    /** The listener of a connection: is notified which provider to use. */
-    interface Connection {
-        /** Use this provider from now on. */
-        void use(ServiceRecord provider);
-
-        /** There is no provider at the moment; {@link #use} may follow later. */
-        void lost(MissingServiceException why);
+    public void close() {
+        shutDown().handle((left, error) -> null); // the observer is notified of providers that did not stop
     }
 }

@@ -145,8 +145,8 @@ final class ProviderRegistry {
     }
 
     private static String reason(Registration registration, @Nullable Throwable tried) {
-        Throwable why = tried != null ? tried : registration.why;
-        return why == null ? words(registration.health) : Reasons.of(why);
+        Throwable why = tried != null ? tried : registration.why();
+        return why == null ? words(registration.health()) : Reasons.of(why);
     }
 
     /** The error for a need while the broker is shutting down. */
@@ -183,7 +183,7 @@ final class ProviderRegistry {
     private static String show(Registration registration) {
         String capabilities =
                 registration.capabilities.isEmpty() ? "" : String.join(", ", registration.capabilities) + "; ";
-        return registration.service + " (" + capabilities + words(registration.health) + ")";
+        return registration.service + " (" + capabilities + words(registration.health()) + ")";
     }
 
     private static String words(Health health) {

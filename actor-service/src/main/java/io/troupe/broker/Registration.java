@@ -6,80 +6,105 @@ import io.troupe.actor.time.Timer;
 import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.List;
+import java.util.Objects;
+import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** A registered provider and its state. Used on the broker's space. */
-final class Registration {
+/**
+ * A registered provider: starts, checks, restarts and stops it. Used on the broker's space.
+ *
+ * <p>All runs of a provider share one object. So a start that completes late counts as the current run if there is one,
+ * and a stop that is over its limit does not block the next run.
+ */
+final class Registration extends Lifecycle<Registration.Run> {
+    /** One run of the provider, with its health checks. */
+    static final class Run {
+        private int missedChecks;
+        private @Nullable Timer nextCheck;
+        private @Nullable Timer restartPauseEnd;
+
+        private void cancelTimers() {
+            if (nextCheck != null) {
+                nextCheck.cancel();
+            }
+            if (restartPauseEnd != null) {
+                restartPauseEnd.cancel();
+            }
+        }
+    }
+
     final String service;
     final List<String> capabilities;
     final Address address;
     final Provider provider;
+    private final Supervisor supervisor;
+    private Run latest = new Run();
 
-    Health health = Health.NOT_STARTED;
-
-    /** Counts starts and ends; distinguishes events of the current run from those of earlier runs. */
-    int run;
+    /** Counts starts, failures and stops: a late answer to a stop counts only if there was none since. */
+    private int changes;
 
     /**
      * Whether it may run: from the beginning of a start until it has reported that it stopped, ended, or could not
      * start.
      */
-    boolean mayRun;
+    private boolean mayRun;
 
     /**
      * Whether a start of an earlier run completed after the last call of stop, so that the provider may run although it
      * should not.
      */
-    boolean startedLate;
+    private boolean startedLate;
+
+    private @Nullable Throwable why; // the cause of its failure
+    private @Nullable Timer nextRestart;
+    private @Nullable Duration restartPause; // the last pause; null = none yet, or reset after a long run
 
     /** Whether another provider is being started in its place. */
-    boolean isBeingReplaced;
+    private boolean isBeingReplaced;
 
     /** Set when it was withdrawn or replaced; settled when it may be stopped. */
-    @Nullable
-    Deferred<@Nullable Void> leaving;
+    private @Nullable Deferred<@Nullable Void> leaving;
 
     /** Set when it was withdrawn or replaced; fulfilled when it has stopped, or the limit of its stop is over. */
-    @Nullable
-    Promise<@Nullable Void> gone;
+    private @Nullable Promise<@Nullable Void> gone;
 
-    int missedChecks;
-
-    @Nullable
-    Throwable why; // the cause of its failure
-
-    /** A requested start, which may wait for a stop. */
-    @Nullable
-    Deferred<@Nullable Void> starting;
-
-    @Nullable
-    Promise<@Nullable Void> stopping;
-
-    @Nullable
-    Timer nextCheck;
-
-    @Nullable
-    Timer nextRestart;
-
-    @Nullable
-    Duration restartPause; // the last pause; null = none yet, or reset after a long run
-
-    @Nullable
-    Timer restartPauseEnd;
-
-    Registration(String service, List<String> capabilities, Address address, Provider provider) {
+    Registration(String service, List<String> capabilities, Address address, Provider provider, Supervisor supervisor) {
         this.service = service;
-        this.capabilities = List.copyOf(capabilities);
+        this.capabilities = capabilities;
         this.address = address;
         this.provider = provider;
+        this.supervisor = supervisor;
     }
 
+    // ---- what others see
+
     ServiceRecord toRecord() {
-        return new ServiceRecord(service, capabilities, address, health);
+        return new ServiceRecord(service, capabilities, address, health());
+    }
+
+    Health health() {
+        return switch (state()) {
+            case NOT_STARTED -> Health.NOT_STARTED;
+            case STARTING -> Health.STARTING;
+            case RUNNING -> latest.missedChecks == 0 ? Health.WELL : Health.SUSPECT;
+            case STOPPING, STOPPED -> Health.STOPPED;
+            case FAILED -> Health.FAILED;
+        };
     }
 
     boolean isRunning() {
-        return health == Health.WELL || health == Health.SUSPECT;
+        return state() == State.RUNNING;
+    }
+
+    boolean hasFailed() {
+        return state() == State.FAILED;
+    }
+
+    /** The cause of its last failure, or null. */
+    @Nullable
+    Throwable why() {
+        return why;
     }
 
     boolean meets(Need need) {
@@ -89,7 +114,7 @@ final class Registration {
 
     /** The lower, the earlier it is chosen. */
     int rank() {
-        return switch (health) {
+        return switch (health()) {
             case WELL -> 0;
             case SUSPECT -> 1;
             case STARTING -> 2;
@@ -98,30 +123,348 @@ final class Registration {
         };
     }
 
+    @Override
+    public String toString() {
+        return address.toString();
+    }
+
+    // ---- withdrawal and replacement
+
+    void checkNotBeingReplaced() {
+        if (isBeingReplaced) {
+            throw new IllegalStateException(address + " is being replaced already, expected one replacement at a time");
+        }
+    }
+
+    void setBeingReplaced(boolean is) {
+        isBeingReplaced = is;
+    }
+
+    /**
+     * Stops it because it was withdrawn or replaced.
+     *
+     * @param notifyClients notifies its clients; the provider is stopped after that, or earlier if a successor has to
+     *     be started
+     * @param onGone called when it has stopped, or the limit of its stop is over
+     */
+    Promise<@Nullable Void> leave(Supplier<Promise<?>> notifyClients, Runnable onGone) {
+        var mayStop = new Deferred<@Nullable Void>();
+        Promise<@Nullable Void> stopped = mayStop.thenCompose(notified -> stop());
+        leaving = mayStop;
+        gone = stopped.handle((nothing, error) -> {
+            onGone.run();
+            return null;
+        }); // set before its clients look for another provider, which may be a successor
+        cancelTimers();
+        rejectPendingStart(
+                new ProviderException(this + " was not started: it was withdrawn or replaced before that", null));
+        notifyClients.get().handle((notified, error) -> mayStop.resolve(null));
+        return stopped;
+    }
+
+    /** Fulfilled when it has stopped after it was withdrawn or replaced; null if it was not. */
+    @Nullable
+    Promise<@Nullable Void> whenGone() {
+        return gone;
+    }
+
     /** Ends the wait for notified clients, so that the provider is stopped now: a successor has to be started. */
-    void stopNow() {
+    private void stopNow() {
         if (leaving != null) {
             leaving.resolve(null);
         }
     }
 
-    void cancelTimers() {
-        if (nextCheck != null) {
-            nextCheck.cancel();
-            nextCheck = null;
+    // ---- start
+
+    @Override
+    protected @Nullable Promise<?> waitsFor() {
+        List<Registration> before = supervisor.listener.predecessors(this);
+        if (!before.isEmpty()) {
+            before.forEach(Registration::stopNow);
+            return Promise.allSettled(before.stream()
+                    .map(each -> Objects.requireNonNull(each.gone))
+                    .toList());
         }
+        return null;
+    }
+
+    @Override
+    protected @Nullable Throwable refusal() {
+        return supervisor.isClosing()
+                ? new ProviderException(this + " was not started: the broker is being closed", null)
+                : null;
+    }
+
+    @Override
+    protected Run newRun() {
+        cancelTimers();
+        changes++;
+        latest = new Run();
+        setMayRun(true);
+        return latest;
+    }
+
+    @Override
+    protected Promise<@Nullable Void> startRun(Run run) {
+        return supervisor.timeouts.call(
+                provider::start,
+                supervisor.settings.startLimit(),
+                this + " did not start",
+                error -> startedLate(run, error));
+    }
+
+    @Override
+    protected void changed(State now, State before) {
+        switch (now) {
+            case STARTING -> supervisor.events.publish(new BrokerEvent.Starting(toRecord()));
+            case RUNNING -> hasStarted(latest);
+            case FAILED -> {
+                if (before == State.RUNNING) {
+                    supervisor.listener.onFailed(this);
+                }
+            }
+            case STOPPED -> {
+                if (before == State.STOPPING) {
+                    setMayRun(false);
+                    supervisor.events.publish(new BrokerEvent.Stopped(toRecord()));
+                }
+            }
+            case NOT_STARTED, STOPPING -> {}
+        }
+    }
+
+    private void hasStarted(Run run) {
+        why = null;
+        startedLate = false; // both starts led to one running provider: stopping this run stops it
+        supervisor.events.publish(new BrokerEvent.Started(toRecord()));
+        whenEnded().handle((ended, error) -> {
+            if (isRunning(run)) {
+                setMayRun(false);
+                fail(error != null ? error : new ProviderException(this + " has ended by itself", null));
+            }
+            return null;
+        });
+        checkLater(run);
+        // reset only after a long run: one good check is not enough for a provider that keeps failing
+        if (restartPause != null) {
+            run.restartPauseEnd =
+                    supervisor.timeouts.after(supervisor.settings.longestRestartPause(), () -> restartPause = null);
+        }
+        supervisor.listener.onStarted(this);
+    }
+
+    private Promise<?> whenEnded() {
+        try {
+            return provider.whenEnded();
+        } catch (RuntimeException | Error thrown) { // exception from a provider
+            return Promise.failed(thrown);
+        }
+    }
+
+    /**
+     * A start completed after its time limit. The provider is stopped, unless a later start succeeded meanwhile: then
+     * both count as one run. During a start or stop in progress, this is only recorded and handled afterwards.
+     */
+    @Override
+    protected void startedLate(Run run, @Nullable Throwable error) {
+        supervisor.events.publish(new BrokerEvent.Late(toString(), "start", error));
+        if (error == null && !isRunning()) {
+            startedLate = true;
+            setMayRun(true);
+            if (inProgress() == null) {
+                changes++;
+                stopAgain(run);
+            } else if (isStarting() && state() != State.STARTING && !isStopping()) {
+                mustStop(run); // it waits for another provider
+            }
+        }
+    }
+
+    // ---- health checks
+
+    private void checkLater(Run run) {
+        if (!supervisor.isClosing()) {
+            run.nextCheck = supervisor.timeouts.after(supervisor.settings.checkEvery(), () -> check(run));
+        }
+    }
+
+    private void check(Run run) {
+        supervisor
+                .timeouts
+                .call(
+                        provider::check,
+                        supervisor.settings.checkLimit(),
+                        this + " did not answer the question for its health",
+                        error -> supervisor.events.publish(new BrokerEvent.Late(toString(), "check", error)))
+                .handle((well, error) -> {
+                    if (isRunning(run)) {
+                        checked(run, error);
+                    }
+                    return null;
+                });
+    }
+
+    private void checked(Run run, @Nullable Throwable error) {
+        if (error == null) {
+            boolean wasSuspect = run.missedChecks > 0;
+            run.missedChecks = 0;
+            if (wasSuspect) {
+                supervisor.events.publish(new BrokerEvent.Recovered(toRecord()));
+            }
+            checkLater(run);
+        } else if (isOverdue(error) && run.missedChecks + 1 < supervisor.settings.missedChecks()) {
+            if (++run.missedChecks == 1) {
+                supervisor.events.publish(new BrokerEvent.Suspect(toRecord(), error));
+            }
+            checkLater(run);
+        } else {
+            fail(error);
+        }
+    }
+
+    private static boolean isOverdue(Throwable error) {
+        return error instanceof ProviderException overdue && overdue.isOverdue();
+    }
+
+    void cancelTimers() {
+        latest.cancelTimers();
         if (nextRestart != null) {
             nextRestart.cancel();
             nextRestart = null;
         }
-        if (restartPauseEnd != null) {
-            restartPauseEnd.cancel();
-            restartPauseEnd = null;
+    }
+
+    // ---- failure and stop
+
+    @Override
+    protected Throwable failed(@Nullable Run run, State during, Throwable error) {
+        why = error;
+        if (during == State.STARTING) {
+            supervisor.events.publish(new BrokerEvent.StartFailed(toRecord(), error));
+            if (!startedLate && !isOverdue(error)) {
+                setMayRun(false);
+            }
+            return error;
+        }
+        if (during == State.STOPPING) {
+            supervisor.events.publish(new BrokerEvent.StopFailed(toRecord(), error));
+            return new ProviderException(this + " has not stopped: " + Reasons.of(error), error);
+        }
+        changes++;
+        cancelTimers();
+        supervisor.events.publish(new BrokerEvent.Failed(toRecord(), error));
+        return error;
+    }
+
+    @Override
+    protected boolean mayStillRun(Throwable error) {
+        return mayRun;
+    }
+
+    @Override
+    protected void stopFailed(Throwable error) {
+        if (state() != State.STOPPING) {
+            supervisor.events.publish(new BrokerEvent.StopFailed(toRecord(), error));
         }
     }
 
     @Override
-    public String toString() {
-        return address.toString();
+    protected @Nullable Throwable blocked(Throwable whyUnstopped) {
+        return null;
+    }
+
+    /** Stops a provider if it may run; waits for a start or stop in progress first. */
+    Promise<@Nullable Void> stop() {
+        cancelTimers();
+        Promise<@Nullable Void> inProgress = inProgress();
+        if (inProgress != null) {
+            return inProgress.handle((done, error) -> null).thenCompose(over -> stop());
+        }
+        if (!mayRun) {
+            return Promise.done();
+        }
+        changes++;
+        if (!isRunning()) {
+            mustStop(latest); // an earlier stop has failed
+        }
+        return stop("");
+    }
+
+    /**
+     * Calls stop, and once more if a late start completed meanwhile: the provider may have started after the first
+     * stop.
+     */
+    @Override
+    protected Promise<@Nullable Void> stopRun(Run run) {
+        var over = new Deferred<@Nullable Void>();
+        stopAll(error -> {
+            if (error == null) {
+                setMayRun(false);
+                over.resolve(null);
+            } else {
+                over.reject(error);
+            }
+        });
+        return over;
+    }
+
+    private void stopAll(Consumer<@Nullable Throwable> over) {
+        startedLate = false;
+        int asked = changes;
+        supervisor
+                .timeouts
+                .call(provider::stop, supervisor.settings.stopLimit(), this + " did not stop", error -> {
+                    if (error == null && changes == asked && !isStarting()) {
+                        setMayRun(false);
+                    }
+                    supervisor.events.publish(new BrokerEvent.Late(toString(), "stop", error));
+                })
+                .handle((stopped, error) -> {
+                    if (startedLate) {
+                        stopAll(over);
+                    } else {
+                        over.accept(error);
+                    }
+                    return null;
+                });
+    }
+
+    private void setMayRun(boolean may) {
+        mayRun = may;
+        supervisor.setMayRun(this, may);
+    }
+
+    // ---- restart
+
+    /** Restarts it after a pause, if it has failed and a connection waits for it; the pauses increase. */
+    void considerRestart() {
+        if (supervisor.settings.restartPause().isZero() || nextRestart != null || !isRestartWanted()) {
+            return;
+        }
+        Duration pause = nextRestartPause();
+        restartPause = pause;
+        nextRestart = supervisor.timeouts.after(pause, () -> {
+            nextRestart = null;
+            if (isRestartWanted()) {
+                start().handle((started, error) -> {
+                    considerRestart();
+                    return null;
+                });
+            }
+        });
+    }
+
+    private boolean isRestartWanted() {
+        return hasFailed() && !supervisor.isClosing() && supervisor.listener.isWanted(this);
+    }
+
+    private Duration nextRestartPause() {
+        if (restartPause == null) {
+            return supervisor.settings.restartPause();
+        }
+        Duration twice = restartPause.multipliedBy(2);
+        Duration longest = supervisor.settings.longestRestartPause();
+        return twice.compareTo(longest) < 0 ? twice : longest;
     }
 }

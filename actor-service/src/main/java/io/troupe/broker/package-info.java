@@ -2,12 +2,12 @@
  * The service registry: finds providers of services, starts them on demand, checks their health, and moves clients to
  * another provider when one fails.
  *
- * <p>Start with {@link io.troupe.broker.ServiceBroker}. A service is a {@link io.troupe.broker.Provider}, registered
- * under a name; a client looks it up by a {@link io.troupe.broker.Need}. {@link io.troupe.broker.ActorServices}
- * publishes actors, and connects to them by their interfaces.
+ * <p>Start with {@link io.troupe.broker.Broker}. A service is a {@link io.troupe.broker.Provider}, registered under a
+ * name; a client looks it up by a {@link io.troupe.broker.Need}. {@link io.troupe.broker.ActorServices} publishes
+ * actors, and connects to them by their interfaces.
  *
- * <p>Inside: {@code BrokerActor} combines the {@code ProviderRegistry}, the {@code Supervisor}, which starts, checks
- * and stops providers, and the {@code ConnectedClients}. {@code CallDispatcherActor} queues the calls of an
+ * <p>Inside: {@code BrokerActor} combines the {@code ProviderRegistry} of {@code Registration}s, which start, check and
+ * stop their providers, and the {@code ConnectedClients}. {@code CallDispatcherActor} queues the calls of an
  * {@link io.troupe.broker.ActorConnection} and sends them to the current provider.
  */
 @NullMarked

@@ -2,7 +2,16 @@ package io.troupe.bus;
 
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
 import java.util.function.Function;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The access of one component to the bus.
@@ -16,24 +25,106 @@ import java.util.function.Function;
  * <p><b>Errors.</b> Nothing is lost silently: a message that cannot be delivered is reported to the bus's observer, and
  * a request that cannot be delivered is rejected.
  */
-public interface BusPort extends AutoCloseable {
-    Address address();
+public final class BusPort implements AutoCloseable {
+    /** Receives the values of a subscription. */
+    @FunctionalInterface
+    public interface Subscriber<T> {
+        void receive(T value, Address publisher);
+    }
+
+    /** A subscription to a topic; closing it ends it. */
+    @FunctionalInterface
+    public interface Subscription extends AutoCloseable {
+        @Override
+        void close();
+    }
+
+    final Bus node;
+    private final Address address;
+    private final Object lock = new Object(); // guards all fields below
+    private final Set<TopicSubscription<?>> subscriptions = new LinkedHashSet<>();
+    private final Map<String, OperationHandler<?, ?>> operationHandlers = new LinkedHashMap<>();
+    private final Set<BusTopic<?>> topics = new HashSet<>(); // those it has published or subscribed to
+    private @Nullable String closed;
+
+    BusPort(Bus node, Address address) {
+        this.node = node;
+        this.address = address;
+    }
+
+    /** The address of this port. */
+    public Address address() {
+        return address;
+    }
 
     /** Publishes a value to all current subscribers of the topic. */
-    <T extends Record> void publish(BusTopic<T> topic, T value);
+    public <T extends Record> void publish(BusTopic<T> topic, T value) {
+        Record payload = node.copy(topic.type().cast(Objects.requireNonNull(value, "value")));
+        synchronized (lock) {
+            if (closed != null) {
+                throw rejection("publish on " + topic.name(), closed);
+            }
+            use(topic); // after the check of the value: a rejected value does not fix the topic's type
+        }
+        node.publish(this, topic, payload);
+    }
 
     /**
      * Subscribes to the values published from now on. The subscription ends when it is closed or when this port is
      * closed.
      */
-    <T extends Record> Subscription subscribe(BusTopic<T> topic, Subscriber<? super T> subscriber);
+    public <T extends Record> Subscription subscribe(BusTopic<T> topic, Subscriber<? super T> subscriber) {
+        Objects.requireNonNull(subscriber, "subscriber");
+        var subscription = new TopicSubscription<T>(this, topic, subscriber);
+        synchronized (lock) {
+            if (closed != null) {
+                throw rejection("subscribe to " + topic.name(), closed);
+            }
+            use(topic);
+            subscriptions.add(subscription);
+        }
+        subscription.open();
+        node.add(subscription);
+        checkOpen("subscribe to " + topic.name(), subscription);
+        return subscription;
+    }
 
     /**
      * Registers the request handler of an operation. An exception from the handler, or a rejected promise, rejects the
      * request.
      */
-    <Q extends Record, A extends Record> void answer(
-            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler);
+    public <Q extends Record, A extends Record> void answer(
+            Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
+        Objects.requireNonNull(handler, "answerer");
+        var operationHandler = new OperationHandler<Q, A>(this, operation, handler);
+        var before = operationHandler(operation.name());
+        if (before != null && !before.hasEnded()) {
+            throw answeredAlready(operation);
+        }
+        operationHandler.open();
+        synchronized (lock) {
+            if (closed != null) {
+                operationHandler.end(closed);
+            } else if (operationHandlers.putIfAbsent(operation.name(), operationHandler) != null) {
+                operationHandler.end("another answers");
+                throw answeredAlready(operation);
+            }
+        }
+        checkOpen("answer " + operation.name(), operationHandler);
+    }
+
+    private IllegalArgumentException answeredAlready(Operation<?, ?> operation) {
+        return new IllegalArgumentException(address + " answers " + operation.name() + " already");
+    }
+
+    /** Throws if the queue has ended before it was registered, because its space or this port was closed. */
+    private void checkOpen(String what, InboundQueue queue) {
+        String why = queue.whyEnded();
+        if (why != null) {
+            forget(queue);
+            throw rejection(what, why);
+        }
+    }
 
     /**
      * Sends a request. At most once: a request is never sent again. The request handler does not learn the limit, and
@@ -45,23 +136,83 @@ public interface BusPort extends AutoCloseable {
      *     for that operation; with a {@link BusTimeoutException} if no reply arrives within the limit (a later reply is
      *     reported to the bus's observer); with a {@link RemoteFailure} if the handler fails
      */
-    <Q extends Record, A extends Record> Promise<A> ask(
-            Address to, Operation<Q, A> operation, Q request, Duration limit);
+    public <Q extends Record, A extends Record> Promise<A> ask(
+            Address to, Operation<Q, A> operation, Q request, Duration limit) {
+        return node.ask(this, to, operation, request, limit);
+    }
 
     /** Leaves the bus: the name becomes free, subscriptions end, and queued and pending requests are rejected. */
     @Override
-    void close();
-
-    /** Receives the values of a subscription. */
-    @FunctionalInterface
-    interface Subscriber<T> {
-        void receive(T value, Address publisher);
+    public void close() {
+        close("it has left the bus");
     }
 
-    /** A subscription to a topic; closing it ends it. */
-    @FunctionalInterface
-    interface Subscription extends AutoCloseable {
-        @Override
-        void close();
+    void close(String why) {
+        List<InboundQueue> queues = new ArrayList<>();
+        synchronized (lock) {
+            if (closed != null) {
+                return;
+            }
+            closed = why;
+            topics.forEach(node::release);
+            topics.clear();
+            queues.addAll(subscriptions);
+            queues.addAll(operationHandlers.values());
+        }
+        node.detach(this);
+        queues.forEach(queue -> queue.end(why));
+        node.rejectRequestsOf(this, "the asker has left: " + why);
+    }
+
+    @Nullable
+    String whyClosed() {
+        synchronized (lock) {
+            return closed;
+        }
+    }
+
+    @Nullable
+    OperationHandler<?, ?> operationHandler(String operation) {
+        synchronized (lock) {
+            return operationHandlers.get(operation);
+        }
+    }
+
+    List<String> operations() {
+        synchronized (lock) {
+            return List.copyOf(operationHandlers.keySet());
+        }
+    }
+
+    /** Removes a queue that has ended. */
+    void forget(InboundQueue queue) {
+        synchronized (lock) {
+            switch (queue) {
+                case TopicSubscription<?> subscription -> subscriptions.remove(subscription);
+                case OperationHandler<?, ?> operationHandler ->
+                    operationHandlers.remove(operationHandler.operation.name(), operationHandler);
+                default -> throw new IllegalStateException("no such queue: " + queue);
+            }
+        }
+        if (queue instanceof TopicSubscription<?> subscription) {
+            node.remove(subscription);
+        }
+    }
+
+    /** Called under the lock. */
+    private void use(BusTopic<?> topic) {
+        if (!topics.contains(topic)) {
+            node.use(topic);
+            topics.add(topic);
+        }
+    }
+
+    private BusException rejection(String what, String why) {
+        return new BusException(address + " cannot " + what + ": " + why);
+    }
+
+    @Override
+    public String toString() {
+        return address.toString();
     }
 }

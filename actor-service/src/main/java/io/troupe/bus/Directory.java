@@ -11,7 +11,7 @@ import org.jspecify.annotations.Nullable;
 /** The registry of one node: ports by name, subscriptions by topic, and the value type of each topic. */
 final class Directory {
     private final String node;
-    private final Map<String, Port> ports = new ConcurrentHashMap<>();
+    private final Map<String, BusPort> ports = new ConcurrentHashMap<>();
     private final Map<String, List<TopicSubscription<?>>> subscriptions = new ConcurrentHashMap<>();
     private final Map<String, TypeInUse> topics = new ConcurrentHashMap<>();
 
@@ -22,22 +22,22 @@ final class Directory {
         this.node = node;
     }
 
-    void add(Port port) {
+    void add(BusPort port) {
         if (ports.putIfAbsent(port.address().name(), port) != null) {
             throw new IllegalArgumentException("the name " + port.address() + " is taken; " + attachedPorts());
         }
     }
 
-    void remove(Port port) {
+    void remove(BusPort port) {
         ports.remove(port.address().name(), port);
     }
 
     @Nullable
-    Port port(String name) {
+    BusPort port(String name) {
         return ports.get(name);
     }
 
-    List<Port> ports() {
+    List<BusPort> ports() {
         return new ArrayList<>(ports.values());
     }
 

@@ -18,8 +18,8 @@ import org.jspecify.annotations.Nullable;
 abstract class InboundQueue {
     private static final int BATCH = 8; // small, to limit the delay of the space's other callbacks and messages
 
-    final BusNode node;
-    final Port port;
+    final Bus node;
+    final BusPort port;
     private final int capacity;
     private final ActorSpace space;
     private final Topic<InboundQueue> wakeUps; // wakes the space; shows whether the actor still exists
@@ -28,7 +28,7 @@ abstract class InboundQueue {
     private volatile @Nullable String ended; // the reason; written under this
     private volatile @Nullable Promise<@Nullable Void> watch;
 
-    InboundQueue(Port port, String name) {
+    InboundQueue(BusPort port, String name) {
         this.port = port;
         this.node = port.node;
         this.capacity = node.settings.capacity();

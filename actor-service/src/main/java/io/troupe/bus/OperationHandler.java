@@ -21,7 +21,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     // guarded by itself: requests without a reply yet, at most capacity
     private final Map<RequestId, BusMessage> begun = new LinkedHashMap<>();
 
-    OperationHandler(Port port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
+    OperationHandler(BusPort port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
         super(port, port.address() + " answers " + operation.name());
         this.operation = operation;
         this.handler = handler;

@@ -16,15 +16,15 @@ import org.jspecify.annotations.Nullable;
 
 /** The pending requests of one node. */
 final class PendingRequests {
-    private final BusNode node;
+    private final Bus node;
     private final Map<Long, PendingRequest<?>> pending = new ConcurrentHashMap<>(); // by sequence number
 
-    PendingRequests(BusNode node) {
+    PendingRequests(Bus node) {
         this.node = node;
     }
 
     <Q extends Record, A extends Record> Promise<A> ask(
-            Port requester, Address to, Operation<Q, A> operation, Q request, Duration limit) {
+            BusPort requester, Address to, Operation<Q, A> operation, Q request, Duration limit) {
         if (limit.isNegative() || limit.isZero()) {
             throw new IllegalArgumentException(
                     "the limit for " + operation.name() + " is " + limit + ", expected more than zero");
@@ -98,7 +98,7 @@ final class PendingRequests {
         }
     }
 
-    void rejectAllOf(Port requester, String why) {
+    void rejectAllOf(BusPort requester, String why) {
         pending.forEach((number, asked) -> {
             if (asked.requester == requester) {
                 reject(number, why);
@@ -117,14 +117,14 @@ final class PendingRequests {
 
     /** A request that waits for its reply. */
     private static final class PendingRequest<A extends Record> {
-        final Port requester;
+        final BusPort requester;
         private final Address to;
         private final Operation<?, A> operation;
         private final BusMessage request;
         private final Reply answer;
         private final Deferred<@Nullable Void> over;
 
-        PendingRequest(Port requester, Address to, Operation<?, A> operation, BusMessage request, Home home) {
+        PendingRequest(BusPort requester, Address to, Operation<?, A> operation, BusMessage request, Home home) {
             this.requester = requester;
             this.to = to;
             this.operation = operation;

@@ -8,7 +8,7 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     private final BusPort.Subscriber<? super T> subscriber;
     private long dropped; // guarded by this
 
-    TopicSubscription(Port port, BusTopic<T> topic, BusPort.Subscriber<? super T> subscriber) {
+    TopicSubscription(BusPort port, BusTopic<T> topic, BusPort.Subscriber<? super T> subscriber) {
         super(port, port.address() + " hears " + topic.name());
         this.topic = topic;
         this.subscriber = subscriber;

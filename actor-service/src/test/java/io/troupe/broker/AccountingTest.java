@@ -77,7 +77,7 @@ class AccountingTest {
         private final Random random;
         private final TestSpace test = new TestSpace();
         private final List<BrokerEvent> events = new ArrayList<>();
-        private final ServiceBroker broker = ServiceBroker.open(
+        private final Broker broker = Broker.open(
                 test.space(), BrokerSettings.DEFAULT.withoutRestart().withObserver(events::add));
         private final ActorServices services = new ActorServices(broker, "node", test.space(), events::add);
         private final Map<Integer, List<String>> done = new HashMap<>();

@@ -112,7 +112,7 @@ class ActorServicesTest {
         try (var callers = new TestSpace();
                 var providers = new TestSpace();
                 var brokers = new TestSpace()) {
-            var broker = ServiceBroker.open(
+            var broker = Broker.open(
                     brokers.space(), BrokerSettings.DEFAULT.withoutRestart().withObserver(event -> {}));
             var services = new ActorServices(broker, "node", callers.space(), event -> {});
             var diary = new ArrayList<String>();

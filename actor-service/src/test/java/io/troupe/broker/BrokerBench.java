@@ -14,14 +14,14 @@ final class BrokerBench implements AutoCloseable {
     final TestSpace test = new TestSpace();
     final List<BrokerEvent> events = new ArrayList<>();
     final List<String> diary = new ArrayList<>();
-    final ServiceBroker broker;
+    final Broker broker;
 
     BrokerBench() {
         this(BrokerSettings.DEFAULT);
     }
 
     BrokerBench(BrokerSettings settings) {
-        broker = ServiceBroker.open(test.space(), settings.withObserver(events::add));
+        broker = Broker.open(test.space(), settings.withObserver(events::add));
     }
 
     static Address at(String name) {

@@ -59,7 +59,7 @@ class BrokerGuideTest {
             var events = new ArrayList<BrokerEvent>();
             BrokerObserver observer = events::add;
 
-            Broker broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
+            Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
             broker.register("camera", List.of("senses", "colour"), new Address("robot", "left"), left);
             broker.register("camera", List.of("senses"), new Address("robot", "right"), right);
 
@@ -190,7 +190,7 @@ class BrokerGuideTest {
     void twoActors_arePublisherAndSubscriberOfEachOther() {
         try (var test = new TestSpace()) {
             var space = test.space();
-            Broker broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+            Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
 
             var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
             services.publish(space, Compass.class, "compass", List.of("senses"), () -> new ShipCompass(services));
@@ -213,7 +213,7 @@ class BrokerGuideTest {
     void serviceThatTakesLong_hasNoLimit_andItsReplacementTakesOver() {
         try (var test = new TestSpace()) {
             var space = test.space();
-            Broker broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+            Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
             var services = new ActorServices(broker, "ship", space, event -> {});
             services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
 

@@ -45,7 +45,7 @@ class BrokerThreadsTest {
         var brokers = new TestSpace(); // its clock decides when a limit is over
         try (var hanging = space("hanging");
                 var other = space("other")) {
-            var broker = ServiceBroker.open(brokers.space(), BrokerSettings.DEFAULT.withObserver(events::add));
+            var broker = Broker.open(brokers.space(), BrokerSettings.DEFAULT.withObserver(events::add));
             var services = new ActorServices(broker, "node", brokers.space(), events::add);
             var diary = Collections.synchronizedList(new ArrayList<String>());
             await(
@@ -107,7 +107,7 @@ class BrokerThreadsTest {
                 var providers = space("providers");
                 var callers = space("callers");
                 var threads = Executors.newVirtualThreadPerTaskExecutor()) {
-            var broker = ServiceBroker.open(brokers, Patience.BROKER.withObserver(events::add));
+            var broker = Broker.open(brokers, Patience.BROKER.withObserver(events::add));
             var services = new ActorServices(broker, "node", callers, events::add);
             var diary = Collections.synchronizedList(new ArrayList<String>());
             Address now = services.publish(

@@ -194,7 +194,7 @@ class HealthTest {
     @Test
     void observerThatThrows_isReported_andChangesNothing() {
         var test = new io.troupe.actor.testkit.TestSpace();
-        var broker = ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {
+        var broker = Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {
             throw new IllegalStateException("observer");
         }));
         var diary = new java.util.ArrayList<String>();

@@ -135,7 +135,7 @@ class MutualThreadsTest {
                 var left = space("left");
                 var right = space("right")) {
             Broker broker =
-                    ServiceBroker.open(brokers, Patience.BROKER.withoutRestart().withObserver(event -> {}));
+                    Broker.open(brokers, Patience.BROKER.withoutRestart().withObserver(event -> {}));
             var services = new ActorServices(broker, "node", brokers, event -> {});
             services.publish(left, Station.class, "a", List.of(), () -> new Answerer("a", "b", 4, services));
             services.publish(right, Station.class, "b", List.of(), () -> new Answerer("b", "a", 4, services));

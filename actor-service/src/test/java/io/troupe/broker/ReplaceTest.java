@@ -295,7 +295,7 @@ class ReplaceTest {
             }
         };
 
-        void connect(ServiceBroker broker) {
+        void connect(Broker broker) {
             broker.connect(Need.ofService("robot 1", "player"), connection).handle((record, error) -> null);
         }
 

@@ -9,7 +9,6 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 
 /**
@@ -19,7 +18,7 @@ import org.junit.jupiter.api.AfterEach;
 abstract class BusContract {
     /** The placement of the two sides of a test. */
     enum Wiring {
-        /** Both sides on one {@link InProcessBus}. */
+        /** Both sides on one {@link Bus}. */
         ONE_NODE,
         /** Each side on a node; the nodes exchange only bytes. */
         TWO_NODES
@@ -60,23 +59,15 @@ abstract class BusContract {
     private final BytePipe pipe = new BytePipe(test.space());
     private final Bus near;
     private final Bus far;
-    private final Supplier<BusMetrics> nearMetrics;
-    private final Supplier<BusMetrics> farMetrics;
 
     BusContract(Wiring wiring) {
         if (wiring == Wiring.ONE_NODE) {
-            var bus = InProcessBus.open("robots", settings());
+            var bus = Bus.inProcess("robots", settings());
             near = bus;
             far = bus;
-            nearMetrics = bus::metrics;
-            farMetrics = bus::metrics;
         } else {
-            var here = pipe.open("near", settings());
-            var there = pipe.open("far", settings());
-            near = here;
-            far = there;
-            nearMetrics = here::metrics;
-            farMetrics = there::metrics;
+            near = pipe.open("near", settings());
+            far = pipe.open("far", settings());
         }
     }
 
@@ -89,11 +80,11 @@ abstract class BusContract {
     }
 
     final BusMetrics nearMetrics() {
-        return nearMetrics.get();
+        return near.metrics();
     }
 
     final BusMetrics farMetrics() {
-        return farMetrics.get();
+        return far.metrics();
     }
 
     final long bytesCarried() {

@@ -24,7 +24,7 @@ final class BusProgram implements AutoCloseable {
     private final TestSpace test = new TestSpace();
     private final Random random;
     private final BytePipe pipe = new BytePipe(test.space());
-    private final List<BusNode> nodes = new ArrayList<>();
+    private final List<Bus> nodes = new ArrayList<>();
     private final BusModel model;
     private final Map<String, BusPort> ports = new LinkedHashMap<>();
     private final Map<Integer, BusPort.Subscription> subscriptions = new LinkedHashMap<>();
@@ -212,7 +212,7 @@ final class BusProgram implements AutoCloseable {
         var counts = new LinkedHashMap<String, Long>();
         long delivered = 0;
         long pending = answers.values().stream().filter(each -> !each.isDone()).count();
-        for (BusNode node : nodes) {
+        for (Bus node : nodes) {
             var now = node.metrics();
             delivered += now.delivered();
             pending -= now.asked() - now.answered() - now.refused() - now.timedOut();
@@ -253,7 +253,7 @@ final class BusProgram implements AutoCloseable {
 
     @Override
     public void close() {
-        nodes.forEach(BusNode::close);
+        nodes.forEach(Bus::close);
         test.crank();
         test.close();
     }

@@ -30,7 +30,7 @@ class BusSoakTest {
             var losses = new LongAdder();
             try (var outside = ActorSpace.create(SpaceSettings.named("outside"));
                     var home = ActorSpace.create(SpaceSettings.named("answerers"));
-                    var bus = InProcessBus.open("robots", new BusSettings(outside, 64, loss -> losses.increment()))) {
+                    var bus = Bus.inProcess("robots", new BusSettings(outside, 64, loss -> losses.increment()))) {
                 var all = new BusThreadsTest.Requesters(requesters, 100);
                 var to = new Address("robots", "answerer");
                 inThreads(requesters + 1, number -> {
@@ -82,7 +82,7 @@ class BusSoakTest {
             try (var outside = ActorSpace.create(SpaceSettings.named("outside"));
                     var left = ActorSpace.create(SpaceSettings.named("left"));
                     var right = ActorSpace.create(SpaceSettings.named("right"))) {
-                var bus = InProcessBus.open("robots", new BusSettings(outside, PUBLISHERS * VALUES, loss -> {}));
+                var bus = Bus.inProcess("robots", new BusSettings(outside, PUBLISHERS * VALUES, loss -> {}));
                 var first = new Listener(wrong, heardByTheFirst);
                 subscribe(bus.attach("first"), left, first);
                 inThreads(PUBLISHERS + COMING_AND_GOING, number -> {

@@ -40,8 +40,8 @@ class BusThreadsTest {
         return space;
     }
 
-    private InProcessBus open(int capacity) {
-        return InProcessBus.open("robots", new BusSettings(space("outsiders"), capacity, loss -> {
+    private Bus open(int capacity) {
+        return Bus.inProcess("robots", new BusSettings(space("outsiders"), capacity, loss -> {
             switch (loss) {
                 case Loss.Dropped one -> dropped.incrementAndGet();
                 case Loss.Late one -> late.increment();
@@ -87,7 +87,7 @@ class BusThreadsTest {
         }
     }
 
-    private List<Listener> publishToThreeSpaces(InProcessBus bus) throws Exception {
+    private List<Listener> publishToThreeSpaces(Bus bus) throws Exception {
         var listeners = new ArrayList<Listener>();
         for (int i = 0; i < 3; i++) {
             var port = bus.attach("listener" + i);
@@ -181,7 +181,7 @@ class BusThreadsTest {
         }
 
         /** Makes sure that the requesters meet phases with and without a handler, independent of thread scheduling. */
-        void comeAndGo(InProcessBus bus, ActorSpace home) {
+        void comeAndGo(Bus bus, ActorSpace home) {
             for (int i = 0; i < lives; i++) {
                 long answeredBefore = answered.get();
                 var port = handler(bus, home);
@@ -201,7 +201,7 @@ class BusThreadsTest {
             }
         }
 
-        private static BusPort handler(InProcessBus bus, ActorSpace home) {
+        private static BusPort handler(Bus bus, ActorSpace home) {
             var port = bus.attach("answerer");
             home.sequential(() -> {
                         port.answer(BusContract.SPELL, count -> Promise.of(new Text("" + count.value())));

@@ -12,7 +12,7 @@ final class BytePipe {
     private record Parcel(String to, byte[] bytes) {}
 
     private final ActorSpace carrier;
-    private final Map<String, BusNode> nodes = new ConcurrentHashMap<>();
+    private final Map<String, Bus> nodes = new ConcurrentHashMap<>();
     private final Queue<Parcel> underWay = new ConcurrentLinkedQueue<>();
     private final AtomicLong carried = new AtomicLong();
 
@@ -20,8 +20,8 @@ final class BytePipe {
         this.carrier = carrier;
     }
 
-    BusNode open(String name, BusSettings settings) {
-        var node = new BusNode(name, settings, new End(name));
+    Bus open(String name, BusSettings settings) {
+        var node = new Bus(name, settings, new End(name));
         nodes.put(name, node);
         return node;
     }
@@ -43,7 +43,7 @@ final class BytePipe {
     }
 
     /** The transport of one node. */
-    private final class End implements Transport {
+    private final class End implements Bus.Transport {
         private final String mine;
 
         End(String mine) {

@@ -23,7 +23,7 @@ class TwoNodesTest extends BusContract {
 
     @Test
     void transportThatFails_rejectsTheRequest_andIsReportedForAPublication() {
-        var broken = new BusNode("broken", settings(), new Transport() {
+        var broken = new Bus("broken", settings(), new Bus.Transport() {
             @Override
             public boolean reaches(String node) {
                 return true;
@@ -54,7 +54,7 @@ class TwoNodesTest extends BusContract {
     @Test
     void answerThatCannotBeSent_isFollowedByARefusal() {
         var sent = new ArrayList<BusMessage>();
-        var node = new BusNode("far-away", settings(), new Transport() {
+        var node = new Bus("far-away", settings(), new Bus.Transport() {
             @Override
             public boolean reaches(String node) {
                 return true;
@@ -94,7 +94,7 @@ class TwoNodesTest extends BusContract {
     @Test
     void replyToAnotherRequestOfThatNumber_settlesNothing() {
         var sent = new ArrayList<BusMessage>();
-        var node = new BusNode("near", settings(), new Transport() {
+        var node = new Bus("near", settings(), new Bus.Transport() {
             @Override
             public boolean reaches(String node) {
                 return true;

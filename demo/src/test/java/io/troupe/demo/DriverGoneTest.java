@@ -6,10 +6,10 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
-import io.troupe.broker.ServiceBroker;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
-import io.troupe.bus.InProcessBus;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.DataSink;
@@ -245,13 +245,13 @@ class DriverGoneTest {
 
     // ---- components
 
-    private Application start(ActorSpace space, InProcessBus bus, Supplier<Behaviour> law) throws Exception {
+    private Application start(ActorSpace space, Bus bus, Supplier<Behaviour> law) throws Exception {
         var plan = ApplicationPlan.named("turning")
                 .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", PORT, List.of(1), false)))
                 .with("turner", BehaviourComponent.of("turner", "turning", List.of(), law))
                 .needing("turning", "player")
                 .needing("robot1", "turning");
-        var broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+        var broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
         var application = new CompletableFuture<Application>();
         space.execute(() -> application.complete(Application.start(plan, bus, broker, ApplicationSettings.DEFAULT)));
         Application begun = application.get(5, TimeUnit.MINUTES);
@@ -266,7 +266,7 @@ class DriverGoneTest {
         try (var space = space()) {
             start(
                     space,
-                    InProcessBus.open("here", BusSettings.on(space)),
+                    Bus.inProcess("here", BusSettings.on(space)),
                     () -> senses -> silent.get() ? Optional.empty() : Optional.of(TURNING));
             silent.set(true);
             assertStandsAfterHalfASecond(0);
@@ -278,7 +278,7 @@ class DriverGoneTest {
     @Test
     void busThatIsClosed_betweenTheDriverAndItsRobot() throws Exception {
         try (var space = space()) {
-            var bus = InProcessBus.open("here", BusSettings.on(space));
+            var bus = Bus.inProcess("here", BusSettings.on(space));
             start(space, bus, () -> senses -> Optional.of(TURNING));
             bus.close();
             assertStandsAfterHalfASecond(0);
@@ -289,7 +289,7 @@ class DriverGoneTest {
     void spaceOfBrokerBusAndComponents_thatHangs_andThatIsClosed() throws Exception {
         var goesOn = new CountDownLatch(1);
         try (var space = space()) {
-            start(space, InProcessBus.open("here", BusSettings.on(space)), () -> senses -> Optional.of(TURNING));
+            start(space, Bus.inProcess("here", BusSettings.on(space)), () -> senses -> Optional.of(TURNING));
             space.execute(() -> await(goesOn));
             assertStandsAfterHalfASecond(0);
             goesOn.countDown();

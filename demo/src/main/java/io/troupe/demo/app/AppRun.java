@@ -2,10 +2,10 @@ package io.troupe.demo.app;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
-import io.troupe.broker.ServiceBroker;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
-import io.troupe.bus.InProcessBus;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.services.component.application.Application;
@@ -115,8 +115,8 @@ final class AppRun {
     }
 
     private Application start(ActorSpace space, ApplicationPlan plan) throws InterruptedException {
-        var bus = InProcessBus.open("troupe", BusSettings.on(space));
-        var broker = ServiceBroker.open(space, BrokerSettings.DEFAULT.withObserver(report::onBroker));
+        var bus = Bus.inProcess("troupe", BusSettings.on(space));
+        var broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(report::onBroker));
         var settings = ApplicationSettings.DEFAULT.withObservers(report, report::onApplication);
         var listener = bus.attach(":report");
         for (var component : plan.components().values()) {

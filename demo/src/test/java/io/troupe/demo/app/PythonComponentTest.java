@@ -5,13 +5,13 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.MissingServiceException;
-import io.troupe.broker.ServiceBroker;
 import io.troupe.bus.Address;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
-import io.troupe.bus.InProcessBus;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.services.component.ApplicationData;
@@ -99,8 +99,8 @@ class PythonComponentTest {
         var application = new CompletableFuture<Application>();
         space.execute(() -> application.complete(Application.start(
                 plan,
-                InProcessBus.open("here", BusSettings.on(space)),
-                ServiceBroker.open(space, brokerSettings.withObserver(this::note)),
+                Bus.inProcess("here", BusSettings.on(space)),
+                Broker.open(space, brokerSettings.withObserver(this::note)),
                 ApplicationSettings.DEFAULT.withObservers(observer, this::note))));
         Application begun = application.get(20, TimeUnit.SECONDS);
         begun.started().get(Duration.ofSeconds(60));

@@ -78,12 +78,13 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
     }
 
     private Control.Done done() {
-        return new Control.Done(address().name(), lifecycle.state().name());
+        return new Control.Done(address().name(), lifecycle.componentState().name());
     }
 
     private Control.HealthReport report(@Nullable Throwable wrong) {
         String problem = wrong == null ? "" : ComponentLifecycle.messageOf(wrong);
-        return new Control.HealthReport(address().name(), lifecycle.state().name(), problem);
+        return new Control.HealthReport(
+                address().name(), lifecycle.componentState().name(), problem);
     }
 
     /** The address of the component on the bus. */
@@ -103,7 +104,7 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
 
     /** The current state of the component. Call on the space of the interface. */
     public ComponentState state() {
-        return lifecycle.state();
+        return lifecycle.componentState();
     }
 
     /**
@@ -114,7 +115,7 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
             Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> answerer) {
         bus.answer(
                 operation,
-                question -> lifecycle.state() == ComponentState.RUNNING
+                question -> lifecycle.componentState() == ComponentState.RUNNING
                         ? answerer.apply(question)
                         : Promise.failed(lifecycle.notRunning()));
     }
@@ -234,14 +235,14 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
 
         private void received(ApplicationData<?> data) {
             conversion.fromBus(data);
-            if (lifecycle.state() == ComponentState.RUNNING && inputScheduled.compareAndSet(false, true)) {
+            if (lifecycle.componentState() == ComponentState.RUNNING && inputScheduled.compareAndSet(false, true)) {
                 space.execute(this::drainInput);
             }
         }
 
         private void drainInput() {
             inputScheduled.set(false);
-            if (lifecycle.state() == ComponentState.RUNNING) {
+            if (lifecycle.componentState() == ComponentState.RUNNING) {
                 conversion.drainToComponent(lifecycle::data);
             }
         }

@@ -4,27 +4,24 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import io.troupe.broker.Lifecycle;
 import io.troupe.broker.ProviderException;
 import io.troupe.bus.Address;
-import java.util.LinkedHashSet;
-import java.util.List;
 import java.util.Objects;
-import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * State machine of one component: starts, terminates and restarts it, and ignores signals from earlier runs.
+ * The lifecycle of one component: a run is one instance of its CCU. Ignores signals from earlier runs.
  *
  * <p><b>Threads.</b> The space of the interface, except for the signals of the component.
  *
- * <p><b>Order.</b> The observer may call the interface. It is therefore notified after the fields have been updated,
- * and the fields are read again after each notification.
+ * <p><b>Order.</b> The observer may call the interface; see {@link Lifecycle}.
  *
  * <p><b>Errors.</b> A run whose termination fails is kept. No new run starts beside it; each invocation and each
  * termination terminates it again, until this succeeds.
  */
-final class ComponentLifecycle<I, O> {
+final class ComponentLifecycle<I, O> extends Lifecycle<ComponentLifecycle<I, O>.Run> {
     /** Callbacks at the transitions of a run. */
     interface Listener<O> {
         void invoking();
@@ -42,26 +39,11 @@ final class ComponentLifecycle<I, O> {
     private final Supplier<? extends ComponentCommunication<I, O>> communication;
     private final ComponentObserver observer;
     private final Listener<O> listener;
-    private ComponentState state = ComponentState.NOT_INVOKED;
-    private @Nullable Run current;
-    private @Nullable Throwable failure;
+    private @Nullable Run latest;
+    private @Nullable Throwable failure; // of the latest run
+
     /** Settled at the end of the current run; null until it is requested. */
     private @Nullable Deferred<@Nullable Void> end;
-
-    /** Settled when the most recent invocation or termination has completed. */
-    private Deferred<@Nullable Void> change = new Deferred<>();
-
-    /** The invocation that waits for the termination of earlier runs, or null. */
-    private @Nullable Deferred<@Nullable Void> pendingInvocation;
-
-    /** Runs that are being terminated, or whose termination has failed. */
-    private final Set<Run> unterminated = new LinkedHashSet<>();
-
-    /** Number of terminations in progress. */
-    private int terminations;
-
-    /** The error of the most recent failed termination, or null. */
-    private @Nullable Throwable terminationError;
 
     private boolean closed;
 
@@ -78,8 +60,19 @@ final class ComponentLifecycle<I, O> {
         this.listener = listener;
     }
 
-    ComponentState state() {
-        return state;
+    ComponentState componentState() {
+        return stateOf(state());
+    }
+
+    private static ComponentState stateOf(State state) {
+        return switch (state) {
+            case NOT_STARTED -> ComponentState.NOT_INVOKED;
+            case STARTING -> ComponentState.INVOKING;
+            case RUNNING -> ComponentState.RUNNING;
+            case STOPPING -> ComponentState.TERMINATING;
+            case STOPPED -> ComponentState.TERMINATED;
+            case FAILED -> ComponentState.FAILED;
+        };
     }
 
     // ---- control
@@ -88,79 +81,12 @@ final class ComponentLifecycle<I, O> {
         if (closed) {
             return Promise.failed(new ProviderException(owner + " has left the bus, expected an open interface"));
         }
-        return switch (state) {
-            case RUNNING -> Promise.done();
-            case INVOKING -> change;
-            case TERMINATING -> invokeAfterTermination();
-            case NOT_INVOKED, TERMINATED, FAILED -> unterminated.isEmpty() ? startRun() : invokeAfterTermination();
-        };
+        return start();
     }
 
-    private Promise<@Nullable Void> invokeAfterTermination() {
-        if (pendingInvocation == null) {
-            pendingInvocation = new Deferred<>();
-        }
-        Deferred<@Nullable Void> invocation = pendingInvocation;
-        terminateUnterminated();
-        return invocation;
-    }
-
-    private void invokePending() {
-        Deferred<@Nullable Void> invocation = pendingInvocation;
-        if (invocation == null) {
-            return;
-        }
-        pendingInvocation = null;
-        if (unterminated.isEmpty()) {
-            invocation.resolveFrom(invoke());
-        } else {
-            invocation.reject(new ProviderException(
-                    owner + " cannot be invoked: its life before has not ended" + reason(terminationError),
-                    terminationError));
-        }
-    }
-
-    private Promise<@Nullable Void> startRun() {
-        failure = null;
-        var started = new Deferred<@Nullable Void>();
-        change = started;
-        Run run;
-        try {
-            run = new Run(communication.get());
-            current = run;
-            state = ComponentState.INVOKING;
-            listener.invoking();
-        } catch (RuntimeException | Error refusal) { // thrown by code of the component
-            fail(refusal);
-            return started;
-        }
-        observer.changed(owner, ComponentState.INVOKING);
-        if (run != current || state != ComponentState.INVOKING) {
-            return started; // terminated by the observer
-        }
-        run.invoke().handle((invoked, error) -> {
-            if (run != current || state != ComponentState.INVOKING) {
-                completedLate(run, error);
-            } else if (error != null) {
-                fail(error);
-            } else {
-                state = ComponentState.RUNNING;
-                started.resolve(null);
-                observer.changed(owner, ComponentState.RUNNING);
-                listener.running();
-            }
-            return null;
-        });
-        return started;
-    }
-
-    private void completedLate(Run run, @Nullable Throwable error) {
-        if (error != null) {
-            observer.problem(owner, "failed to be invoked, after it had been given up", error);
-        } else {
-            observer.info(owner, "ran only after it had been given up, and is terminated again");
-            terminate(run);
-        }
+    Promise<@Nullable Void> terminate() {
+        rejectPendingStart(new ProviderException(owner + " was terminated while it waited to be invoked"));
+        return stop(owner + " was terminated while it was being invoked");
     }
 
     /** Terminates the current run; no other run starts after it. */
@@ -169,46 +95,14 @@ final class ComponentLifecycle<I, O> {
         return terminate();
     }
 
-    Promise<@Nullable Void> terminate() {
-        if (pendingInvocation != null) {
-            var invocation = pendingInvocation;
-            pendingInvocation = null;
-            invocation.reject(new ProviderException(owner + " was terminated while it waited to be invoked"));
-        }
-        Run ending = current;
-        if (state == ComponentState.TERMINATING) {
-            return change;
-        }
-        if (ending == null && unterminated.isEmpty()) {
-            if (state == ComponentState.FAILED) {
-                state = ComponentState.TERMINATED;
-                observer.changed(owner, ComponentState.TERMINATED);
-            }
-            return Promise.done();
-        }
-        var stopped = new Deferred<@Nullable Void>();
-        Deferred<@Nullable Void> invocation = change;
-        boolean invoking = state == ComponentState.INVOKING;
-        change = stopped;
-        state = ComponentState.TERMINATING;
-        if (invoking) {
-            invocation.reject(new ProviderException(owner + " was terminated while it was being invoked"));
-        }
-        observer.changed(owner, ComponentState.TERMINATING);
-        terminateUnterminated();
-        if (ending != null) {
-            terminate(ending);
-        }
-        return stopped;
-    }
-
     Promise<@Nullable Void> health() {
-        return current == null || state != ComponentState.RUNNING ? Promise.failed(notRunning()) : current.health();
+        Run run = current();
+        return run == null || !isRunning(run) ? Promise.failed(notRunning()) : run.health();
     }
 
     /** Settled when the current run ends: fulfilled if it was terminated, rejected if it has failed. */
     Promise<@Nullable Void> whenEnded() {
-        if (current == null) {
+        if (current() == null) {
             return Promise.failed(notRunning());
         }
         if (end == null) {
@@ -219,7 +113,7 @@ final class ComponentLifecycle<I, O> {
 
     /** The error for requests that need a running component. */
     ProviderException notRunning() {
-        return new ProviderException(owner + " " + state.description() + reason(failure), failure);
+        return new ProviderException(owner + " " + componentState().description() + reason(failure), failure);
     }
 
     private static String reason(@Nullable Throwable error) {
@@ -235,97 +129,120 @@ final class ComponentLifecycle<I, O> {
         return message.isBlank() ? error.getClass().getName() : message;
     }
 
+    // ---- the current run
+
+    @Override
+    protected Run newRun() {
+        failure = null;
+        latest = null;
+        return new Run(communication.get());
+    }
+
+    @Override
+    protected void prepare(Run run) {
+        latest = run;
+        listener.invoking();
+    }
+
+    @Override
+    protected Promise<@Nullable Void> startRun(Run run) {
+        return run.invoke();
+    }
+
+    @Override
+    protected Promise<@Nullable Void> stopRun(Run run) {
+        return run.terminate();
+    }
+
+    @Override
+    protected void startedLate(Run run, @Nullable Throwable error) {
+        if (error != null) {
+            observer.problem(owner, "failed to be invoked, after it had been given up", error);
+        } else {
+            observer.info(owner, "ran only after it had been given up, and is terminated again");
+            stopAgain(run);
+        }
+    }
+
+    @Override
+    protected void changed(State now, State before) {
+        switch (now) {
+            case RUNNING -> {
+                observer.changed(owner, ComponentState.RUNNING);
+                listener.running();
+            }
+            case STOPPED, FAILED -> ended(now, before);
+            case NOT_STARTED, STARTING, STOPPING -> observer.changed(owner, stateOf(now));
+        }
+    }
+
+    private void ended(State now, State before) {
+        boolean wasAwaited = isAwaited();
+        Throwable why = failure;
+        ProviderException error = now == State.FAILED ? notRunning() : null;
+        if (before != State.FAILED) { // else it has ended before
+            Deferred<@Nullable Void> ended = end;
+            end = null;
+            markOver();
+            listener.ended();
+            if (ended != null) {
+                if (error == null) {
+                    ended.resolve(null);
+                } else {
+                    ended.reject(error);
+                }
+            }
+        }
+        observer.changed(owner, stateOf(now));
+        if (error != null && !wasAwaited) {
+            observer.problem(owner, "has failed", Objects.requireNonNull(why));
+        }
+    }
+
+    private void markOver() {
+        if (latest != null) {
+            latest.over = true;
+        }
+    }
+
+    @Override
+    protected Throwable failed(@Nullable Run run, State during, Throwable why) {
+        failure = why;
+        markOver();
+        return notRunning();
+    }
+
+    @Override
+    protected void stopFailed(Throwable why) {
+        observer.problem(owner, "could not be terminated after it had failed", why);
+    }
+
+    @Override
+    protected Throwable blocked(Throwable whyUnstopped) {
+        return new ProviderException(
+                owner + " cannot be invoked: its life before has not ended" + reason(whyUnstopped), whyUnstopped);
+    }
+
     // ---- data
 
     /** Passes data to the component if it runs. */
     void data(I input) {
-        if (current == null || state != ComponentState.RUNNING) {
+        Run run = current();
+        if (run == null || !isRunning(run)) {
             return; // it failed on an earlier value of the same drain
         }
         try {
-            current.data(input);
+            run.data(input);
         } catch (RuntimeException | Error thrown) {
             fail(thrown);
         }
-    }
-
-    // ---- the end of a run
-
-    private void fail(Throwable error) {
-        failure = error;
-        end(ComponentState.FAILED);
-    }
-
-    private void end(ComponentState last) {
-        boolean terminating = state == ComponentState.TERMINATING;
-        Run run = current;
-        Deferred<@Nullable Void> runEnd = end;
-        Deferred<@Nullable Void> pendingChange = change;
-        state = last;
-        current = null;
-        end = null;
-        ProviderException error = last == ComponentState.FAILED ? notRunning() : null;
-        if (run != null) {
-            run.over = true;
-            if (!terminating) {
-                terminate(run);
-            }
-        }
-        listener.ended();
-        if (runEnd != null) {
-            settle(runEnd, error);
-        }
-        boolean wasAwaited = settle(pendingChange, error);
-        observer.changed(owner, last);
-        if (error != null && !wasAwaited) {
-            observer.problem(owner, "has failed", error.getCause());
-        }
-    }
-
-    private static boolean settle(Deferred<@Nullable Void> promise, @Nullable Throwable error) {
-        return error == null ? promise.resolve(null) : promise.reject(error);
-    }
-
-    private void terminate(Run run) {
-        unterminated.add(run);
-        terminations++;
-        run.terminate().handle((ended, error) -> {
-            if (error == null) {
-                unterminated.remove(run);
-            } else {
-                unterminated.add(run);
-                terminationError = error;
-                if (run != current) {
-                    observer.problem(owner, "could not be terminated after it had failed", error);
-                }
-            }
-            if (--terminations == 0) {
-                terminationsCompleted();
-            }
-            return null;
-        });
-    }
-
-    private void terminateUnterminated() {
-        if (terminations == 0) {
-            List.copyOf(unterminated).forEach(this::terminate);
-        }
-    }
-
-    private void terminationsCompleted() {
-        if (state == ComponentState.TERMINATING && unterminated.isEmpty()) {
-            end(ComponentState.TERMINATED);
-        } else if (state == ComponentState.TERMINATING) {
-            fail(Objects.requireNonNull(terminationError));
-        }
-        invokePending();
     }
 
     /**
      * One run of the component, from invocation to termination. Calls the component's CCU and converts the exceptions
      * and errors that it throws to rejected promises, except those of {@link #data}.
      */
-    private final class Run {
+    final class Run {
         private final ComponentCommunication<I, O> communication;
         private volatile boolean over; // later signals are ignored
 
@@ -386,7 +303,7 @@ final class ComponentLifecycle<I, O> {
         public void failed(Throwable error) {
             try {
                 space.execute(() -> {
-                    if (run == current && state != ComponentState.TERMINATING) {
+                    if (run == current() && state() != State.STOPPING) {
                         fail(error);
                     }
                 });

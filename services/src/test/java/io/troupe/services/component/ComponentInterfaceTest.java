@@ -7,10 +7,10 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.broker.ProviderException;
 import io.troupe.bus.Address;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTopic;
-import io.troupe.bus.InProcessBus;
 import io.troupe.bus.Operation;
 import io.troupe.bus.RemoteFailure;
 import io.troupe.services.component.Buffering.OverflowPolicy;
@@ -37,7 +37,7 @@ class ComponentInterfaceTest {
     private static final Duration LIMIT = Duration.ofSeconds(1);
 
     private final TestSpace test = new TestSpace();
-    private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
+    private final Bus bus = Bus.inProcess("here", BusSettings.on(test.space()));
     private final ScriptedComponent script = new ScriptedComponent();
     private final RecordingObserver notes = new RecordingObserver();
     private final List<Integer> heard = new ArrayList<>();

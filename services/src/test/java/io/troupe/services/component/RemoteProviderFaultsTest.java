@@ -10,12 +10,11 @@ import io.troupe.broker.Health;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
 import io.troupe.broker.ProviderException;
-import io.troupe.broker.ServiceBroker;
 import io.troupe.broker.ServiceRecord;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTimeoutException;
-import io.troupe.bus.InProcessBus;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -35,8 +34,8 @@ class RemoteProviderFaultsTest {
     private static final Need COUNTING = Need.ofService("user", "counting");
 
     private final TestSpace test = new TestSpace();
-    private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
-    private final ServiceBroker broker = ServiceBroker.open(
+    private final Bus bus = Bus.inProcess("here", BusSettings.on(test.space()));
+    private final Broker broker = Broker.open(
             test.space(),
             BrokerSettings.DEFAULT
                     .withChecks(Duration.ofSeconds(1), Duration.ofSeconds(5), 3)

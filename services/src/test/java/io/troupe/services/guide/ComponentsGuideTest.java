@@ -4,16 +4,15 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.Need;
 import io.troupe.broker.ProviderException;
-import io.troupe.broker.ServiceBroker;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTopic;
-import io.troupe.bus.InProcessBus;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.services.behaviour.SpaceWanderer;
 import io.troupe.services.behaviour.WallFollower;
@@ -45,9 +44,8 @@ import org.junit.jupiter.api.Test;
  */
 class ComponentsGuideTest {
     private final TestSpace test = new TestSpace();
-    private final Bus bus = InProcessBus.open("house", BusSettings.on(test.space()));
-    private final ServiceBroker broker =
-            ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
+    private final Bus bus = Bus.inProcess("house", BusSettings.on(test.space()));
+    private final Broker broker = Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
     private final List<String> shown = new ArrayList<>();
 
     record Temperature(double celsius) {}

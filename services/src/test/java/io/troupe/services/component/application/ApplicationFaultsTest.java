@@ -3,10 +3,10 @@ package io.troupe.services.component.application;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
-import io.troupe.broker.ServiceBroker;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
-import io.troupe.bus.InProcessBus;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.component.ComponentState;
@@ -55,8 +55,8 @@ class ApplicationFaultsTest {
         test.run(() -> {
             application = Application.start(
                     plan,
-                    InProcessBus.open("here", BusSettings.on(test.space())),
-                    ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
+                    Bus.inProcess("here", BusSettings.on(test.space())),
+                    Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
                     ApplicationSettings.DEFAULT.withObservers(new RecordingObserver(), this::note));
             application.started().handle((runs, error) -> error);
         });

@@ -3,12 +3,12 @@ package io.troupe.services.component.application;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.MissingServiceException;
-import io.troupe.broker.ServiceBroker;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTopic;
-import io.troupe.bus.InProcessBus;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.services.behaviour.Velocity;
@@ -54,7 +54,7 @@ class ApplicationTest {
     private final RecordingObserver notes = new RecordingObserver();
     private final List<String> events = new ArrayList<>();
     private Application application;
-    private InProcessBus bus;
+    private Bus bus;
 
     @AfterEach
     void nothingIsLeft() {
@@ -71,11 +71,11 @@ class ApplicationTest {
 
     private void start(ApplicationPlan plan) {
         test.run(() -> {
-            bus = InProcessBus.open("here", BusSettings.on(test.space()));
+            bus = Bus.inProcess("here", BusSettings.on(test.space()));
             application = Application.start(
                     plan,
                     bus,
-                    ServiceBroker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
+                    Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
                     ApplicationSettings.DEFAULT.withObservers(notes, this::note));
             application.started().handle((runs, error) -> error); // handled here; the test reads the result later
         });

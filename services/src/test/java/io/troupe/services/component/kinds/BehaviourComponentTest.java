@@ -3,9 +3,9 @@ package io.troupe.services.component.kinds;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
-import io.troupe.bus.InProcessBus;
 import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.Blob;
@@ -33,7 +33,7 @@ import org.junit.jupiter.api.Test;
 
 class BehaviourComponentTest {
     private final TestSpace test = new TestSpace();
-    private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
+    private final Bus bus = Bus.inProcess("here", BusSettings.on(test.space()));
     private final RecordingObserver notes = new RecordingObserver();
     private final BusPort user = bus.attach("user");
     private final List<Velocity> velocities = new ArrayList<>();

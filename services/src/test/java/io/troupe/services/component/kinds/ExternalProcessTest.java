@@ -8,9 +8,9 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
 import io.troupe.broker.ProviderException;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
-import io.troupe.bus.InProcessBus;
 import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.ProcessComponent.TextLine;
@@ -38,7 +38,7 @@ class ExternalProcessTest {
     private static final Path SHELL = Path.of("/bin/sh");
 
     private final ActorSpace space = ActorSpace.create(SpaceSettings.named("processes"));
-    private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(space));
+    private final Bus bus = Bus.inProcess("here", BusSettings.on(space));
     private final BusPort user = bus.attach("user");
     private final RecordingObserver notes = new RecordingObserver();
     private final LinkedBlockingQueue<String> lines = new LinkedBlockingQueue<>();

@@ -3,9 +3,9 @@ package io.troupe.services.component.kinds;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
-import io.troupe.bus.InProcessBus;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.services.behaviour.Velocity;
@@ -24,7 +24,7 @@ class PlayerComponentTest {
 
     private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
-    private final InProcessBus bus = InProcessBus.open("here", BusSettings.on(test.space()));
+    private final Bus bus = Bus.inProcess("here", BusSettings.on(test.space()));
     private final RecordingObserver notes = new RecordingObserver();
     private final List<String> heard = new ArrayList<>();
     private final BusPort user = bus.attach("user");

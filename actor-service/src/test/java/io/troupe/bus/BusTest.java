@@ -21,11 +21,10 @@ import java.util.logging.Logger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-class InProcessBusTest {
+class BusTest {
     private final TestSpace test = new TestSpace();
     private final List<Loss> losses = new ArrayList<>();
-    private final InProcessBus bus =
-            InProcessBus.open("robots", BusSettings.on(test.space()).withObserver(losses::add));
+    private final Bus bus = Bus.inProcess("robots", BusSettings.on(test.space()).withObserver(losses::add));
 
     @AfterEach
     void nothingIsLeft() {
@@ -56,7 +55,7 @@ class InProcessBusTest {
 
     @Test
     void openWithoutSettings_usesTheGlobalSpace() {
-        try (var global = InProcessBus.open("global")) {
+        try (var global = Bus.inProcess("global")) {
             assertThat(global.node()).isEqualTo("global");
             assertThat(global).hasToString("bus global");
             assertThat(global.attach("a").address()).hasToString("global/a");
@@ -67,14 +66,14 @@ class InProcessBusTest {
     void settings_refuseWhatMakesNoSense() {
         assertThatThrownBy(() -> BusSettings.on(test.space()).withCapacity(0))
                 .hasMessage("capacity is 0 messages, expected 1 or more");
-        assertThatThrownBy(() -> InProcessBus.open("a/b")).hasMessageContaining("\"a/b\"");
+        assertThatThrownBy(() -> Bus.inProcess("a/b")).hasMessageContaining("\"a/b\"");
         assertThatThrownBy(() -> bus.attach(" ")).hasMessageContaining("the name of an address is \" \"");
     }
 
     @Test
     void registrationOnASpaceThatIsClosed_isRefused() {
         var closed = ActorSpace.create(SpaceSettings.named("closed").withHandCrank());
-        var other = InProcessBus.open("other", BusSettings.on(closed));
+        var other = Bus.inProcess("other", BusSettings.on(closed));
         var port = other.attach("a");
         closed.close();
         assertThatThrownBy(() -> port.subscribe(BusContract.COUNTS, (count, from) -> {}))
@@ -108,7 +107,7 @@ class InProcessBusTest {
 
     @Test
     void requestsWhoseRequestersHaveGivenUp_makeRoomAtTheirHandler() {
-        var small = InProcessBus.open(
+        var small = Bus.inProcess(
                 "small",
                 BusSettings.on(test.space()).withCapacity(BusContract.CAPACITY).withObserver(losses::add));
         var handler = small.attach("answerer");
@@ -182,7 +181,7 @@ class InProcessBusTest {
 
     @Test
     void errorsOfTheObserver_endNoSubscription_andNoAnswering() {
-        var other = InProcessBus.open("other", new BusSettings(test.space(), 1, loss -> {
+        var other = Bus.inProcess("other", new BusSettings(test.space(), 1, loss -> {
             throw new NoClassDefFoundError("observer");
         }));
         var heard = new ArrayList<Integer>();
@@ -213,7 +212,7 @@ class InProcessBusTest {
 
     @Test
     void observerThatThrows_disturbsNobody() {
-        var other = InProcessBus.open("other", BusSettings.on(test.space()).withObserver(new BusObserver() {
+        var other = Bus.inProcess("other", BusSettings.on(test.space()).withObserver(new BusObserver() {
             @Override
             public void lost(Loss loss) {
                 throw new IllegalStateException("broken");
@@ -240,7 +239,7 @@ class InProcessBusTest {
 
     @Test
     void loggingObserver_warnsOfLosses_ofDroppedOnesRarely() {
-        var other = InProcessBus.open("other", BusSettings.on(test.space()).withCapacity(1));
+        var other = Bus.inProcess("other", BusSettings.on(test.space()).withCapacity(1));
         var heard = new ArrayList<Integer>();
         other.attach("a").subscribe(BusContract.COUNTS, (count, from) -> heard.add(count.value()));
         var publisher = other.attach("b");
