@@ -27,6 +27,7 @@ import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Assignment;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionRun;
@@ -48,7 +49,6 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -174,9 +174,9 @@ class DriverGoneTest {
     }
 
     private static RobotServices drive(ActorSpace space, int port) {
-        var settings = RobotServices.Settings.ofThePaper().withPort(port);
-        RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(settings));
-        services.wallFollower(0, new AtomicReference<>(1));
+        var settings = RobotServicesActor.Settings.ofThePaper().withPort(port);
+        RobotServices services = space.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
+        services.drive(0, Service.WALL_FOLLOWER.name(), NamedColours.BLUE);
         var connected = new CountDownLatch(1);
         space.onIdle(connected::countDown);
         await(connected);

@@ -7,7 +7,9 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
+import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.CrowdWorld;
@@ -23,10 +25,10 @@ class CrowdMessagesTest {
         var table = CrowdTable.of(robots, CrowdWorld.colours(8), 3, CrowdTable.HOLD_SECONDS, CornerStyle.FORWARD);
         try (var simulation = Simulation.open(CrowdWorld.scenario(robots, 8), WorldSettings.DEFAULT);
                 var space = ActorSpace.create(SpaceSettings.named("crowd").withClock(simulation.clock()))) {
-            var settings = RobotServices.Settings.ofThePaper().withTable(table);
-            RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(settings));
-            Arbitrator arbitrator =
-                    space.spawn(Arbitrator.class, () -> new Arbitrator(services, table, (state, seenBy) -> {}));
+            var settings = RobotServicesActor.Settings.ofThePaper().withTable(table);
+            RobotServices services = space.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
+            Arbitrator arbitrator = space.spawn(
+                    Arbitrator.class, () -> new Arbitrator(Mode.PROMISE, services, table, (state, seenBy) -> {}));
             arbitrator.live();
             var begun = new java.util.concurrent.CountDownLatch(1);
             space.onIdle(begun::countDown);

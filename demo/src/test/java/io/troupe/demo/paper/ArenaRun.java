@@ -6,7 +6,10 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.time.Clock;
 import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
+import io.troupe.services.subsumption.RobotServicesActor;
+import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.ScenarioReader;
@@ -22,8 +25,17 @@ final class ArenaRun {
 
     private ArenaRun() {}
 
-    static RobotServices services(ActorSpace space) {
-        return space.spawn(RobotServices.class, () -> new RobotServices(RobotServices.Settings.ofThePaper()));
+    static PaperServices paperServices(ActorSpace space) {
+        return space.spawn(PaperServices.class, PaperServices::new);
+    }
+
+    /** Starts our arbitrator and robot services for the paper's table. */
+    static void startOurs(ActorSpace space, Mode mode, Arbitrator.StateListener listener) {
+        RobotServices services = space.spawn(
+                RobotServices.class, () -> new RobotServicesActor(RobotServicesActor.Settings.ofThePaper()));
+        Arbitrator arbitrator = space.spawn(
+                Arbitrator.class, () -> new Arbitrator(mode, services, SubsumptionTable.ofThePaper(), listener));
+        arbitrator.live();
     }
 
     /** Writes states, and the colours before them, in the format of the paper's code. */

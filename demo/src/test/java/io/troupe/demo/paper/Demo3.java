@@ -1,7 +1,6 @@
 package io.troupe.demo.paper;
 
 import io.troupe.actor.Actor;
-import io.troupe.services.subsumption.RobotServices;
 import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 
@@ -10,8 +9,8 @@ import java.util.concurrent.atomic.AtomicReference;
  * does not print. The changes are listed in {@code docs/guide/02-the-papers-code.md}; [n] marks the lines of that list.
  */
 public class Demo3 extends Actor {
-    private final RobotServices robot1; // [1] two references to the services class, made as actors
-    private final RobotServices robot2;
+    private final PaperServices robot1; // [1] two references to the services class, made as actors
+    private final PaperServices robot2;
     private final List<String> printed; // [2] instead of System.out, so that a test can read it
     private final AtomicReference<Integer> atomicRefWF1 = new AtomicReference<>(0);
     private AtomicReference<Integer> atomicRefSW1 = new AtomicReference<>(0);
@@ -21,7 +20,7 @@ public class Demo3 extends Actor {
     private AtomicReference<Integer> atomicRefBF2 = new AtomicReference<>(0);
     private int color2 = 255;
 
-    Demo3(RobotServices robot1, RobotServices robot2, List<String> printed) {
+    Demo3(PaperServices robot1, PaperServices robot2, List<String> printed) {
         this.robot1 = robot1;
         this.robot2 = robot2;
         this.printed = printed;

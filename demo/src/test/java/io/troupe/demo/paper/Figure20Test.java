@@ -1,13 +1,12 @@
 package io.troupe.demo.paper;
 
 import static io.troupe.demo.paper.ArenaRun.drive;
-import static io.troupe.demo.paper.ArenaRun.services;
+import static io.troupe.demo.paper.ArenaRun.paperServices;
 import static io.troupe.demo.paper.ArenaRun.stamped;
+import static io.troupe.demo.paper.ArenaRun.startOurs;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.services.subsumption.Arbitrator;
-import io.troupe.services.subsumption.RobotServices;
-import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.Mode;
 import java.util.ArrayList;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -19,19 +18,13 @@ class Figure20Test {
     void demo3_goesThroughAllThreeStates_asTheArbitratorDoes() {
         var ofThePaper = new ArrayList<String>();
         drive(space -> {
-            RobotServices robot1 = services(space);
-            RobotServices robot2 = services(space);
+            PaperServices robot1 = paperServices(space);
+            PaperServices robot2 = paperServices(space);
             Demo3 demo = space.spawn(Demo3.class, () -> new Demo3(robot1, robot2, stamped(space.clock(), ofThePaper)));
             demo.live();
         });
         var ours = new ArrayList<String>();
-        drive(space -> {
-            RobotServices services = services(space);
-            var printer = ArenaRun.printer("color", stamped(space.clock(), ours));
-            Arbitrator arbitrator = space.spawn(
-                    Arbitrator.class, () -> new Arbitrator(services, SubsumptionTable.ofThePaper(), printer));
-            arbitrator.live();
-        });
+        drive(space -> startOurs(space, Mode.PROMISE, ArenaRun.printer("color", stamped(space.clock(), ours))));
         ArenaRun.assertAllThreeStates(ofThePaper);
         assertThat(ofThePaper).isEqualTo(ours);
     }

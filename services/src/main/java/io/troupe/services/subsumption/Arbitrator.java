@@ -1,23 +1,29 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Decides which service drives which robot, by the colours that the robots see: the paper's main code in promise mode.
+ * Decides which service drives which robot, by the colours that the robots see: the paper's main code in promise and in
+ * callback mode.
  *
  * <p><b>Role.</b> An actor: spawn it and send {@link #live} once. After each switch it sends {@link #live} to itself.
  *
- * <p><b>Order.</b> A switch takes these steps. The wanderer that has seen a colour ends itself and fulfils its promise.
- * The arbitrator stops all other services. When all of them have stopped, the services of the next state start. All
- * steps happen between two readings, so every robot always has exactly one service. If two robots see colours in the
- * same reading, the promise that is fulfilled first counts (the robot with the lower index).
+ * <p><b>Order.</b> A switch takes these steps. In promise mode, a wanderer that has seen a colour ends itself and
+ * fulfils its promise. In callback mode, it sends every colour at every reading and keeps driving; the first colour
+ * that leads to another state counts. The arbitrator stops all services. When all of them have stopped, the services of
+ * the next state start. It waits for a promise where the paper has a busy loop. All steps happen between two readings,
+ * so every robot always has exactly one service. If two robots see colours in the same reading, the message that
+ * arrives first counts (from the robot with the lower index); the other is too late.
  *
- * <p><b>Errors.</b> When a service's promise is rejected, {@link #failure} is rejected with the same error. When this
- * actor is stopped, its services stop at their next reading.
+ * <p><b>Errors.</b> When a service fails, {@link #failure} is rejected with the same error; in callback mode also when
+ * a service ends although it was not stopped. When this actor is stopped, its services stop.
  *
- * <p><b>Source.</b> Paper, section 3.6, Figure 20.
+ * <p><b>Source.</b> Paper, section 3.5, Figure 17, and section 3.6, Figure 20.
  */
 public class Arbitrator extends Actor {
     /** Notified of every state that starts. Called on the actor space's thread. */
@@ -39,66 +45,107 @@ public class Arbitrator extends Actor {
         default void colourTooLate(int robot, int colour) {}
     }
 
+    private final Mode mode;
     private final RobotServices services;
     private final SubsumptionTable table;
     private final StateListener listener;
-    private final CurrentState current;
+    private final Deferred<@Nullable Void> failure = new Deferred<>();
+    private State state;
+    private @Nullable Integer seenBy;
+    private int changes; // a message that was sent under another number belongs to an earlier state
 
-    public Arbitrator(RobotServices services, SubsumptionTable table, StateListener listener) {
+    /** @param mode promise or callback */
+    public Arbitrator(Mode mode, RobotServices services, SubsumptionTable table, StateListener listener) {
+        if (mode == Mode.SYNC) {
+            throw new IllegalArgumentException("the mode is " + mode + ", expected callback or promise");
+        }
+        this.mode = mode;
         this.services = services;
         this.table = table;
         this.listener = listener;
-        this.current = new CurrentState(services, table.first(), listener);
+        this.state = table.first();
     }
 
     /** Starts the services of the current state. */
     public void live() {
-        current.notifyStarted();
-        for (int robot = 0; robot < current.state().services().size(); robot++) {
+        listener.stateStarted(state, seenBy);
+        for (int robot = 0; robot < table.robots(); robot++) {
             startService(robot);
         }
     }
 
     /** Returns a promise that is rejected when a service fails, and never fulfilled. */
     public Promise<@Nullable Void> failure() {
-        return current.failure();
+        return failure;
     }
 
     @Override
     protected void stopped() {
-        current.clearReferences();
+        stopServices().exceptionally(ended -> null); // a service that cannot be called has ended with its space
+    }
+
+    private Promise<?> stopServices() {
+        return Promise.all(
+                IntStream.range(0, table.robots()).mapToObj(services::stop).toList());
     }
 
     private void startService(int robot) {
-        int changesBefore = current.changes();
-        Service service = current.service(robot);
-        ColourRule rule = service.findsColours() ? table.ruleIn(current.state()) : ColourRule.NONE;
-        Promise<?> end = services.serve(
-                        robot, service, current.newRunReference(robot), CurrentState.newFinderReference(service), rule)
-                .thenAccept(colour -> colour.ifPresent(each -> onColour(robot, each, changesBefore)));
-        end.exceptionally(error -> {
-            current.fail(error);
-            return null;
-        });
-    }
-
-    private void onColour(int robot, int colour, int changesBefore) {
-        listener.colourReceived(robot, colour);
-        if (current.changes() == changesBefore) {
-            changeState(robot, colour);
-        } else { // another robot saw a colour in the same reading, and the switch is under way
-            listener.colourTooLate(robot, colour);
+        String service = state.services().get(robot).name();
+        if (mode == Mode.PROMISE) {
+            driveUntilColour(robot, service);
+        } else {
+            driveWithReports(robot, service);
         }
     }
 
-    /**
-     * Handles the first colour that a robot sees in a state. A colour that leads to another state ends the current one;
-     * otherwise the robot's service is started again.
-     */
-    private void changeState(int robot, int colour) {
-        table.next(current.state(), colour)
-                .ifPresentOrElse(
-                        next -> current.changeTo(next, robot).thenRun(() -> ((Arbitrator) self()).live()),
-                        () -> startService(robot));
+    private void driveUntilColour(int robot, String service) {
+        int changesBefore = changes;
+        services.drive(robot, service, state.colour())
+                .thenAccept(end -> end.colour()
+                        .filter(colour -> isInTime(robot, colour, changesBefore))
+                        .ifPresent(colour -> table.next(state, colour)
+                                .ifPresentOrElse(next -> changeState(next, robot), () -> startService(robot))))
+                .exceptionally(error -> {
+                    failure.reject(error);
+                    return null;
+                });
+    }
+
+    private void driveWithReports(int robot, String service) {
+        int changesBefore = changes;
+        var reports = new Callback.Stream<ColourReport>(
+                report -> {
+                    if (isInTime(robot, report.colour(), changesBefore)) {
+                        table.next(state, report.colour(), report.secondsInCharge())
+                                .ifPresent(next -> changeState(next, robot));
+                    }
+                },
+                error -> serviceEnded(robot, service, changesBefore, error));
+        services.drive(robot, service, reports);
+    }
+
+    private boolean isInTime(int robot, int colour, int changesBefore) {
+        listener.colourReceived(robot, colour);
+        if (changes == changesBefore) {
+            return true;
+        }
+        listener.colourTooLate(robot, colour); // a colour was seen in the same reading, and the switch is under way
+        return false;
+    }
+
+    private void changeState(State next, int robot) {
+        state = next;
+        changes++;
+        seenBy = robot;
+        stopServices().thenRun(() -> ((Arbitrator) self()).live());
+    }
+
+    private void serviceEnded(int robot, String service, int changesBefore, @Nullable Throwable error) {
+        if (error != null) {
+            failure.reject(error);
+        } else if (changes == changesBefore) {
+            failure.reject(new IllegalStateException("robot " + (robot + 1) + ": " + service + " has ended in state "
+                    + state.number() + " though nothing told it to"));
+        }
     }
 }

@@ -1,9 +1,8 @@
 package io.troupe.services.subsumption;
 
-import io.troupe.services.behaviour.Behaviour;
-import io.troupe.services.behaviour.ReadingTime;
 import io.troupe.services.behaviour.Velocity;
-import java.util.function.BooleanSupplier;
+import io.troupe.services.robot.ControlCycle;
+import io.troupe.services.robot.PlayerRobot;
 
 /**
  * The control cycle of a service: looks for colours, steps the behaviour, and commands the velocity. The same in all
@@ -17,28 +16,26 @@ final class ServiceCycle {
          * Finds nothing. Used in the first cycle of a service that takes over, because the previous service has already
          * seen that reading.
          */
-        Finder NONE = (devices, secondsInCharge) -> {};
+        Finder NONE = (robot, secondsInCharge) -> true;
 
         /**
-         * Looks for colours in the newest reading. It may end the service; then the behaviour is not called in this
-         * cycle.
+         * Looks for colours in the newest reading.
+         *
+         * @return whether the service goes on; if not, the behaviour is not called in this cycle
          */
-        void look(PlayerDevices devices, double secondsInCharge);
+        boolean look(PlayerRobot robot, double secondsInCharge);
     }
 
-    private final int robot;
     private final Service service;
-    private final PlayerDevices devices;
-    private final Behaviour behaviour;
+    private final PlayerRobot robot;
+    private final ControlCycle control;
     private final ServiceObserver observer;
-    private double lastCycleSeconds = Double.NEGATIVE_INFINITY;
     private double startSeconds = Double.NaN;
 
-    ServiceCycle(int robot, Service service, PlayerDevices devices, ServiceObserver observer) {
-        this.robot = robot;
+    ServiceCycle(Service service, PlayerRobot robot, ServiceObserver observer) {
         this.service = service;
-        this.devices = devices;
-        this.behaviour = service.behaviour().get();
+        this.robot = robot;
+        this.control = new ControlCycle(service.behaviour().get(), robot::drive);
         this.observer = observer;
     }
 
@@ -51,34 +48,30 @@ final class ServiceCycle {
      * reading of the first cycle.
      */
     void start() {
-        startSeconds = devices.timeSeconds();
+        startSeconds = robot.timeSeconds();
     }
 
     /** Whether the previous cycle is over; readings that come more often are skipped. */
     boolean isDue() {
-        return ReadingTime.isCycle(lastCycleSeconds, devices.timeSeconds());
+        return control.isDue(robot.timeSeconds());
     }
 
-    /**
-     * Runs one cycle.
-     *
-     * @param drives whether the service still drives the robot after the finder has run
-     */
-    void run(Finder finder, BooleanSupplier drives) {
-        observer.cycleStarted(robot, service);
-        lastCycleSeconds = devices.timeSeconds();
+    /** Runs one cycle; returns whether the service goes on. */
+    boolean run(Finder finder) {
+        observer.cycleStarted(robot.index(), service);
         if (Double.isNaN(startSeconds)) {
             start();
         }
-        finder.look(devices, lastCycleSeconds - startSeconds);
-        if (drives.getAsBoolean()) {
-            devices.drive(behaviour.step(devices.senses(service.usesLaser())).orElse(Velocity.STOP));
+        boolean goesOn = finder.look(robot, robot.timeSeconds() - startSeconds);
+        if (goesOn) {
+            robot.drive(control.step(robot.senses(service.usesLaser())).orElse(Velocity.STOP));
         }
-        observer.cycleEnded(robot, service);
+        observer.cycleEnded(robot.index(), service);
+        return goesOn;
     }
 
     /** Sends zero speed. */
     void halt() {
-        devices.drive(Velocity.STOP);
+        control.halt();
     }
 }

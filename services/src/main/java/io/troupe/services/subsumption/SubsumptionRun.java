@@ -2,8 +2,18 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
+import io.troupe.broker.ActorServices;
+import io.troupe.broker.BrokerEvent;
+import io.troupe.broker.BrokerObserver;
+import io.troupe.broker.BrokerSettings;
+import io.troupe.broker.ConnectionSettings;
+import io.troupe.broker.Need;
+import io.troupe.broker.ServiceBroker;
+import io.troupe.broker.ServiceCallException;
+import java.lang.System.Logger.Level;
+import java.time.Duration;
+import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -65,6 +75,24 @@ public final class SubsumptionRun implements AutoCloseable {
         }
     }
 
+    private static final System.Logger LOG = System.getLogger(SubsumptionRun.class.getName());
+
+    /** A service answers when it ends, which may take hours. */
+    private static final ConnectionSettings LIMITS = ConnectionSettings.DEFAULT.withoutAnswerLimit();
+
+    /**
+     * A service that ends is noticed at once, so health checks are only of use on another space; a failure ends the
+     * run, so nothing is restarted. A run ends with its space and does not close the broker before it.
+     */
+    private static final BrokerSettings BROKER = BrokerSettings.DEFAULT
+            .withChecks(Duration.ofDays(1), Duration.ofDays(1), 1)
+            .withoutRestart()
+            .withObserver(event -> {
+                if (!(event instanceof BrokerEvent.Abandoned)) {
+                    BrokerObserver.logging().on(event);
+                }
+            });
+
     private final AtomicReference<@Nullable Throwable> failure;
     private final Runnable closing;
 
@@ -112,22 +140,41 @@ public final class SubsumptionRun implements AutoCloseable {
         closing.run();
     }
 
-    /** Runs the two asynchronous modes: the robot services and the arbitrator are actors on a separate space. */
+    /** Publishes the robot services at a broker on a space, and connects to them through it. */
+    static RobotServices publishAndConnect(ActorSpace space, RobotServicesActor.Settings settings) {
+        var actors = new ActorServices(ServiceBroker.open(space, BROKER), "robots", space, BROKER.observer());
+        actors.publish(
+                space,
+                RobotServices.class,
+                RobotServices.SERVICE,
+                List.of("drives"),
+                () -> new RobotServicesActor(settings));
+        return actors.connect(RobotServices.class, Need.ofService("arbitrator", RobotServices.SERVICE), LIMITS)
+                .actor();
+    }
+
+    /**
+     * Runs the two asynchronous modes: the robot services are an actor that is published at a broker, and the
+     * arbitrator calls them through it. Broker, services and arbitrator share a separate space and the robots' clock,
+     * so a run is deterministic.
+     */
     private static final class ActorRun implements AutoCloseable {
         private final ActorSpace space;
+        private final Consumer<Throwable> failed;
+        private volatile boolean closing;
 
-        private ActorRun(ActorSpace space) {
-            this.space = space;
+        private ActorRun(Settings settings, Consumer<Throwable> failed) {
+            this.failed = failed;
+            this.space = ActorSpace.create(SpaceSettings.named("robots")
+                    .withClock(settings.clock())
+                    .withOnError((where, error) -> report(error)));
         }
 
         /** Returns when the services of the first state have started, or have failed to start. */
         static ActorRun start(Settings settings, Consumer<Throwable> failed) throws InterruptedException {
-            var space = ActorSpace.create(SpaceSettings.named("robots")
-                    .withClock(settings.clock())
-                    .withOnError((where, error) -> failed.accept(error)));
-            var run = new ActorRun(space);
+            var run = new ActorRun(settings, failed);
             try {
-                run.startActors(settings, failed);
+                run.startActors(settings);
                 return run;
             } catch (RuntimeException | InterruptedException impossible) {
                 run.close();
@@ -135,12 +182,21 @@ public final class SubsumptionRun implements AutoCloseable {
             }
         }
 
-        private void startActors(Settings settings, Consumer<Throwable> failed) throws InterruptedException {
-            var serviceSettings = new RobotServices.Settings(
-                    settings.host(), settings.port(), settings.table(), settings.observer(), settings.reconnects());
-            RobotServices services = space.spawn(RobotServices.class, () -> new RobotServices(serviceSettings));
-            startArbitrator(settings, services).exceptionally(error -> {
-                failed.accept(error);
+        private void startActors(Settings settings) throws InterruptedException {
+            RobotServices services = publishAndConnect(
+                    space,
+                    new RobotServicesActor.Settings(
+                            settings.host(),
+                            settings.port(),
+                            settings.table(),
+                            settings.observer(),
+                            settings.reconnects()));
+            Arbitrator arbitrator = space.spawn(
+                    Arbitrator.class,
+                    () -> new Arbitrator(settings.mode(), services, settings.table(), settings.listener()));
+            arbitrator.live();
+            arbitrator.failure().exceptionally(error -> {
+                report(error);
                 return null;
             });
             var started = new CountDownLatch(1);
@@ -148,23 +204,17 @@ public final class SubsumptionRun implements AutoCloseable {
             started.await();
         }
 
-        /** Starts the mode's arbitrator; the promise is rejected when a service fails. */
-        private Promise<@Nullable Void> startArbitrator(Settings settings, RobotServices services) {
-            if (settings.mode() == Mode.CALLBACK) {
-                CallbackArbitrator arbitrator = space.spawn(
-                        CallbackArbitrator.class,
-                        () -> new CallbackArbitrator(services, settings.table(), settings.listener()));
-                arbitrator.live();
-                return arbitrator.failure();
+        private void report(Throwable error) {
+            if (closing && error instanceof ServiceCallException) {
+                LOG.log(Level.DEBUG, "closed", error); // calls that are under way end with their connection
+            } else {
+                failed.accept(error);
             }
-            Arbitrator arbitrator = space.spawn(
-                    Arbitrator.class, () -> new Arbitrator(services, settings.table(), settings.listener()));
-            arbitrator.live();
-            return arbitrator.failure();
         }
 
         @Override
         public void close() {
+            closing = true;
             space.close();
         }
     }

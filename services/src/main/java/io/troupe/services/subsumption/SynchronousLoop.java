@@ -1,9 +1,10 @@
 package io.troupe.services.subsumption;
 
-import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
-import io.troupe.player.structures.PlayerConstants;
 import io.troupe.services.behaviour.ReadingTime;
+import io.troupe.services.robot.DriverLimits;
+import io.troupe.services.robot.PlayerRobot;
+import io.troupe.services.robot.RobotConnection;
 import java.lang.System.Logger.Level;
 import java.util.ArrayList;
 import java.util.List;
@@ -11,6 +12,7 @@ import java.util.Optional;
 import java.util.OptionalInt;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -36,7 +38,7 @@ final class SynchronousLoop implements AutoCloseable {
     private volatile boolean closing;
 
     // confined to the thread
-    private final List<PlayerDevices> robots = new ArrayList<>();
+    private List<PlayerRobot> robots = List.of();
     private final List<ServiceCycle> cycles = new ArrayList<>();
     private State state;
     private OptionalInt seen = OptionalInt.empty();
@@ -82,8 +84,8 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private void run() {
-        try {
-            drive(new PlayerClient(settings.host(), settings.port()));
+        try (var connection = connect()) {
+            drive(connection);
         } catch (RuntimeException | Error error) {
             report(error);
         } finally {
@@ -91,29 +93,31 @@ final class SynchronousLoop implements AutoCloseable {
         }
     }
 
-    private void drive(PlayerClient client) {
+    private RobotConnection connect() {
+        var table = settings.table();
+        return RobotConnection.open(
+                settings.host(),
+                settings.port(),
+                RobotConnection.Delivery.PULL, // one frame holds the readings of all robots
+                IntStream.range(0, table.robots())
+                        .mapToObj(robot -> new RobotConnection.Devices(robot, true, table.usesLaser(robot)))
+                        .toList());
+    }
+
+    private void drive(RobotConnection connection) {
         try {
-            // in pull mode one frame holds the readings of all robots
-            client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
-            DriverLimits.watch(client);
-            for (int robot = 0; robot < settings.table().robots(); robot++) {
-                robots.add(new PlayerDevices(client, robot, settings.table().usesLaser(robot)));
-            }
+            robots = connection.robots();
             startServices(null);
             started.countDown();
             while (!closing) {
-                client.readAll();
+                connection.readAll();
                 react();
             }
         } catch (RuntimeException | Error error) {
             // before disconnecting: a world in lock step runs on once its client has left
             report(error);
         } finally {
-            try {
-                halt();
-            } finally {
-                client.close();
-            }
+            halt();
         }
     }
 
@@ -126,7 +130,7 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private void react() {
-        if (!robots.stream().allMatch(PlayerDevices::hasData)) {
+        if (!robots.stream().allMatch(PlayerRobot::hasData)) {
             return; // a slow sensor has not sent its first reading yet
         }
         if (settings.round() == SynchronousRound.ALL_SERVICES_A_READING) {
@@ -136,7 +140,7 @@ final class SynchronousLoop implements AutoCloseable {
             int robot = turn;
             turn = (turn + 1) % robots.size();
             cycle(robot).ifPresent(next -> change(next, robot));
-            robots.forEach(PlayerDevices::repeatCommand);
+            robots.forEach(PlayerRobot::repeatCommand);
         }
     }
 
@@ -146,7 +150,7 @@ final class SynchronousLoop implements AutoCloseable {
                 var next = cycle(robot);
                 if (next.isPresent()) {
                     change(next.get(), robot);
-                    cycles.forEach(cycle -> cycle.run(ServiceCycle.Finder.NONE, () -> true));
+                    cycles.forEach(cycle -> cycle.run(ServiceCycle.Finder.NONE));
                     return;
                 }
             }
@@ -157,8 +161,10 @@ final class SynchronousLoop implements AutoCloseable {
     private Optional<State> cycle(int robot) {
         var service = cycles.get(robot).service();
         var rule = service.findsColours() ? settings.table().ruleIn(state) : ColourRule.NONE;
-        cycles.get(robot)
-                .run((devices, secondsInCharge) -> seen = rule.pick(devices.blobs(), secondsInCharge), () -> true);
+        cycles.get(robot).run((devices, secondsInCharge) -> {
+            seen = rule.pick(devices.blobs(), secondsInCharge);
+            return true; // also when the state ends
+        });
         return seen.isEmpty() ? Optional.empty() : settings.table().next(state, seen.getAsInt());
     }
 
@@ -173,7 +179,7 @@ final class SynchronousLoop implements AutoCloseable {
         settings.listener().stateStarted(state, seenBy);
         for (int robot = 0; robot < robots.size(); robot++) {
             Service service = state.services().get(robot);
-            var cycle = new ServiceCycle(robot, service, robots.get(robot), settings.observer());
+            var cycle = new ServiceCycle(service, robots.get(robot), settings.observer());
             if (robots.get(robot).hasData()) {
                 cycle.start();
             }

@@ -13,6 +13,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
+/** The arbitrator in promise mode, with robot services that it calls through a broker. */
 class ArbitratorTest {
     private static final Service WF = Service.WALL_FOLLOWER;
     private static final Service SW = Service.SPACE_WANDERER;
@@ -25,14 +26,15 @@ class ArbitratorTest {
 
     @BeforeEach
     void begin() {
-        RobotServices services = test.spawn(
-                RobotServices.class,
-                () -> new RobotServices(RobotServices.Settings.ofThePaper()
+        RobotServices services = SubsumptionRun.publishAndConnect(
+                test.space(),
+                RobotServicesActor.Settings.ofThePaper()
                         .withPort(FakeRobots.PORT)
-                        .withObserver(charge)));
+                        .withObserver(charge));
         arbitrator = test.spawn(
                 Arbitrator.class,
                 () -> new Arbitrator(
+                        Mode.PROMISE,
                         services,
                         SubsumptionTable.ofThePaper(),
                         (state, seenBy) -> states.add(state.number() + " by " + seenBy)));
@@ -42,6 +44,8 @@ class ArbitratorTest {
 
     @AfterEach
     void nothingIsLeft() {
+        test.space().stop(arbitrator); // ends the calls that are under way
+        test.crank();
         test.close();
         robots.close();
         assertThat(charge.most()).as("services of a robot at the same time").isEqualTo(1);
@@ -134,6 +138,15 @@ class ArbitratorTest {
     }
 
     @Test
+    void serviceThatRunsForHours_isNotLate() {
+        tick();
+        robots.tick(10 * 3_600_000);
+        robots.show(1, NamedColours.RED);
+        tick();
+        assertInCharge(SW, WF);
+    }
+
+    @Test
     void failingService_endsTheArbitrator() {
         tick();
         robots.vanish();
@@ -162,14 +175,14 @@ class ArbitratorTest {
         var book = new RecordingServiceObserver();
         try (var other = new TestSpace();
                 var others = new FakeRobots(other, 2, FakeRobots.PORT + 1)) {
-            RobotServices services = other.spawn(
-                    RobotServices.class,
-                    () -> new RobotServices(RobotServices.Settings.ofThePaper()
+            RobotServices services = SubsumptionRun.publishAndConnect(
+                    other.space(),
+                    RobotServicesActor.Settings.ofThePaper()
                             .withPort(FakeRobots.PORT + 1)
                             .withTable(table)
-                            .withObserver(book)));
-            Arbitrator partial =
-                    other.spawn(Arbitrator.class, () -> new Arbitrator(services, table, (state, seenBy) -> {}));
+                            .withObserver(book));
+            Arbitrator partial = other.spawn(
+                    Arbitrator.class, () -> new Arbitrator(Mode.PROMISE, services, table, (state, seenBy) -> {}));
             partial.live();
             other.crank();
             others.show(1, NamedColours.GREEN);
@@ -178,7 +191,8 @@ class ArbitratorTest {
             others.tick(100);
             assertThat(book.of(1)).containsExactly(SW);
             assertThat(others.lastCommand(1).vx()).isPositive();
-            other.space().close();
+            other.space().stop(partial);
+            other.crank();
         }
     }
 
@@ -197,14 +211,14 @@ class ArbitratorTest {
         var book = new RecordingServiceObserver();
         try (var other = new TestSpace();
                 var others = new FakeRobots(other, 1, FakeRobots.PORT + 1)) {
-            RobotServices services = other.spawn(
-                    RobotServices.class,
-                    () -> new RobotServices(RobotServices.Settings.ofThePaper()
+            RobotServices services = SubsumptionRun.publishAndConnect(
+                    other.space(),
+                    RobotServicesActor.Settings.ofThePaper()
                             .withPort(FakeRobots.PORT + 1)
                             .withTable(table)
-                            .withObserver(book)));
-            Arbitrator own =
-                    other.spawn(Arbitrator.class, () -> new Arbitrator(services, table, (state, seenBy) -> {}));
+                            .withObserver(book));
+            Arbitrator own = other.spawn(
+                    Arbitrator.class, () -> new Arbitrator(Mode.PROMISE, services, table, (state, seenBy) -> {}));
             own.live();
             other.crank();
             assertThat(book.of(0)).extracting(Service::name).containsExactly("spin");
@@ -215,7 +229,8 @@ class ArbitratorTest {
             others.tick(100);
             assertThat(book.of(0)).containsExactly(WF);
             assertThat(others.lastCommand(0).vx()).isPositive();
-            other.space().close();
+            other.space().stop(own);
+            other.crank();
         }
     }
 }

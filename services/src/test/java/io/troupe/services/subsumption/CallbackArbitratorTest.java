@@ -2,6 +2,7 @@ package io.troupe.services.subsumption;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.Actor;
 import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
@@ -10,12 +11,12 @@ import io.troupe.player.PlayerException;
 import io.troupe.player.wire.DeviceCommand;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 
+/** The arbitrator in callback mode, with robot services that it calls through a broker. */
 class CallbackArbitratorTest {
     private static final Service WF = Service.WALL_FOLLOWER;
     private static final Service SW = Service.SPACE_WANDERER;
@@ -24,18 +25,18 @@ class CallbackArbitratorTest {
     private final FakeRobots robots = new FakeRobots(test, 2);
     private final RecordingServiceObserver charge = new RecordingServiceObserver();
     private final List<String> events = new ArrayList<>();
-    private CallbackArbitrator arbitrator;
+    private Arbitrator arbitrator;
 
     @BeforeEach
     void begin() {
-        RobotServices services = test.spawn(
-                RobotServices.class,
-                () -> new RobotServices(RobotServices.Settings.ofThePaper()
+        RobotServices services = SubsumptionRun.publishAndConnect(
+                test.space(),
+                RobotServicesActor.Settings.ofThePaper()
                         .withPort(FakeRobots.PORT)
-                        .withObserver(charge)));
+                        .withObserver(charge));
         arbitrator = test.spawn(
-                CallbackArbitrator.class,
-                () -> new CallbackArbitrator(services, SubsumptionTable.ofThePaper(), new Events()));
+                Arbitrator.class,
+                () -> new Arbitrator(Mode.CALLBACK, services, SubsumptionTable.ofThePaper(), new Events()));
         arbitrator.live();
         test.crank();
     }
@@ -59,6 +60,8 @@ class CallbackArbitratorTest {
 
     @AfterEach
     void nothingIsLeft() {
+        test.space().stop(arbitrator); // ends the calls that are under way
+        test.crank();
         test.close();
         robots.close();
         assertThat(robots.connections()).as("connections left open").isZero();
@@ -91,15 +94,15 @@ class CallbackArbitratorTest {
                 .when(NamedColours.BLUE, SW)
                 .when(NamedColours.BLACK, SW)
                 .build();
-        var services = test.spawn(
-                RobotServices.class,
-                () -> new RobotServices(RobotServices.Settings.ofThePaper()
+        var services = SubsumptionRun.publishAndConnect(
+                test.space(),
+                RobotServicesActor.Settings.ofThePaper()
                         .withPort(FakeRobots.PORT)
-                        .withTable(table)));
+                        .withTable(table));
         List<Integer> states = new ArrayList<>();
-        CallbackArbitrator callback = test.spawn(
-                CallbackArbitrator.class,
-                () -> new CallbackArbitrator(services, table, (state, seenBy) -> states.add(state.number())));
+        Arbitrator callback = test.spawn(
+                Arbitrator.class,
+                () -> new Arbitrator(Mode.CALLBACK, services, table, (state, seenBy) -> states.add(state.number())));
         callback.live();
         test.crank();
         robots.tick(100);
@@ -153,6 +156,15 @@ class CallbackArbitratorTest {
     }
 
     @Test
+    void serviceThatRunsForHours_isNotLate() {
+        tick();
+        robots.tick(10 * 3_600_000);
+        robots.show(1, NamedColours.RED);
+        tick();
+        assertInCharge(SW, WF);
+    }
+
+    @Test
     void failingService_endsTheArbitrator() {
         tick();
         robots.vanish();
@@ -185,29 +197,30 @@ class CallbackArbitratorTest {
         assertThat(robots.lastCommand(1)).isEqualTo(new DeviceCommand.Velocity(0, 0, 0, true));
     }
 
-    /** Services that end at once, whatever the value of their references. */
-    static class Quitters extends RobotServices {
-        Quitters() {
-            super(Settings.ofThePaper());
+    /** Services that end at once, although nothing has stopped them. */
+    static class Quitters extends Actor implements RobotServices {
+        @Override
+        public Promise<ServiceEnd> drive(int robot, String service, int stateColour) {
+            throw new AssertionError("called in promise mode");
         }
 
         @Override
-        public void serve(
-                Callback<ColourReport> reports,
-                int robot,
-                Service service,
-                AtomicReference<Integer> reference,
-                AtomicReference<Integer> colourFinder) {
+        public void drive(int robot, String service, Callback<ColourReport> reports) {
             reports.finish();
+        }
+
+        @Override
+        public Promise<@Nullable Void> stop(int robot) {
+            return Promise.done();
         }
     }
 
     @Test
     void serviceThatEndsUntold_endsTheArbitrator() {
-        RobotServices quitters = test.spawn(Quitters.class, Quitters::new);
-        CallbackArbitrator left = test.spawn(
-                CallbackArbitrator.class,
-                () -> new CallbackArbitrator(quitters, SubsumptionTable.ofThePaper(), new Events()));
+        RobotServices quitters = test.spawn(RobotServices.class, Quitters::new);
+        Arbitrator left = test.spawn(
+                Arbitrator.class,
+                () -> new Arbitrator(Mode.CALLBACK, quitters, SubsumptionTable.ofThePaper(), new Events()));
         left.live();
         assertThat(test.error(left.failure()))
                 .isInstanceOf(IllegalStateException.class)

@@ -9,7 +9,6 @@ import io.troupe.actor.time.Clock;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.player.wire.DeviceCommand;
-import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -24,7 +23,7 @@ class ReconnectionTest {
     private final RecordingServiceObserver charge = new RecordingServiceObserver();
     private final RobotServices services = test.spawn(
             RobotServices.class,
-            () -> new RobotServices(RobotServices.Settings.ofThePaper()
+            () -> new RobotServicesActor(RobotServicesActor.Settings.ofThePaper()
                     .withPort(FakeRobots.PORT)
                     .withObserver(charge)
                     .withReconnection(true)));
@@ -36,18 +35,10 @@ class ReconnectionTest {
      */
     private Promise<?> begin(Mode mode) {
         var table = SubsumptionTable.ofThePaper();
-        Promise<?> ended;
-        if (mode == Mode.PROMISE) {
-            Arbitrator arbitrator =
-                    test.spawn(Arbitrator.class, () -> new Arbitrator(services, table, (state, seenBy) -> {}));
-            arbitrator.live();
-            ended = arbitrator.failure();
-        } else {
-            CallbackArbitrator arbitrator = test.spawn(
-                    CallbackArbitrator.class, () -> new CallbackArbitrator(services, table, (state, seenBy) -> {}));
-            arbitrator.live();
-            ended = arbitrator.failure();
-        }
+        Arbitrator arbitrator =
+                test.spawn(Arbitrator.class, () -> new Arbitrator(mode, services, table, (state, seenBy) -> {}));
+        arbitrator.live();
+        Promise<?> ended = arbitrator.failure();
         test.crank();
         return ended;
     }
@@ -141,9 +132,7 @@ class ReconnectionTest {
         begin(mode);
         robots.show(1, NamedColours.RED);
         robots.tick(100);
-        var reference = new AtomicReference<>(1);
-        var finder = new AtomicReference<>(0);
-        var problem = test.error(services.serve(0, Service.SPACE_WANDERER, reference, finder, ColourRule.NONE));
+        var problem = test.error(services.drive(0, Service.SPACE_WANDERER.name(), NamedColours.RED));
         assertThat(problem).hasMessageContaining("robot 1 is in the charge of spaceWanderer");
         assertThat(charge.of(0)).isEmpty();
         robots.tick(100);

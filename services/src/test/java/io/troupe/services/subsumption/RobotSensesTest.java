@@ -2,6 +2,7 @@ package io.troupe.services.subsumption;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
@@ -13,7 +14,6 @@ import io.troupe.services.behaviour.Velocity;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -44,18 +44,16 @@ class RobotSensesTest {
                 .when(NamedColours.BLUE, first, second)
                 .allowFinal()
                 .build();
-        var settings =
-                RobotServices.Settings.ofThePaper().withPort(FakeRobots.PORT).withTable(table);
-        return test.spawn(RobotServices.class, () -> new RobotServices(settings));
+        var settings = RobotServicesActor.Settings.ofThePaper()
+                .withPort(FakeRobots.PORT)
+                .withTable(table);
+        return test.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
     }
 
-    private static AtomicReference<Integer> running() {
-        return new AtomicReference<>(1);
-    }
-
-    private void serve(RobotServices services, int robot, Service service) {
-        services.serve(robot, service, running(), new AtomicReference<>(0), ColourRule.NONE);
+    private Promise<?> serve(RobotServices services, int robot, Service service) {
+        Promise<?> end = services.drive(robot, service.name(), NamedColours.BLUE);
         test.crank();
+        return end;
     }
 
     @Test
@@ -113,13 +111,12 @@ class RobotSensesTest {
     }
 
     @Test
-    void serviceThatTheTableDoesNotHave_getsTheLaserAllTheSame() {
+    void serviceThatTheTableGivesToAnotherRobot_getsTheLaserAllTheSame() {
         robots.giveLaser(0);
-        var services = services(looking, looking);
-        var first = running();
-        services.serve(0, looking, first, new AtomicReference<>(0), ColourRule.NONE);
+        var services = services(looking, scanning);
+        serve(services, 0, looking);
         robots.tick(100);
-        test.get(services.stop(first));
+        test.get(services.stop(0));
         serve(services, 0, scanning);
         robots.tick(100);
         robots.tick(100);
@@ -129,11 +126,11 @@ class RobotSensesTest {
     @Test
     void serviceWithoutLaser_getsNoScan_evenIfAnotherOfItsRobotHasSubscribed() {
         robots.giveLaser(0);
+        robots.giveLaser(1);
         var services = services(scanning, looking);
-        var first = running();
-        services.serve(0, scanning, first, new AtomicReference<>(0), ColourRule.NONE);
+        serve(services, 0, scanning);
         robots.tick(100);
-        test.get(services.stop(first));
+        test.get(services.stop(0));
         serve(services, 0, looking);
         robots.tick(100);
         robots.tick(100);
@@ -142,10 +139,9 @@ class RobotSensesTest {
     }
 
     @Test
-    void serviceThatTheTableDoesNotHave_isRefusedWithoutALaser_andItsRobotCanBeServedAgain() {
-        var services = services(looking, looking);
-        var end = services.serve(0, scanning, running(), new AtomicReference<>(0), ColourRule.NONE);
-        test.crank();
+    void serviceThatTheTableGivesToAnotherRobot_isRefusedWithoutALaser_andItsRobotCanBeServedAgain() {
+        var services = services(looking, scanning);
+        var end = serve(services, 0, scanning);
         assertThat(test.error(end)).isInstanceOf(PlayerException.class).hasMessageContaining("laser:0");
         assertThat(robots.connections()).isZero();
         serve(services, 0, looking);
@@ -157,8 +153,7 @@ class RobotSensesTest {
     @Test
     void robotWithoutLaser_isAnErrorThatNamesIt() {
         var services = services(scanning, looking);
-        var end = services.serve(0, scanning, running(), new AtomicReference<>(0), ColourRule.NONE);
-        test.crank();
+        var end = serve(services, 0, scanning);
         assertThat(test.error(end))
                 .isInstanceOf(PlayerException.class)
                 .hasMessageStartingWith("robot 1 is to use its laser: ")

@@ -8,11 +8,10 @@ import io.troupe.actor.testkit.TestSpace;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.subsumption.RobotServices.ServiceEnd;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
-import java.util.OptionalInt;
-import java.util.concurrent.atomic.AtomicReference;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
@@ -30,7 +29,7 @@ class RobotServicesTest {
     private final RecordingServiceObserver charge = new RecordingServiceObserver();
     private final RobotServices services = test.spawn(
             RobotServices.class,
-            () -> new RobotServices(RobotServices.Settings.ofThePaper()
+            () -> new RobotServicesActor(RobotServicesActor.Settings.ofThePaper()
                     .withPort(FakeRobots.PORT)
                     .withObserver(charge)));
 
@@ -42,94 +41,135 @@ class RobotServicesTest {
         assertThat(charge.most()).as("services of a robot at the same time").isLessThanOrEqualTo(1);
     }
 
-    private static AtomicReference<Integer> running() {
-        return new AtomicReference<>(1);
+    private Promise<ServiceEnd> wallFollower(int robot) {
+        return services.drive(robot, Service.WALL_FOLLOWER.name(), NamedColours.BLUE);
+    }
+
+    private Promise<ServiceEnd> wanderer(int robot, int stateColour) {
+        return services.drive(robot, Service.SPACE_WANDERER.name(), stateColour);
+    }
+
+    private static ServiceEnd saw(int colour) {
+        return new ServiceEnd(Optional.of(colour));
     }
 
     @Test
-    void wallFollower_drivesByItsLaw_untilItsReferenceIsCleared() {
-        var reference = running();
-        Promise<?> ended = services.wallFollower(0, reference);
+    void wallFollower_drivesByItsLaw_untilItIsStopped() {
+        Promise<ServiceEnd> ended = wallFollower(0);
         test.crank();
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
         robots.range(0, 3, 0.3);
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0, 0, -0.45, true));
-        reference.set(0);
         assertThat(ended.isDone()).isFalse();
-        robots.tick(100);
-        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-        assertThat(reference).hasValue(2);
+        services.stop(0);
         test.crank();
-        assertThat(ended.isDone()).isTrue();
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        assertThat(test.get(ended).colour()).isEmpty();
         assertThat(robots.commands(0)).hasSize(3);
     }
 
     @Test
     void stop_isNoticedWithoutWaitingForTheNextReading() {
-        var reference = running();
-        services.wallFollower(0, reference);
+        wallFollower(0);
         test.crank();
         robots.tick(100);
-        test.get(services.stop(reference));
-        assertThat(reference).hasValue(2);
+        test.get(services.stop(0));
+        assertThat(charge.of(0)).isEmpty();
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-        test.get(services.stop(reference)); // a second stop has no effect
+        test.get(services.stop(0)); // a second stop has no effect
+        assertThat(robots.commands(0)).hasSize(2);
+    }
+
+    @Test
+    void stop_ofARobotWithoutAService_isDoneAtOnce() {
+        test.get(services.stop(1));
+        assertThat(robots.connections()).isZero();
+    }
+
+    @Test
+    void callThatIsCancelledWhileItIsQueued_hasNoEffect() {
+        Promise<ServiceEnd> queued = wallFollower(0);
+        queued.cancel();
+        test.crank();
+        robots.tick(100);
+        assertThat(robots.connections()).isZero();
+        assertThat(charge.of(0)).isEmpty();
+    }
+
+    @Test
+    void serviceThatTheTableDoesNotHave_isRefused_andTheOthersAreNamed() {
+        assertThat(test.error(services.drive(0, "wallFolower", NamedColours.BLUE)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("there is no service wallFolower, expected one of wallFollower, spaceWanderer");
+        var reports = new ArrayList<String>();
+        Listener listener = test.spawn(Listener.class, () -> new Listener(services, "wallFolower", reports));
+        listener.listen();
+        test.crank();
+        assertThat(reports)
+                .containsExactly("there is no service wallFolower, expected one of wallFollower, spaceWanderer");
     }
 
     @Test
     void wanderer_endsItselfAtAColour_andSendsItOnce() {
-        var reference = running();
-        var finder = running();
-        Promise<Integer> colour = services.spaceWanderer(1, reference, finder, NamedColours.BLUE);
+        Promise<ServiceEnd> end = wanderer(1, NamedColours.BLUE);
         test.crank();
         robots.tick(100);
         assertThat(robots.lastCommand(1)).isEqualTo(WANDERER_AHEAD);
         robots.show(1, NamedColours.GREEN);
         robots.tick(100);
-        assertThat(test.get(colour)).isEqualTo(NamedColours.GREEN);
+        assertThat(test.get(end)).isEqualTo(saw(NamedColours.GREEN));
         assertThat(robots.commands(1)).containsExactly(WANDERER_AHEAD, STOP);
-        assertThat(reference).hasValue(2);
-        assertThat(finder).hasValue(2);
+        assertThat(charge.of(1)).isEmpty();
     }
 
     @Test
     void wanderer_ignoresBlackOrangeOtherColoursAndTheStatesOwn() {
-        Promise<Integer> colour = services.spaceWanderer(0, running(), running(), NamedColours.BLUE);
+        Promise<ServiceEnd> end = wanderer(0, NamedColours.BLUE);
         for (int ignored : new int[] {NamedColours.BLACK, NamedColours.ORANGE, 0x123456, NamedColours.BLUE}) {
             robots.show(0, ignored);
             robots.tick(100);
-            assertThat(colour.isDone()).as(NamedColours.name(ignored)).isFalse();
+            assertThat(end.isDone()).as(NamedColours.name(ignored)).isFalse();
         }
         robots.show(0, NamedColours.RED);
         robots.tick(100);
-        assertThat(test.get(colour)).isEqualTo(NamedColours.RED);
+        assertThat(test.get(end)).isEqualTo(saw(NamedColours.RED));
     }
 
     @Test
-    void wanderer_withoutItsColourFinder_seesNothing() {
-        Promise<Integer> colour = services.spaceWanderer(0, running(), new AtomicReference<>(0), NamedColours.BLUE);
+    void wanderer_inAStateThatTheTableDoesNotHave_endsAtEveryColourThatHasAState() {
+        Promise<ServiceEnd> end = wanderer(0, 0x123456);
+        for (int colour : new int[] {NamedColours.BLACK, NamedColours.ORANGE, 0x123456, NamedColours.BLUE}) {
+            assertThat(end.isDone()).isFalse();
+            robots.show(0, colour);
+            robots.tick(100);
+        }
+        assertThat(test.get(end)).isEqualTo(saw(NamedColours.BLUE));
+    }
+
+    @Test
+    void serviceWithoutColourFinder_seesNothing() {
+        Promise<ServiceEnd> end = wallFollower(0);
         robots.show(0, NamedColours.RED);
         robots.tick(100);
         robots.tick(100);
-        assertThat(colour.isDone()).isFalse();
+        assertThat(end.isDone()).isFalse();
     }
 
     @Test
-    void wanderer_stoppedBeforeItSawAnything_answersTheStatesOwnColour() {
-        var reference = running();
-        Promise<Integer> colour = services.spaceWanderer(0, reference, running(), NamedColours.GREEN);
+    void wanderer_stoppedBeforeItSawAnything_answersNoColour() {
+        Promise<ServiceEnd> end = wanderer(0, NamedColours.GREEN);
         test.crank();
-        services.stop(reference);
-        assertThat(test.get(colour)).isEqualTo(NamedColours.GREEN);
+        services.stop(0);
+        assertThat(test.get(end).colour()).isEmpty();
     }
 
     @Test
     void clockThatIsSetBackOrForward_leavesNoReadingWithoutACommand() {
-        services.wallFollower(0, running());
+        wallFollower(0);
         test.crank();
         for (int millis : new int[] {100, 100, -60_000, 100, 100, 60_000, 100, -150, 100, -60_000}) {
             int before = robots.commands(0).size();
@@ -143,7 +183,7 @@ class RobotServicesTest {
     /** A pause of three readings is shorter than the command limit. */
     @Test
     void clockThatIsSetBackByLessThanACycle_goesOnWhenThatIsMadeUpFor() {
-        services.wallFollower(0, running());
+        wallFollower(0);
         test.crank();
         robots.tick(100);
         int before = robots.commands(0).size();
@@ -162,7 +202,11 @@ class RobotServicesTest {
             times.add(senses.timeSeconds());
             return Optional.empty();
         });
-        services.serve(0, clock, running(), new AtomicReference<>(0), ColourRule.NONE);
+        withTable(SubsumptionTable.forRobots(1)
+                        .when(NamedColours.BLUE, clock)
+                        .allowFinal()
+                        .build())
+                .drive(0, "clock", NamedColours.BLUE);
         test.crank();
         for (int millis : new int[] {100_000, 100, -60_000, 100}) {
             robots.tick(millis);
@@ -174,32 +218,40 @@ class RobotServicesTest {
 
     @Test
     void hold_countsOn_whenTheClockIsSetBack() {
-        List<Double> inCharge = new ArrayList<>();
-        ColourRule rule = (sightings, seconds) -> {
-            inCharge.add(seconds);
-            return OptionalInt.empty();
-        };
-        services.serve(0, Service.SPACE_WANDERER, running(), running(), rule);
+        Promise<ServiceEnd> end = withTable(SubsumptionTable.forRobots(1)
+                        .when(NamedColours.BLUE, Service.SPACE_WANDERER)
+                        .when(NamedColours.RED, Service.SPACE_WANDERER)
+                        .hold(0.25)
+                        .build())
+                .drive(0, Service.SPACE_WANDERER.name(), NamedColours.BLUE);
         test.crank();
-        for (int millis : new int[] {100_000, 100, -60_000, 100}) {
+        robots.show(0, NamedColours.RED);
+        for (int millis : new int[] {100_000, 100, -60_000}) {
             robots.tick(millis);
+            assertThat(end.isDone()).isFalse();
         }
-        assertThat(inCharge)
-                .hasSize(4)
-                .isSorted()
-                .allSatisfy(seconds -> assertThat(seconds).isBetween(0.0, 0.35));
+        robots.tick(100);
+        assertThat(test.get(end)).isEqualTo(saw(NamedColours.RED));
+    }
+
+    private RobotServices withTable(SubsumptionTable table) {
+        return test.spawn(
+                RobotServices.class,
+                () -> new RobotServicesActor(RobotServicesActor.Settings.ofThePaper()
+                        .withPort(FakeRobots.PORT)
+                        .withTable(table)));
     }
 
     @Test
     void robot_isStoppedByItsServerIfItsServiceEnds_andASilentServerIsNoticed() {
-        services.wallFollower(1, running());
+        wallFollower(1);
         test.crank();
         assertThat(robots.limits()).containsExactly("silence PT5S", "robot 2 troupe_command_limit_ms 400");
     }
 
     @Test
     void cycle_takesAHundredMilliseconds_howeverOftenDataCome() {
-        services.wallFollower(0, running());
+        wallFollower(0);
         test.crank();
         for (int i = 0; i < 10; i++) {
             robots.tick(50);
@@ -208,26 +260,24 @@ class RobotServicesTest {
     }
 
     @Test
-    void secondService_whileTheFirstIsNotToldToStop_isRefused() {
-        services.wallFollower(0, running());
-        Throwable error = test.error(services.spaceWanderer(0, running(), running(), NamedColours.BLUE));
+    void secondService_whileTheFirstIsNotStopped_isRefused() {
+        wallFollower(0);
+        Throwable error = test.error(wanderer(0, NamedColours.BLUE));
         assertThat(error)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("robot 1 is in the charge of wallFollower")
-                .hasMessageContaining("set the reference of the first to 0");
+                .hasMessageContaining("stop the first before");
     }
 
     @Test
     void secondService_beginsWhenTheFirstHasStopped() {
-        var first = running();
-        services.wallFollower(0, first);
+        wallFollower(0);
         test.crank();
         robots.tick(100);
-        first.set(0);
-        services.spaceWanderer(0, running(), running(), NamedColours.BLUE);
+        services.stop(0);
+        wanderer(0, NamedColours.BLUE);
         test.crank();
         assertThat(charge.of(0)).containsExactly(Service.SPACE_WANDERER);
-        assertThat(first).hasValue(2);
         assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD, STOP, WANDERER_AHEAD);
         robots.tick(100);
         assertThat(robots.commands(0)).hasSize(4);
@@ -235,37 +285,40 @@ class RobotServicesTest {
 
     @Test
     void serviceThatFailsWhileItTakesOver_rejectsItsPromiseAndFreesTheRobot() {
-        var first = running();
-        services.wallFollower(0, first);
+        wallFollower(0);
         test.crank();
         robots.tick(100);
         robots.range(0, 3, Double.NaN);
-        services.stop(first);
+        services.stop(0);
         test.crank();
         robots.show(0, NamedColours.BLACK);
-        var finder = running();
-        Promise<Integer> second = services.spaceWanderer(0, running(), finder, NamedColours.BLUE);
+        Promise<ServiceEnd> second = wanderer(0, NamedColours.BLUE);
         test.crank();
         robots.tick(100);
         assertThat(test.error(second)).hasMessageContaining("sonar 3 reads NaN");
-        assertThat(finder).hasValue(2);
         assertThat(charge.of(0)).isEmpty();
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
     }
 
     @Test
-    void referenceOfAnotherRobotsService_isRefused() {
-        var shared = running();
-        services.wallFollower(0, shared);
-        assertThat(test.error(services.wallFollower(1, shared)))
-                .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("the reference for wallFollower of robot 2 belongs to wallFollower of another")
-                .hasMessageContaining("give each service a reference of its own");
+    void behaviourThatThrows_stopsItsRobotOnce() {
+        var broken = new Service("broken", false, () -> senses -> {
+            throw new IllegalStateException("broken");
+        });
+        Promise<ServiceEnd> end = withTable(SubsumptionTable.forRobots(1)
+                        .when(NamedColours.BLUE, broken)
+                        .allowFinal()
+                        .build())
+                .drive(0, "broken", NamedColours.BLUE);
+        test.crank();
+        robots.tick(100);
+        assertThat(test.error(end)).hasMessage("broken");
+        assertThat(robots.commands(0)).containsExactly(STOP);
     }
 
     @Test
     void robotThatDoesNotExist_rejectsThePromise() {
-        assertThat(test.error(services.wallFollower(7, running())))
+        assertThat(test.error(wallFollower(7)))
                 .isInstanceOf(PlayerException.class)
                 .hasMessageContaining("position2d:7 is not in the device list")
                 .hasMessageContaining("position2d:0, sonar:0");
@@ -273,20 +326,18 @@ class RobotServicesTest {
 
     @Test
     void serverThatGoesAway_rejectsThePromiseAndFreesTheRobot() {
-        var reference = running();
-        Promise<?> ended = services.wallFollower(0, reference);
+        Promise<?> ended = wallFollower(0);
         test.crank();
         robots.tick(100);
         robots.vanish();
         assertThat(test.error(ended)).isInstanceOf(PlayerException.class).hasMessage("the server has gone");
-        assertThat(reference).hasValue(2);
         assertThat(charge.of(0)).isEmpty();
     }
 
     @Test
     void ringThatIsTooSmall_rejectsThePromise() {
         robots.range(0, 3, Double.NaN);
-        Promise<?> ended = services.wallFollower(0, running());
+        Promise<?> ended = wallFollower(0);
         test.crank();
         robots.tick(100);
         assertThat(test.error(ended)).hasMessageContaining("sonar 3 reads NaN");
@@ -295,14 +346,14 @@ class RobotServicesTest {
 
     @Test
     void serverThatComesBack_isConnectedAnewByTheNextService() {
-        Promise<?> ended = services.wallFollower(0, running());
+        Promise<?> ended = wallFollower(0);
         test.crank();
         robots.tick(100);
         robots.vanish();
         assertThat(test.error(ended)).isInstanceOf(PlayerException.class);
         test.crank();
         assertThat(robots.connections()).as("the dead connection").isZero();
-        services.wallFollower(0, running());
+        wallFollower(0);
         test.crank();
         assertThat(robots.connectionsMade()).isEqualTo(2);
         robots.tick(100);
@@ -319,55 +370,47 @@ class RobotServicesTest {
                 .priority(NamedColours.GREEN, -1)
                 .hold(0.35)
                 .build();
-        var held = test.spawn(
-                RobotServices.class,
-                () -> new RobotServices(RobotServices.Settings.ofThePaper()
-                        .withPort(FakeRobots.PORT)
-                        .withTable(table)));
-        Promise<Integer> colour = held.spaceWanderer(0, running(), running(), NamedColours.BLUE);
+        Promise<ServiceEnd> end = withTable(table).drive(0, Service.SPACE_WANDERER.name(), NamedColours.BLUE);
         test.crank();
         robots.show(0, NamedColours.GREEN, NamedColours.RED); // green has the larger blob
         for (int i = 0; i < 4; i++) {
             robots.tick(100);
-            assertThat(colour.isDone()).as("after %d readings", i + 1).isFalse();
+            assertThat(end.isDone()).as("after %d readings", i + 1).isFalse();
         }
         robots.tick(100);
-        assertThat(test.get(colour)).isEqualTo(NamedColours.RED);
+        assertThat(test.get(end)).isEqualTo(saw(NamedColours.RED));
     }
 
     static class Listener extends Actor {
         private final RobotServices services;
-        private final AtomicReference<Integer> reference;
-        private final AtomicReference<Integer> finder;
-        private final List<Integer> heard;
+        private final String service;
+        private final List<String> received;
 
-        Listener(
-                RobotServices services,
-                AtomicReference<Integer> reference,
-                AtomicReference<Integer> finder,
-                List<Integer> heard) {
+        Listener(RobotServices services, String service, List<String> received) {
             this.services = services;
-            this.reference = reference;
-            this.finder = finder;
-            this.heard = heard;
+            this.service = service;
+            this.received = received;
         }
 
         public void listen() {
-            services.spaceWanderer((colour, error) -> heard.add(colour), 0, reference, finder);
+            services.drive(
+                    0,
+                    service,
+                    (report, error) ->
+                            received.add(error == null ? NamedColours.name(report.colour()) : error.getMessage()));
         }
     }
 
     @Test
     void callbackOfAnActorThatHasStopped_endsTheService() {
-        var reference = running();
-        var finder = running();
-        var heard = new ArrayList<Integer>();
-        Listener listener = test.spawn(Listener.class, () -> new Listener(services, reference, finder, heard));
+        var received = new ArrayList<String>();
+        Listener listener =
+                test.spawn(Listener.class, () -> new Listener(services, Service.SPACE_WANDERER.name(), received));
         listener.listen();
         test.crank();
         robots.show(0, NamedColours.RED);
         robots.tick(100);
-        assertThat(heard).containsExactly(NamedColours.RED);
+        assertThat(received).containsExactly("red");
         test.space().stop(listener);
         test.crank();
         assertThat(charge.of(0)).as("until the next reading").containsExactly(Service.SPACE_WANDERER);
@@ -375,16 +418,14 @@ class RobotServicesTest {
         var warnings = loggedByTheServices(() -> robots.tick(100));
 
         assertThat(robots.commands(0)).containsExactly(WANDERER_AHEAD, STOP);
-        assertThat(reference).hasValue(2);
-        assertThat(finder).hasValue(2);
         assertThat(charge.of(0)).isEmpty();
-        assertThat(heard).containsExactly(NamedColours.RED);
+        assertThat(received).containsExactly("red");
         assertThat(warnings).containsExactly("robot 1: spaceWanderer stops, as nobody listens to it any more");
     }
 
     private static List<String> loggedByTheServices(Runnable body) {
         var messages = new ArrayList<String>();
-        var logger = Logger.getLogger(RobotServices.class.getName());
+        var logger = Logger.getLogger(RobotServicesActor.class.getName());
         var handler = new Handler() {
             @Override
             public void publish(LogRecord record) {

@@ -19,9 +19,9 @@ import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
 import io.troupe.services.component.kinds.RobotTopics.LaserReading;
 import io.troupe.services.component.kinds.RobotTopics.PositionReading;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
+import io.troupe.services.robot.ControlCycle;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Optional;
 import java.util.Set;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -139,14 +139,13 @@ public final class BehaviourComponent {
         private static final RobotPose UNKNOWN = new RobotPose(0, 0, 0);
 
         private final Supplier<? extends Behaviour> law;
-        private @Nullable Behaviour behaviour;
+        private @Nullable ControlCycle cycle;
         private @Nullable Signals<? super Velocity> signals;
         private RobotPose pose = UNKNOWN;
         private boolean stalled;
         private List<Blob> blobs = List.of();
         private LaserScan scan = LaserScan.EMPTY;
         private final ReadingTime time = new ReadingTime();
-        private double lastSeconds = Double.NEGATIVE_INFINITY;
 
         BehaviourCommunication(Supplier<? extends Behaviour> law) {
             this.law = law;
@@ -154,7 +153,7 @@ public final class BehaviourComponent {
 
         @Override
         public Promise<@Nullable Void> invoke(Signals<? super Velocity> newSignals) {
-            behaviour = law.get();
+            cycle = new ControlCycle(law.get(), newSignals::data);
             signals = newSignals;
             return Promise.done();
         }
@@ -174,25 +173,17 @@ public final class BehaviourComponent {
 
         private void step(BehaviourInput.Ranges ranges) {
             double nowSeconds = time.at(ranges.timeSeconds());
-            if (behaviour == null || signals == null || !ReadingTime.isCycle(lastSeconds, nowSeconds)) {
-                return; // ranges that arrive before the cycle is over are skipped
+            if (cycle != null && signals != null && cycle.isDue(nowSeconds)) {
+                cycle.step(new Senses(nowSeconds, ranges.sonar(), pose, stalled, blobs, scan))
+                        .ifPresent(signals::data);
             }
-            lastSeconds = nowSeconds;
-            Optional<Velocity> wanted;
-            try {
-                wanted = behaviour.step(new Senses(nowSeconds, ranges.sonar(), pose, stalled, blobs, scan));
-            } catch (RuntimeException | Error thrown) {
-                signals.data(Velocity.STOP); // the failing behaviour cannot stop the robot any more
-                throw thrown;
-            }
-            wanted.ifPresent(signals::data);
         }
 
         @Override
         public Promise<@Nullable Void> terminate() {
-            if (behaviour != null && signals != null) {
-                behaviour = null;
-                signals.data(Velocity.STOP);
+            if (cycle != null) {
+                cycle.halt();
+                cycle = null;
             }
             return Promise.done();
         }

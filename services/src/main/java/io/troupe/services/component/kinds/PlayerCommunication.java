@@ -1,13 +1,11 @@
 package io.troupe.services.component.kinds;
 
 import io.troupe.actor.promise.Promise;
-import io.troupe.player.BlobfinderInterface;
-import io.troupe.player.LaserInterface;
-import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
-import io.troupe.player.Position2DInterface;
-import io.troupe.player.SonarInterface;
-import io.troupe.player.structures.PlayerConstants;
+import io.troupe.player.structures.laser.PlayerLaserData;
+import io.troupe.services.behaviour.Blob;
+import io.troupe.services.behaviour.RobotPose;
+import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.component.ComponentCommunication;
 import io.troupe.services.component.kinds.PlayerComponent.Blobs;
 import io.troupe.services.component.kinds.PlayerComponent.Laser;
@@ -15,16 +13,19 @@ import io.troupe.services.component.kinds.PlayerComponent.Position;
 import io.troupe.services.component.kinds.PlayerComponent.Reading;
 import io.troupe.services.component.kinds.PlayerComponent.SetSpeed;
 import io.troupe.services.component.kinds.PlayerComponent.Sonar;
-import io.troupe.services.subsumption.DriverLimits;
+import io.troupe.services.robot.DriverLimits;
+import io.troupe.services.robot.PlayerRobot;
+import io.troupe.services.robot.RobotConnection;
+import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
 import org.jspecify.annotations.Nullable;
 
-/** The CCU of a Player server: a Player client, which belongs to the actor space of the interface. */
+/** The CCU of a Player server: a connection with its robots, which belongs to the actor space of the interface. */
 final class PlayerCommunication implements ComponentCommunication<SetSpeed, Reading> {
     private final PlayerComponent.Settings settings;
     private final Map<Integer, Robot> robots = new TreeMap<>();
-    private @Nullable PlayerClient client;
+    private @Nullable RobotConnection connection;
     private @Nullable Throwable lost;
 
     PlayerCommunication(PlayerComponent.Settings settings) {
@@ -33,25 +34,24 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
 
     @Override
     public Promise<@Nullable Void> invoke(Signals<? super Reading> signals) {
-        var connected = new PlayerClient(settings.host(), settings.port());
-        client = connected;
-        try {
-            DriverLimits.watch(connected);
-            settings.robots().forEach(number -> robots.put(number - 1, new Robot(connected, number - 1, settings)));
-            connected.runThreaded(-1, -1);
-        } catch (RuntimeException refused) {
-            connected.close();
-            client = null;
-            throw refused;
-        }
+        var connected = RobotConnection.open(
+                settings.host(),
+                settings.port(),
+                RobotConnection.Delivery.PUSH,
+                settings.robots().stream()
+                        .map(number -> new RobotConnection.Devices(number - 1, settings.camera(), settings.laser()))
+                        .toList());
+        connection = connected;
+        connected.robots().forEach(robot -> robots.put(robot.index(), new Robot(robot, signals)));
+        connected.readOnSpace();
         awaitData(connected, signals);
         return Promise.done();
     }
 
-    private void awaitData(PlayerClient from, Signals<? super Reading> signals) {
+    private void awaitData(RobotConnection from, Signals<? super Reading> signals) {
         from.nextData().handle((ready, error) -> {
-            if (client == null) {
-                return null; // terminated: the client was closed
+            if (connection == null) {
+                return null; // terminated: the connection was closed
             }
             if (error != null) {
                 lost = new PlayerException(settings.where() + ": " + error.getMessage(), error);
@@ -59,7 +59,7 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
                 return null;
             }
             awaitData(from, signals);
-            robots.values().forEach(robot -> robot.publishReadings(signals));
+            robots.values().forEach(Robot::publishReadings);
             return null;
         });
     }
@@ -68,14 +68,14 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
     public void data(SetSpeed command) {
         Robot robot = robots.get(command.index());
         if (robot != null) {
-            robot.drive(command.speed(), command.turnRate());
+            robot.drive(new Velocity(command.speed(), command.turnRate()));
         }
     }
 
     @Override
     public Promise<@Nullable Void> terminate() {
-        PlayerClient ending = client;
-        client = null;
+        RobotConnection ending = connection;
+        connection = null;
         if (ending == null) {
             return Promise.done();
         }
@@ -98,82 +98,65 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
     }
 
     /**
-     * The devices of one robot of a Player server.
+     * One robot of the connection.
      *
      * <p><b>Role.</b> A Player server keeps the last command for ever. A robot without further commands is therefore
      * stopped here, since its driver may have failed. A server that supports {@link DriverLimits} does the same even if
      * this program hangs.
      */
-    private static final class Robot {
-        private final int index;
-        private final Position2DInterface position;
-        private final SonarInterface sonar;
-        private final @Nullable BlobfinderInterface blobfinder;
-        private final @Nullable LaserInterface laser;
-        private double sonarSeconds = Double.NEGATIVE_INFINITY;
-        private double positionSeconds = Double.NEGATIVE_INFINITY;
-        private double blobsSeconds = Double.NEGATIVE_INFINITY;
-        private double laserSeconds = Double.NEGATIVE_INFINITY;
+    private static final class Robot implements PlayerRobot.Subscriber {
+        private final PlayerRobot robot;
+        private final Signals<? super Reading> signals;
         private boolean moving;
         private int readingsSinceCommand;
 
-        Robot(PlayerClient client, int index, PlayerComponent.Settings settings) {
-            this.index = index;
-            position = client.requestInterfacePosition2D(index, PlayerConstants.PLAYER_OPEN_MODE);
-            DriverLimits.limit(position);
-            sonar = client.requestInterfaceSonar(index, PlayerConstants.PLAYER_OPEN_MODE);
-            blobfinder = settings.camera()
-                    ? client.requestInterfaceBlobfinder(index, PlayerConstants.PLAYER_OPEN_MODE)
-                    : null;
-            laser = settings.laser() ? client.requestInterfaceLaser(index, PlayerConstants.PLAYER_OPEN_MODE) : null;
+        Robot(PlayerRobot robot, Signals<? super Reading> signals) {
+            this.robot = robot;
+            this.signals = signals;
         }
 
-        /**
-         * Publishes the readings whose time stamp has changed. An older time stamp counts as a change, since a clock
-         * may be set back. Position, blobs and scan are published before the sonar ranges, so that a subscriber that
-         * reacts to the ranges already has the others.
-         */
-        void publishReadings(Signals<? super Reading> signals) {
-            var pose = position.getData();
-            if (pose != null && position.getTimestamp() != positionSeconds) {
-                positionSeconds = position.getTimestamp();
-                signals.data(new Position(index, positionSeconds, pose));
-            }
-            var picture = blobfinder == null ? null : blobfinder.getData();
-            if (picture != null && blobfinder.getTimestamp() != blobsSeconds) {
-                blobsSeconds = blobfinder.getTimestamp();
-                signals.data(new Blobs(index, blobsSeconds, picture));
-            }
-            var scan = laser == null ? null : laser.getData();
-            if (scan != null && laser.getTimestamp() != laserSeconds) {
-                laserSeconds = laser.getTimestamp();
-                signals.data(new Laser(index, laserSeconds, scan));
-            }
-            var ranges = sonar.getData();
-            if (ranges != null && sonar.getTimestamp() != sonarSeconds) {
-                sonarSeconds = sonar.getTimestamp();
-                signals.data(new Sonar(index, sonarSeconds, ranges));
-                checkCommandLimit(signals);
-            }
+        void publishReadings() {
+            robot.publishNew(this);
         }
 
-        private void checkCommandLimit(Signals<?> signals) {
+        @Override
+        public void position(double stampSeconds, RobotPose pose, boolean stalled) {
+            signals.data(new Position(robot.index(), stampSeconds, pose, stalled));
+        }
+
+        @Override
+        public void blobs(double stampSeconds, List<Blob> blobs) {
+            signals.data(new Blobs(robot.index(), stampSeconds, blobs));
+        }
+
+        @Override
+        public void laser(double stampSeconds, PlayerLaserData scan) {
+            signals.data(new Laser(robot.index(), stampSeconds, scan));
+        }
+
+        @Override
+        public void sonar(double stampSeconds, float[] rangesM) {
+            signals.data(new Sonar(robot.index(), stampSeconds, rangesM));
+            checkCommandLimit();
+        }
+
+        private void checkCommandLimit() {
             if (moving && ++readingsSinceCommand >= PlayerComponent.MAX_READINGS_WITHOUT_COMMAND) {
                 stop();
-                signals.info("robot " + (index + 1) + " has heard no command for "
+                signals.info("robot " + (robot.index() + 1) + " has heard no command for "
                         + PlayerComponent.MAX_READINGS_WITHOUT_COMMAND + " readings, and is stopped");
             }
         }
 
-        void drive(double speed, double turnRate) {
+        void drive(Velocity velocity) {
             readingsSinceCommand = 0;
-            moving = speed != 0 || turnRate != 0;
-            position.setSpeed(speed, turnRate);
+            moving = velocity.forwardMps() != 0 || velocity.turnRadps() != 0;
+            robot.drive(velocity);
         }
 
         void stop() {
             moving = false;
-            position.setSpeed(0, 0);
+            robot.drive(Velocity.STOP);
         }
     }
 }

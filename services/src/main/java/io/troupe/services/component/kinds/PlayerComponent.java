@@ -1,11 +1,9 @@
 package io.troupe.services.component.kinds;
 
 import io.troupe.bus.BusTopic;
-import io.troupe.player.structures.blobfinder.PlayerBlobfinderData;
 import io.troupe.player.structures.laser.PlayerLaserData;
-import io.troupe.player.structures.position2d.PlayerPosition2dData;
-import io.troupe.player.structures.sonar.PlayerSonarData;
 import io.troupe.services.behaviour.Blob;
+import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
@@ -15,7 +13,7 @@ import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
 import io.troupe.services.component.kinds.RobotTopics.LaserReading;
 import io.troupe.services.component.kinds.RobotTopics.PositionReading;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
-import io.troupe.services.subsumption.DriverLimits;
+import io.troupe.services.robot.DriverLimits;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -76,13 +74,13 @@ public final class PlayerComponent {
         double timestamp();
     }
 
-    record Sonar(int index, double timestamp, PlayerSonarData data) implements Reading {}
+    record Sonar(int index, double timestamp, float[] rangesM) implements Reading {}
 
     record Laser(int index, double timestamp, PlayerLaserData data) implements Reading {}
 
-    record Position(int index, double timestamp, PlayerPosition2dData data) implements Reading {}
+    record Position(int index, double timestamp, RobotPose pose, boolean stalled) implements Reading {}
 
-    record Blobs(int index, double timestamp, PlayerBlobfinderData data) implements Reading {}
+    record Blobs(int index, double timestamp, List<Blob> blobs) implements Reading {}
 
     /** Command to the server: {@code setSpeed}. */
     record SetSpeed(int index, double speed, double turnRate) {}
@@ -137,14 +135,12 @@ public final class PlayerComponent {
                     switch (reading) {
                         case Sonar sonar ->
                             new ApplicationData<>(
-                                    RobotTopics.sonar(robot),
-                                    new SonarReading(
-                                            timeSeconds, metres(sonar.data().getRanges())));
+                                    RobotTopics.sonar(robot), new SonarReading(timeSeconds, metres(sonar.rangesM())));
                         case Position position ->
                             new ApplicationData<>(RobotTopics.position(robot), position(timeSeconds, position));
                         case Blobs blobs ->
                             new ApplicationData<>(
-                                    RobotTopics.blobs(robot), new BlobsReading(timeSeconds, Blob.of(blobs.data())));
+                                    RobotTopics.blobs(robot), new BlobsReading(timeSeconds, blobs.blobs()));
                         case Laser laser ->
                             new ApplicationData<>(RobotTopics.laser(robot), scan(timeSeconds, laser.data()));
                     });
@@ -168,9 +164,8 @@ public final class PlayerComponent {
         }
 
         private static PositionReading position(double timeSeconds, Position position) {
-            var pose = position.data().getPos();
-            boolean stalled = position.data().getStall() != 0;
-            return new PositionReading(timeSeconds, pose.getPx(), pose.getPy(), pose.getPa(), stalled);
+            RobotPose pose = position.pose();
+            return new PositionReading(timeSeconds, pose.xM(), pose.yM(), pose.headingRad(), position.stalled());
         }
 
         @Override

@@ -1,4 +1,4 @@
-package io.troupe.services.subsumption;
+package io.troupe.services.robot;
 
 import io.troupe.player.PlayerClient;
 import io.troupe.player.Position2DInterface;
