@@ -2,7 +2,7 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.Receiver;
+import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> {@link #send} from any thread, everything else on the space's thread.
  */
-final class ActorCell extends Receiver {
+final class ActorCell extends Recipient {
     private static final long FIRST_PAUSE_NANOS = 10_000_000;
     private static final long LONGEST_PAUSE_NANOS = 10_000_000_000L;
     private static final int MOST_DOUBLINGS = 10;

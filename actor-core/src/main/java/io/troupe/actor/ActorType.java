@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.Receiver;
+import io.troupe.actor.internal.Recipient;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
@@ -52,7 +52,7 @@ abstract class ActorType {
     }
 
     /** Creates a proxy that sends to the cell. */
-    abstract <A> A newProxy(Receiver cell);
+    abstract <A> A newProxy(Recipient cell);
 
     private static ActorType generate(Class<?> type) {
         MethodHandles.Lookup lookup = TypeRules.check(type);
@@ -68,13 +68,13 @@ abstract class ActorType {
         private final MethodHandle constructor;
 
         OfInterface(MethodHandles.Lookup lookup, Class<?> proxyClass) throws ReflectiveOperationException {
-            constructor = lookup.findConstructor(proxyClass, MethodType.methodType(void.class, Receiver.class))
-                    .asType(MethodType.methodType(Object.class, Receiver.class));
+            constructor = lookup.findConstructor(proxyClass, MethodType.methodType(void.class, Recipient.class))
+                    .asType(MethodType.methodType(Object.class, Recipient.class));
         }
 
         @Override
         @SuppressWarnings("unchecked") // the proxy class was generated for A
-        <A> A newProxy(Receiver cell) {
+        <A> A newProxy(Recipient cell) {
             try {
                 return (A) constructor.invokeExact(cell);
             } catch (Throwable e) {
@@ -93,12 +93,12 @@ abstract class ActorType {
 
         OfClass(MethodHandles.Lookup lookup, Class<?> proxyClass) throws ReflectiveOperationException {
             instantiator = new ObjenesisStd(false).getInstantiatorOf(proxyClass);
-            cellField = lookup.findVarHandle(proxyClass, ProxyGenerator.CELL, Receiver.class);
+            cellField = lookup.findVarHandle(proxyClass, ProxyGenerator.CELL, Recipient.class);
         }
 
         @Override
         @SuppressWarnings("unchecked") // the proxy class was generated for A
-        <A> A newProxy(Receiver cell) {
+        <A> A newProxy(Recipient cell) {
             Object proxy = instantiator.newInstance();
             cellField.set(proxy, cell);
             VarHandle.releaseFence(); // like a final field: every thread that receives the proxy sees its cell

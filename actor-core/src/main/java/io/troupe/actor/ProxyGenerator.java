@@ -4,7 +4,7 @@ import static org.objectweb.asm.Opcodes.*;
 
 import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.Receiver;
+import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.promise.Promise;
@@ -25,12 +25,12 @@ import org.objectweb.asm.Type;
  * {@snippet lang = "text":
  * final class Greeter$$greet$0 extends Request<String> {
  *     final String a0;
- *     Greeter$$greet$0(Receiver cell, String a0) { super(cell); this.a0 = a0; }
+ *     Greeter$$greet$0(Recipient cell, String a0) { super(cell); this.a0 = a0; }
  *     protected Node serve() { Object target = target(); return target == null ? null : answer(invoke(target)); }
  *     protected Promise<String> invoke(Object implementation) { return ((Greeter) implementation).greet(a0); }
  * }
  * final class Greeter$$Proxy implements Greeter, ActorProxy {
- *     Receiver troupe$cell;
+ *     Recipient troupe$cell;
  *     public Promise<String> greet(String a0) {
  *         var request = new Greeter$$greet$0(troupe$cell, a0);
  *         troupe$cell.send(request);
@@ -41,9 +41,9 @@ import org.objectweb.asm.Type;
  */
 final class ProxyGenerator {
     static final String CELL = "troupe$cell";
-    private static final String RECEIVER = Type.getInternalName(Receiver.class);
+    private static final String RECIPIENT = Type.getInternalName(Recipient.class);
     private static final String CALLBACK_DESCRIPTOR = Type.getDescriptor(Callback.class);
-    private static final String RECEIVER_DESCRIPTOR = Type.getDescriptor(Receiver.class);
+    private static final String RECIPIENT_DESCRIPTOR = Type.getDescriptor(Recipient.class);
 
     private final Class<?> type;
     private final String typeName;
@@ -91,7 +91,7 @@ final class ProxyGenerator {
                 null,
                 superName,
                 isInterface ? new String[] {typeName, proxyMarker} : new String[] {proxyMarker});
-        writer.visitField(isInterface ? ACC_FINAL : 0, CELL, RECEIVER_DESCRIPTOR, null, null)
+        writer.visitField(isInterface ? ACC_FINAL : 0, CELL, RECIPIENT_DESCRIPTOR, null, null)
                 .visitEnd();
         if (isInterface) {
             constructor(writer);
@@ -106,19 +106,19 @@ final class ProxyGenerator {
     }
 
     private void constructor(ClassWriter writer) {
-        MethodVisitor code = writer.visitMethod(0, "<init>", "(" + RECEIVER_DESCRIPTOR + ")V", null, null);
+        MethodVisitor code = writer.visitMethod(0, "<init>", "(" + RECIPIENT_DESCRIPTOR + ")V", null, null);
         code.visitCode();
         code.visitVarInsn(ALOAD, 0);
         code.visitMethodInsn(INVOKESPECIAL, "java/lang/Object", "<init>", "()V", false);
         code.visitVarInsn(ALOAD, 0);
         code.visitVarInsn(ALOAD, 1);
-        code.visitFieldInsn(PUTFIELD, typeName + "$$Proxy", CELL, RECEIVER_DESCRIPTOR);
+        code.visitFieldInsn(PUTFIELD, typeName + "$$Proxy", CELL, RECIPIENT_DESCRIPTOR);
         code.visitInsn(RETURN);
         finish(code);
     }
 
     private void cellAccessor(ClassWriter writer) {
-        MethodVisitor code = writer.visitMethod(ACC_PUBLIC, CELL, "()" + RECEIVER_DESCRIPTOR, null, null);
+        MethodVisitor code = writer.visitMethod(ACC_PUBLIC, CELL, "()" + RECIPIENT_DESCRIPTOR, null, null);
         code.visitCode();
         loadCell(code);
         code.visitInsn(ARETURN);
@@ -136,13 +136,13 @@ final class ProxyGenerator {
         code.visitInsn(DUP);
         loadCell(code);
         int local = 1;
-        var descriptor = new StringBuilder("(").append(RECEIVER_DESCRIPTOR);
+        var descriptor = new StringBuilder("(").append(RECIPIENT_DESCRIPTOR);
         for (Type argument : Type.getArgumentTypes(method)) {
             if (argument.getDescriptor().equals(CALLBACK_DESCRIPTOR)) {
                 loadCell(code);
                 code.visitVarInsn(ALOAD, local);
                 code.visitMethodInsn(
-                        INVOKEVIRTUAL, RECEIVER, "returning", "(Ljava/lang/Object;)Ljava/lang/Object;", false);
+                        INVOKEVIRTUAL, RECIPIENT, "returning", "(Ljava/lang/Object;)Ljava/lang/Object;", false);
                 code.visitTypeInsn(CHECKCAST, argument.getInternalName());
             } else {
                 code.visitVarInsn(argument.getOpcode(ILOAD), local);
@@ -156,14 +156,14 @@ final class ProxyGenerator {
             code.visitInsn(DUP_X1); // the stack is now: message, cell, message
         }
         Class<?> parent = oneWay ? Message.class : Request.class;
-        code.visitMethodInsn(INVOKEVIRTUAL, RECEIVER, "send", "(" + Type.getDescriptor(parent) + ")V", false);
+        code.visitMethodInsn(INVOKEVIRTUAL, RECIPIENT, "send", "(" + Type.getDescriptor(parent) + ")V", false);
         code.visitInsn(oneWay ? RETURN : ARETURN);
         finish(code);
     }
 
     private void loadCell(MethodVisitor code) {
         code.visitVarInsn(ALOAD, 0);
-        code.visitFieldInsn(GETFIELD, typeName + "$$Proxy", CELL, RECEIVER_DESCRIPTOR);
+        code.visitFieldInsn(GETFIELD, typeName + "$$Proxy", CELL, RECIPIENT_DESCRIPTOR);
     }
 
     private static void finish(MethodVisitor code) {
@@ -207,7 +207,7 @@ final class ProxyGenerator {
         }
 
         private void constructor(ClassWriter writer, String parent) {
-            var descriptor = new StringBuilder("(").append(RECEIVER_DESCRIPTOR);
+            var descriptor = new StringBuilder("(").append(RECIPIENT_DESCRIPTOR);
             for (Type argument : arguments) {
                 descriptor.append(argument.getDescriptor());
             }
@@ -216,7 +216,7 @@ final class ProxyGenerator {
             code.visitCode();
             code.visitVarInsn(ALOAD, 0);
             code.visitVarInsn(ALOAD, 1);
-            code.visitMethodInsn(INVOKESPECIAL, parent, "<init>", "(" + RECEIVER_DESCRIPTOR + ")V", false);
+            code.visitMethodInsn(INVOKESPECIAL, parent, "<init>", "(" + RECIPIENT_DESCRIPTOR + ")V", false);
             int local = 2;
             for (int index = 0; index < arguments.length; index++) {
                 code.visitVarInsn(ALOAD, 0);
@@ -412,8 +412,8 @@ final class ProxyGenerator {
             MethodVisitor code = writer.visitMethod(ACC_PUBLIC, "toString", "()Ljava/lang/String;", null, null);
             code.visitCode();
             code.visitVarInsn(ALOAD, 0);
-            code.visitFieldInsn(GETFIELD, proxyName, CELL, Type.getDescriptor(Receiver.class));
-            code.visitMethodInsn(INVOKEVIRTUAL, RECEIVER, "toString", "()Ljava/lang/String;", false);
+            code.visitFieldInsn(GETFIELD, proxyName, CELL, Type.getDescriptor(Recipient.class));
+            code.visitMethodInsn(INVOKEVIRTUAL, RECIPIENT, "toString", "()Ljava/lang/String;", false);
             code.visitInsn(ARETURN);
             finish(code);
         }
@@ -432,7 +432,7 @@ final class ProxyGenerator {
             equals.visitVarInsn(ALOAD, 1);
             equals.visitMethodInsn(
                     INVOKESTATIC,
-                    Type.getInternalName(Receiver.class),
+                    Type.getInternalName(Recipient.class),
                     "same",
                     "(Ljava/lang/Object;Ljava/lang/Object;)Z",
                     false);

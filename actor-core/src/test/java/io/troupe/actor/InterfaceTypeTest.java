@@ -190,7 +190,7 @@ class InterfaceTypeTest {
         refused(Secret[].class, "does not extend io.troupe.actor.Actor");
         refused(Closed.class, "it is sealed");
         refused(Override.class, "it is an annotation");
-        refused(ActorProxy.class, "ActorProxy.troupe$cell()", "returns Receiver");
+        refused(ActorProxy.class, "ActorProxy.troupe$cell()", "returns Recipient");
     }
 
     private void refused(Class<?> type, String... reasons) {

@@ -10,9 +10,9 @@ import org.jspecify.annotations.Nullable;
  * arguments.
  */
 public abstract class Message extends Node {
-    private final Receiver receiver;
+    private final Recipient receiver;
 
-    protected Message(Receiver receiver) {
+    protected Message(Recipient receiver) {
         this.receiver = receiver;
     }
 
@@ -25,7 +25,7 @@ public abstract class Message extends Node {
     /** The arguments, for log and error messages. */
     protected abstract Object[] arguments();
 
-    public final Receiver receiver() {
+    public final Recipient receiver() {
         return receiver;
     }
 

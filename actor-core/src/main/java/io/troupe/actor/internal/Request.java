@@ -11,10 +11,10 @@ import org.jspecify.annotations.Nullable;
  * that returns a promise has a subclass whose fields are the arguments.
  */
 public abstract class Request<T extends @Nullable Object> extends Promise<T> {
-    private final Receiver receiver;
+    private final Recipient receiver;
     private boolean calledInside;
 
-    protected Request(Receiver receiver) {
+    protected Request(Recipient receiver) {
         this.receiver = receiver;
     }
 
@@ -27,7 +27,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     /** The arguments, for log and error messages. */
     protected abstract Object[] arguments();
 
-    public final Receiver receiver() {
+    public final Recipient receiver() {
         return receiver;
     }
 

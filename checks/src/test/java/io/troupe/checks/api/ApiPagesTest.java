@@ -66,7 +66,7 @@ class ApiPagesTest {
     void pages_nameNoMachinery() {
         var machinery =
                 Pattern.compile("followAtHome|enqueueAtHome|ActorCell|NodeQueue|TimerWheel|troupe\\$cell|settleValue"
-                        + "|/(Message|Request|Node|Owner|ActorProxy|Home|Receiver)\\.html");
+                        + "|/(Message|Request|Node|Owner|ActorProxy|Home|Recipient)\\.html");
         assertThat(TEXTS)
                 .hasSizeGreaterThan(30)
                 .allSatisfy((page, text) -> assertThat(machinery

@@ -435,8 +435,8 @@ public final class TimerWheel {
         }
 
         /*
-         * A stack overflow of the caller in here must not corrupt the heap. A call may overflow, a store cannot: between
-         * two calls the heap is complete, and at worst a timer is out of order.
+         * A stack overflow of the caller in here must not corrupt the heap. A call may overflow, a store cannot:
+         * between two calls the heap is complete, and at worst a timer is out of order.
          */
 
         final void add(WheelTimer timer) {

@@ -11,8 +11,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> The two {@code send} and {@link #returning} from any thread, the rest on the space's thread.
  */
-public abstract class Receiver {
-    protected Receiver() {}
+public abstract class Recipient {
+    protected Recipient() {}
 
     /** Puts a message into the actor's mailbox. */
     public abstract void send(Message message);
