@@ -43,7 +43,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, Figures 17 and 20.
  */
 public abstract class Actor {
-    private final KeyedTimers keyed = new KeyedTimers();
+    private final SpaceTimers.Keyed keyed = new SpaceTimers.Keyed();
     private @Nullable ActorCell cell;
 
     protected Actor() {}
@@ -71,7 +71,7 @@ public abstract class Actor {
 
     /** The space of this actor. */
     protected final ActorSpace space() {
-        return cell("space()").space();
+        return cell("space()").space().facade();
     }
 
     /** Called before the first message. */
@@ -89,16 +89,16 @@ public abstract class Actor {
      */
     protected final void stop() {
         var mine = cell("stop()");
-        mine.space().afterTurn(mine::stop);
+        mine.space().dispatcher.afterTurn(mine::stop);
     }
 
-    final KeyedTimers keyedTimers() {
+    final SpaceTimers.Keyed keyedTimers() {
         return keyed;
     }
 
     /** Runs a task once after a delay, unless this actor has stopped. */
     protected final Timer after(Duration delay, Runnable task) {
-        return cell("after(..)").space().timer(cell, delay, Duration.ZERO, Schedule.FIXED_RATE, task);
+        return cell("after(..)").setTimer(delay, Duration.ZERO, Schedule.FIXED_RATE, task);
     }
 
     /**
@@ -116,7 +116,7 @@ public abstract class Actor {
      */
     protected final Timer every(Duration period, Schedule schedule, Runnable task) {
         checkPeriod(period);
-        return cell("every(..)").space().timer(cell, period, period, schedule, task);
+        return cell("every(..)").setTimer(period, period, schedule, task);
     }
 
     /**

@@ -1,8 +1,14 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.ActorProxy;
+import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.Recipient;
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.ArrayDeque;
@@ -10,19 +16,18 @@ import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The internal state of an actor: its mailbox, its implementation and its supervision. For generated code.
+ * The internal state of an actor: its mailbox, its implementation and its supervision.
  *
  * <p><b>Threads.</b> {@link #send} from any thread, everything else on the space's thread.
- *
- * @hidden
  */
-public final class ActorCell {
+final class ActorCell extends Recipient {
     private static final long FIRST_PAUSE_NANOS = 10_000_000;
     private static final long LONGEST_PAUSE_NANOS = 10_000_000_000L;
     private static final int MOST_DOUBLINGS = 10;
     private static final int FRAMES_FOR_QUEUEING = 48;
+    private static final int COUNTED = 1_000; // bounds the cost of a time-out behind a long queue
 
-    private final ActorSpace space;
+    private final SpaceHome space;
     private final Class<?> type;
     private final int number;
     private final Supplier<?> factory;
@@ -57,7 +62,7 @@ public final class ActorCell {
      * @param type the name of the actor's type is used if the settings name no other
      * @param number distinguishes unnamed actors of one type
      */
-    ActorCell(ActorSpace space, Class<?> type, int number, Supplier<?> factory, ActorSettings settings) {
+    ActorCell(SpaceHome space, Class<?> type, int number, Supplier<?> factory, ActorSettings settings) {
         this.space = space;
         this.type = type;
         this.life = new Incarnation(this);
@@ -68,7 +73,7 @@ public final class ActorCell {
         this.mailbox = bound == null ? null : new BoundedMailbox(bound);
     }
 
-    /** Puts a message into the actor's mailbox. */
+    @Override
     public void send(Message message) {
         if (mailbox != null) {
             sendBounded(message, mailbox);
@@ -79,7 +84,7 @@ public final class ActorCell {
         }
     }
 
-    /** Puts a request into the actor's mailbox. */
+    @Override
     public void send(Request<?> request) {
         if (mailbox == null && Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
             request.noteCaller(true);
@@ -130,17 +135,17 @@ public final class ActorCell {
         }
     }
 
-    /** Wraps a callback argument, so that what the actor sends arrives in the caller's callback queue. */
-    public <T extends @Nullable Object> @Nullable Callback<T> returning(@Nullable Callback<T> callback) {
-        return ReturningCallback.wrap(callback, space);
+    @Override
+    public @Nullable Object returning(@Nullable Object callback) {
+        return ReturningCallback.wrap((Callback<?>) callback, space);
     }
 
-    /** Identity, for the {@code equals} of a proxy. */
-    public static boolean same(Object first, @Nullable Object second) {
-        return first == second;
+    @Override
+    protected Home home() {
+        return space;
     }
 
-    ActorSpace space() {
+    SpaceHome space() {
         return space;
     }
 
@@ -153,7 +158,8 @@ public final class ActorCell {
         return proxy;
     }
 
-    Incarnation life() {
+    @Override
+    protected Incarnation life() {
         return life;
     }
 
@@ -163,7 +169,7 @@ public final class ActorCell {
             if (stopped) {
                 return Promise.done();
             }
-            ended = new Deferred<>(space);
+            ended = new Deferred<>(space, null);
         }
         return ended;
     }
@@ -250,7 +256,7 @@ public final class ActorCell {
     /** Ends the current instance. */
     private void endLife(String reason) {
         if (instance instanceof Actor actor) {
-            space.beginTurnOf(life);
+            space.begin(life);
             try {
                 actor.stopped();
             } catch (Throwable thrown) { // reported, and not counted as a failure of the next instance
@@ -304,7 +310,7 @@ public final class ActorCell {
     private void releaseSoon() {
         if (!releasing) {
             releasing = true;
-            space.enqueueCallback(Entry.urgent(this::release, this::release));
+            space.enqueue(Entry.urgent(this::release, this::release));
         }
     }
 
@@ -335,35 +341,25 @@ public final class ActorCell {
         space.reports().rejectCall(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
     }
 
-    /**
-     * Begins the turn of a one-way message.
-     *
-     * @return the target to invoke, or null if the message was already handled or rejected
-     */
-    @Nullable
-    Object target(Message message) {
+    @Override
+    protected @Nullable Object target(Message message) {
         Object target = implementation;
         if (target == null || mailbox != null) {
             deliverNext(message);
             return null;
         }
-        space.beginTurnOf(life);
+        space.begin(life);
         return target;
     }
 
-    /**
-     * Begins the turn of a request.
-     *
-     * @return the target to invoke, or null if the request was already handled or rejected
-     */
-    @Nullable
-    Object target(Request<?> request) {
+    @Override
+    protected @Nullable Object target(Request<?> request) {
         Object target = implementation;
         if (target == null || mailbox != null || request.isDone()) {
             deliverNext(request);
             return null;
         }
-        space.beginTurnOf(life);
+        space.begin(life);
         return target;
     }
 
@@ -385,15 +381,16 @@ public final class ActorCell {
         } else if (target == null) {
             reject(call);
         } else {
-            space.beginTurnOf(life);
+            space.begin(life);
             try {
                 if (call instanceof Message message) {
-                    message.invoke(target);
+                    message.serveWith(target);
                 } else {
                     ((Request<?>) call).serveWith(target);
                 }
             } catch (Throwable thrown) {
-                space.fail(call, thrown); // the failure belongs to this call, although the ticket was another's
+                space.dispatcher.fail(
+                        call, thrown); // the failure belongs to this call, although the ticket was another's
             }
         }
     }
@@ -405,20 +402,20 @@ public final class ActorCell {
 
     /**
      * The number of calls ahead of this one in a mailbox that stores its calls, or among the held calls; -1 if it is
-     * not among the first {@code limit}.
+     * not among the first {@value #COUNTED}.
      */
-    int placeInMailbox(Node call, int limit) {
-        int place = mailbox == null ? -1 : mailbox.placeOf(call, limit);
-        return place < 0 && held != null ? placeAmongHeld(call, limit) : place;
+    private int placeInMailbox(Node call) {
+        int place = mailbox == null ? -1 : mailbox.placeOf(call, COUNTED);
+        return place < 0 && held != null ? placeAmongHeld(call) : place;
     }
 
-    private int placeAmongHeld(Node call, int limit) {
+    private int placeAmongHeld(Node call) {
         int place = 0;
         for (Node each : held) {
             if (each == call) {
                 return place;
             }
-            if (++place == limit) {
+            if (++place == COUNTED) {
                 break;
             }
         }
@@ -431,9 +428,14 @@ public final class ActorCell {
         space.reports().rejectCall(call, this, reason, error);
     }
 
+    /** Sets a timer that ends with the current instance. */
+    Timer setTimer(Duration delay, Duration period, Schedule schedule, Runnable task) {
+        return space.timers().set(life, delay, period, schedule, task);
+    }
+
     /** Runs an action on behalf of this actor; an exception is a failure of the actor. */
     void guard(String what, Runnable action) {
-        space.beginTurnOf(life);
+        space.begin(life);
         try {
             action.run();
         } catch (Throwable thrown) {
@@ -445,7 +447,8 @@ public final class ActorCell {
      * Reports a failure and applies supervision. The directive is carried out when the failing turn has returned,
      * before anything else.
      */
-    void failed(String what, Throwable thrown) {
+    @Override
+    protected void failed(String what, Throwable thrown) {
         space.reports().error(what + " of", this, thrown, settings.onError());
         if (stopped) {
             return;
@@ -456,7 +459,7 @@ public final class ActorCell {
         if (failures == null) {
             failures = new FailureCount(settings.supervision());
         }
-        Supervision.Directive directive = failures.note(space.clock().nanos());
+        Supervision.Directive directive = failures.note(space.settings.clock().nanos());
         if (failedStarts
                 > settings.supervision().limit()) { // the pauses between failed starts may be longer than the window
             directive = Supervision.Directive.STOP;
@@ -469,9 +472,31 @@ public final class ActorCell {
         }
         switch (directive) {
             case RESUME -> {}
-            case STOP -> space.afterTurn(this::stop);
-            case RESTART -> space.afterTurn(this::restart);
+            case STOP -> space.dispatcher.afterTurn(this::stop);
+            case RESTART -> space.dispatcher.afterTurn(this::restart);
         }
+    }
+
+    @Override
+    protected void reportError(String method, Throwable thrown) {
+        space.reports().error(method + " of", this, thrown, null);
+    }
+
+    @Override
+    protected RuntimeException answeredNull(String method) {
+        return new ActorException(method + " of " + this + " answered null, expected a promise");
+    }
+
+    @Override
+    protected String progressOf(Request<?> request) {
+        int inMailbox = placeInMailbox(request);
+        int before = inMailbox >= 0 ? inMailbox : space.dispatcher.messagesBefore(request, COUNTED);
+        if (before >= 0) {
+            return ", which has not begun it: " + before + " calls come first";
+        }
+        return space.dispatcher.isLongerThan(COUNTED)
+                ? ", where more than " + COUNTED + " calls wait"
+                : ", which has begun it";
     }
 
     @Override

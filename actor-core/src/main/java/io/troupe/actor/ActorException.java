@@ -2,7 +2,14 @@ package io.troupe.actor;
 
 import org.jspecify.annotations.Nullable;
 
-/** Base class of the exceptions that an actor or its space throws. */
+/**
+ * Base class of the exceptions that an actor or its space throws.
+ *
+ * {@snippet :
+ * Promise<String> answer = greeter.greet("Ada")
+ *         .exceptionally(error -> error instanceof ActorException ? "the greeter is gone" : "the greeter failed");
+ * }
+ */
 public class ActorException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -1,15 +1,27 @@
 package io.troupe.actor;
 
+import io.troupe.actor.promise.Promise;
+import java.lang.invoke.MethodType;
+import java.lang.reflect.GenericArrayType;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
+import java.lang.reflect.Parameter;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.Type;
+import java.lang.reflect.TypeVariable;
+import java.lang.reflect.WildcardType;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The methods of an actor type that are messages.
@@ -237,6 +249,209 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         private static boolean inOnePackage(Class<?> one, Class<?> other) {
             return one.getClassLoader() == other.getClassLoader()
                     && one.getPackageName().equals(other.getPackageName());
+        }
+    }
+
+    /** The requirements on a method that is a message; the error for a violation names the alternative. */
+    private static final class MethodRules {
+        /** The virtual machine's limit of 255 argument slots, less the message under construction and its cell. */
+        private static final int SLOTS = 253;
+
+        private final Class<?> type;
+        private final TypeArguments arguments;
+
+        MethodRules(Class<?> type) {
+            this.type = type;
+            this.arguments = new TypeArguments(type);
+        }
+
+        TypeArguments arguments() {
+            return arguments;
+        }
+
+        static boolean canBeMessage(Method method) {
+            return method.getReturnType() == void.class || method.getReturnType() == Promise.class;
+        }
+
+        void checkMessage(Method method) {
+            Class<?> result = method.getReturnType();
+            if (!canBeMessage(method)) {
+                throw wrong(
+                        method,
+                        "returns " + result.getSimpleName()
+                                + ", expected void (a one-way message) or Promise (a request): make it Promise<"
+                                + MethodType.methodType(result)
+                                        .wrap()
+                                        .returnType()
+                                        .getSimpleName()
+                                + "> and answer Promise.of(..)" + wayOut(method));
+            }
+            if (Modifier.isFinal(method.getModifiers())) {
+                throw wrong(
+                        method,
+                        "is final, so that a proxy cannot send it as a message: remove final (in Kotlin, make it open), or make it private");
+            }
+            if (method.getName().equals("finalize") && method.getParameterCount() == 0) {
+                throw wrong(
+                        method,
+                        "would be called on the proxy by the garbage collector: give it another name, or use stopped()");
+            }
+            int slots = Arrays.stream(method.getParameterTypes())
+                    .mapToInt(each -> each == long.class || each == double.class ? 2 : 1)
+                    .sum();
+            if (slots > SLOTS) {
+                throw wrong(
+                        method,
+                        "takes " + slots + " argument slots (a long or double takes two), expected at most " + SLOTS
+                                + ": pass an array or a record");
+            }
+        }
+
+        private String wayOut(Method method) {
+            if (type.isInterface()) {
+                return ", or make it a default or static method";
+            }
+            return method.getDeclaringClass().isInterface()
+                    ? "; a default method would run on the proxy, whose fields are unset: make it static, or spawn the actor by an interface"
+                    : ", or make it less visible than public";
+        }
+
+        /** A callback hidden inside another type would run the caller's code on the actor's thread, or vice versa. */
+        void checkArguments(Method method) {
+            Type[] types = method.getGenericParameterTypes();
+            for (int index = 0; index < types.length; index++) {
+                if (hidesCallback(types[index])) {
+                    Parameter parameter = method.getParameters()[index];
+                    throw wrong(
+                            method,
+                            "has parameter " + (index + 1) + " (" + parameter.getName() + ") of type "
+                                    + types[index].getTypeName()
+                                    + ", which holds a callback that would run on the actor's side: declare the parameter as Callback<T>");
+                }
+            }
+            if (arguments.mentions(method.getGenericReturnType(), Callback.class)) {
+                throw wrong(
+                        method,
+                        "answers " + method.getGenericReturnType().getTypeName()
+                                + ", a callback that would run on the asker's side: let a method take what the callback would be sent");
+            }
+        }
+
+        private boolean hidesCallback(Type written) {
+            return written instanceof ParameterizedType generic && generic.getRawType() == Callback.class
+                    ? Arrays.stream(generic.getActualTypeArguments())
+                            .anyMatch(argument -> arguments.mentions(argument, Callback.class))
+                    : written != Callback.class && arguments.mentions(written, Callback.class);
+        }
+
+        void checkBridge(Method from, Method to) {
+            if (!from.getReturnType().isAssignableFrom(to.getReturnType())) {
+                throw wrong(
+                        from,
+                        "returns " + from.getReturnType().getSimpleName() + ", but " + ActorMethods.show(to)
+                                + " returns " + to.getReturnType().getSimpleName() + ": a method of both cannot exist");
+            }
+        }
+
+        private ActorTypeException wrong(Method method, String problem) {
+            return wrong(type, method, problem);
+        }
+
+        static ActorTypeException wrong(Class<?> type, Method method, String problem) {
+            return new ActorTypeException(
+                    ActorMethods.show(method) + " of actor type " + type.getName() + " " + problem);
+        }
+    }
+
+    /**
+     * Resolves the type variables of a type's supertypes: {@code put(T)} of a {@code Box<String>} is
+     * {@code put(String)}.
+     */
+    private static final class TypeArguments {
+        private final Map<TypeVariable<?>, Type> arguments = new HashMap<>();
+
+        TypeArguments(Class<?> type) {
+            collectAbove(type);
+        }
+
+        private void collectAbove(Class<?> type) {
+            collect(type.getGenericSuperclass());
+            for (Type parent : type.getGenericInterfaces()) {
+                collect(parent);
+            }
+        }
+
+        private void collect(@Nullable Type parent) {
+            if (parent instanceof ParameterizedType generic) {
+                note(generic);
+                collectAbove((Class<?>) generic.getRawType());
+            } else if (parent instanceof Class<?> plain) {
+                collectAbove(plain);
+            }
+        }
+
+        private void note(ParameterizedType generic) {
+            TypeVariable<?>[] variables = ((Class<?>) generic.getRawType()).getTypeParameters();
+            for (int index = 0; index < variables.length; index++) {
+                arguments.put(variables[index], generic.getActualTypeArguments()[index]);
+            }
+            if (generic.getOwnerType() instanceof ParameterizedType owner) {
+                note(owner);
+            }
+        }
+
+        /** The classes of a method's parameters, with type variables resolved. */
+        List<? extends Class<?>> parameters(Method method) {
+            return Arrays.stream(method.getGenericParameterTypes())
+                    .map(this::erase)
+                    .toList();
+        }
+
+        private Class<?> erase(Type type) {
+            return switch (type) {
+                case Class<?> plain -> plain;
+                case ParameterizedType generic -> (Class<?>) generic.getRawType();
+                case GenericArrayType array ->
+                    erase(array.getGenericComponentType()).arrayType();
+                case WildcardType wildcard -> erase(wildcard.getUpperBounds()[0]);
+                case TypeVariable<?> variable -> {
+                    Type argument = arguments.get(variable);
+                    yield erase(argument == null ? variable.getBounds()[0] : argument);
+                }
+                default -> throw new AssertionError("reflection knows no such type: " + type);
+            };
+        }
+
+        /**
+         * True if the class, or a subtype of it, occurs in the type: as the type itself, as an element or argument, or
+         * as a bound.
+         */
+        boolean mentions(Type type, Class<?> wanted) {
+            return mentions(type, wanted, new HashSet<>());
+        }
+
+        private boolean mentions(Type type, Class<?> wanted, Set<Type> seen) {
+            if (!seen.add(type)) {
+                return false; // a recursive bound, as in T extends Comparable<T>
+            }
+            return switch (type) {
+                case Class<?> array when array.isArray() -> mentions(array.getComponentType(), wanted, seen);
+                case Class<?> plain -> wanted.isAssignableFrom(plain);
+                case ParameterizedType generic ->
+                    mentions(generic.getRawType(), wanted, seen) || any(generic.getActualTypeArguments(), wanted, seen);
+                case GenericArrayType array -> mentions(array.getGenericComponentType(), wanted, seen);
+                case WildcardType wildcard ->
+                    any(wildcard.getUpperBounds(), wanted, seen) || any(wildcard.getLowerBounds(), wanted, seen);
+                case TypeVariable<?> variable -> {
+                    Type argument = arguments.get(variable);
+                    yield argument == null ? any(variable.getBounds(), wanted, seen) : mentions(argument, wanted, seen);
+                }
+                default -> throw new AssertionError("reflection knows no such type: " + type);
+            };
+        }
+
+        private boolean any(Type[] types, Class<?> wanted, Set<Type> seen) {
+            return Arrays.stream(types).anyMatch(type -> mentions(type, wanted, seen));
         }
     }
 }

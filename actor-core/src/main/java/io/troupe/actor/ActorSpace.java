@@ -1,7 +1,8 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.ActorProxy;
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import java.time.Duration;
@@ -49,21 +50,23 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single
  * thread.
  */
-public final class ActorSpace extends SpaceHome implements AutoCloseable {
+public final class ActorSpace extends Home.Holder implements AutoCloseable {
     private static final Duration CLOSING_TIME = Duration.ofSeconds(10);
 
     private static final class Global {
-        static final ActorSpace SPACE = open(new ActorSpace(SpaceSettings.named("actor-space"), false));
+        static final ActorSpace SPACE = open(new SpaceHome(SpaceSettings.named("actor-space")), false);
     }
 
+    final SpaceHome home;
     private final boolean closeable;
-    private final Offload offload;
+    private final SpacePromises promises;
     private final AtomicInteger spawned = new AtomicInteger();
 
-    private ActorSpace(SpaceSettings settings, boolean closeable) {
-        super(settings);
+    private ActorSpace(SpaceHome home, boolean closeable) {
+        super(home);
+        this.home = home;
         this.closeable = closeable;
-        this.offload = new Offload(settings.offloadLimit());
+        this.promises = new SpacePromises(home);
     }
 
     /** The shared space: one daemon thread, started on first use, never closed. */
@@ -73,19 +76,20 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
 
     /** Creates a space, with a new daemon thread unless it is cranked by hand. */
     public static ActorSpace create(SpaceSettings settings) {
-        return open(new ActorSpace(settings, true));
+        return open(new SpaceHome(settings), true);
     }
 
-    private static ActorSpace open(ActorSpace space) {
-        if (!space.isCrankedByHand()) {
-            space.startThread();
+    private static ActorSpace open(SpaceHome home, boolean closeable) {
+        var space = new ActorSpace(home, closeable);
+        if (!home.isCrankedByHand()) {
+            home.startThread();
         }
         return space;
     }
 
     /** The space whose thread is calling, or null. */
     public static @Nullable ActorSpace current() {
-        return Home.current() instanceof ActorSpace space ? space : null;
+        return Home.current() instanceof SpaceHome here ? here.facade() : null;
     }
 
     /**
@@ -109,10 +113,10 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         Objects.requireNonNull(actorSettings, "actorSettings");
         checkOpen("spawn(" + type.getName() + ")");
         var proxies = ActorType.of(type);
-        var cell = new ActorCell(this, type, spawned.incrementAndGet(), factory, actorSettings);
+        var cell = new ActorCell(home, type, spawned.incrementAndGet(), factory, actorSettings);
         A proxy = proxies.newProxy(cell);
         cell.bind(proxy);
-        enqueueMessage(new Entry(cell::start, cell::stop));
+        home.enqueueMessage(new Entry(cell::start, cell::stop));
         return proxy;
     }
 
@@ -123,7 +127,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      */
     public void stop(Object proxy) {
         ActorCell cell = cellOf(proxy);
-        enqueueMessage(new Entry(cell::stopBehindCalls, cell::stop));
+        home.enqueueMessage(new Entry(cell::stopBehindCalls, cell::stop));
     }
 
     /**
@@ -144,22 +148,24 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      *     closed already. Each call returns a separate promise, which may be cancelled
      */
     public Promise<@Nullable Void> whenClosed() {
-        var own = new Deferred<@Nullable Void>((Home) null);
-        own.resolveFrom(closing.closed());
+        var own = new Deferred<@Nullable Void>(null);
+        own.resolveFrom(home.closing.closed());
         return own;
     }
 
     private ActorCell cellOf(Object proxy) {
         Objects.requireNonNull(proxy, "proxy");
-        if (!(proxy instanceof ActorProxy actor) || actor.troupe$cell().space() != this) {
+        if (!(proxy instanceof ActorProxy actor
+                && actor.troupe$cell() instanceof ActorCell cell
+                && cell.space() == home)) {
             throw new IllegalArgumentException("not a proxy of an actor in space " + this + ": "
                     + proxy.getClass().getName());
         }
-        return actor.troupe$cell();
+        return cell;
     }
 
     private void checkOpen(String call) {
-        if (isClosing() && !isCurrent()) {
+        if (home.isClosing() && !home.isCurrent()) {
             throw new ActorStoppedException(call + " came too late: space " + this + " is closed");
         }
     }
@@ -168,7 +174,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     public void execute(Runnable task) {
         Objects.requireNonNull(task, "task");
         checkOpen("execute(..)");
-        enqueueMessage(new Entry(() -> runGuarded(task)));
+        home.enqueueMessage(new Entry(() -> home.runGuarded(task)));
     }
 
     /**
@@ -182,7 +188,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      * @return settled with what the work returns or throws
      */
     public <T extends @Nullable Object> Promise<T> offload(Callable<? extends T> work) {
-        return offload.run(this, Objects.requireNonNull(work, "work"));
+        return promises.offload(Objects.requireNonNull(work, "work"));
     }
 
     /**
@@ -204,7 +210,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     public <T extends @Nullable Object> Promise<T> sequential(Callable<? extends T> body) {
         Objects.requireNonNull(body, "body");
         checkOpen("sequential(..)");
-        return sequences().start(body, isCurrent() ? owner() : itself());
+        return home.sequences().start(body, home.isCurrent() ? home.owner() : home.itself());
     }
 
     /**
@@ -212,7 +218,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      * {@link CancellationException} if the space is closed first.
      */
     public Promise<@Nullable Void> delay(Duration duration) {
-        return Delay.start(this, Objects.requireNonNull(duration, "duration"));
+        return promises.delay(Objects.requireNonNull(duration, "duration"));
     }
 
     /**
@@ -230,14 +236,14 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
         if (tries < 1) {
             throw new IllegalArgumentException("tries is " + tries + ", expected 1 or more");
         }
-        return Retry.start(this, tries, pause, attempt);
+        return promises.retry(tries, pause, attempt);
     }
 
     /** Runs an action on the space's thread as soon as it is idle: no entry in any queue, no timer due. */
     public void onIdle(Runnable action) {
         Objects.requireNonNull(action, "action");
         checkOpen("onIdle(..)");
-        enqueueMessage(new Entry(() -> dispatcher.addIdleAction(action)));
+        home.enqueueMessage(new Entry(() -> home.dispatcher.addIdleAction(action)));
     }
 
     /**
@@ -247,7 +253,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      */
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Runnable body) {
         Objects.requireNonNull(body, "body");
-        return RepeatLoop.start(this, condition, () -> {
+        return promises.repeatWhile(condition, () -> {
             body.run();
             return null;
         });
@@ -255,7 +261,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
 
     /** Runs the body while the condition holds; a round begins when the promise of the previous round is fulfilled. */
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Supplier<? extends Promise<?>> body) {
-        return RepeatLoop.start(this, condition, body);
+        return promises.repeatWhile(condition, body);
     }
 
     /**
@@ -265,12 +271,12 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      * @throws IllegalStateException if the space has its own thread, or is already being cranked
      */
     public void crank() {
-        loop.crank();
+        home.loop.crank();
     }
 
     /** The clock of this space's timers. */
     public Clock clock() {
-        return settings.clock();
+        return home.settings.clock();
     }
 
     /**
@@ -278,7 +284,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      * the space's thread.
      */
     public boolean isQuiet() {
-        return dispatcher.isQuiet();
+        return home.dispatcher.isQuiet();
     }
 
     /**
@@ -286,12 +292,12 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      * that moves the clock of a space cranked by hand; exact under the same conditions as {@link #isQuiet}.
      */
     public long nextTimerNanos() {
-        return dispatcher.timers.nextDeadline();
+        return home.dispatcher.timers.nextDeadline();
     }
 
     /** Counters of the work done, and of the backlog. */
     public SpaceMetrics metrics() {
-        return figures();
+        return home.figures();
     }
 
     /**
@@ -306,7 +312,7 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
     @Override
     public void close() {
         beginClosing();
-        if (isCrankedByHand() ? !isCurrent() : Home.current() == null) {
+        if (home.isCrankedByHand() ? !home.isCurrent() : Home.current() == null) {
             awaitEnd(CLOSING_TIME);
         }
     }
@@ -321,18 +327,18 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
      */
     public Leftovers close(Duration patience) {
         Objects.requireNonNull(patience, "patience");
-        if (isCurrent()) {
+        if (home.isCurrent()) {
             throw new IllegalStateException(
                     "close(" + patience + ") would wait for itself on the thread of space " + this + ": call close()");
         }
         Home here = Home.current();
-        if (here != null && !isCrankedByHand()) {
+        if (here != null && !home.isCrankedByHand()) {
             throw new IllegalStateException("close(" + patience + ") of space " + this + " would stop space " + here
                     + " while it waits: call close(), and whenClosed() to learn of the end");
         }
         beginClosing();
         awaitEnd(patience);
-        return closing.leftovers();
+        return home.closing.leftovers();
     }
 
     private void beginClosing() {
@@ -340,19 +346,19 @@ public final class ActorSpace extends SpaceHome implements AutoCloseable {
             throw new IllegalStateException(
                     "the global actor space is everybody's and cannot be closed; use ActorSpace.create(..)");
         }
-        closing.begin(loop::stop);
+        home.closing.begin(home.loop::stop);
     }
 
     private void awaitEnd(Duration patience) {
-        if (isCrankedByHand()) {
+        if (home.isCrankedByHand()) {
             crank();
         } else {
-            closing.await(patience);
+            home.closing.await(patience);
         }
     }
 
     @Override
     public String toString() {
-        return settings.name();
+        return home.toString();
     }
 }

@@ -6,6 +6,13 @@ import org.jspecify.annotations.Nullable;
  * The error of a request whose actor stopped, or whose space was closed, before it was answered; also of a request that
  * had begun when its actor was restarted.
  *
+ * {@snippet :
+ * Promise<String> answer = first.greet("Ada")
+ *         .exceptionallyCompose(error -> error instanceof ActorStoppedException stopped && !stopped.wasBegun()
+ *                 ? second.greet("Ada")
+ *                 : Promise.failed(error));
+ * }
+ *
  * <p>The cause is the exception that made the actor stop or restart, if there was one.
  */
 public final class ActorStoppedException extends ActorException {

@@ -1,7 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Home;
-import io.troupe.actor.promise.Node;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
 import java.util.ArrayDeque;
 import java.util.Objects;
 import java.util.concurrent.Semaphore;

@@ -1,10 +1,13 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.TimerWheel;
 import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Home;
-import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.TimerWheel;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.time.Duration;
@@ -37,11 +40,11 @@ final class Closing {
     private final SpaceHome space;
     private final Dispatcher dispatcher;
     private final IdleStrategy idle;
-    private final Rejections rejections;
+    private final Reports.Rejections rejections;
     private final AtomicBoolean begun = new AtomicBoolean();
     private volatile boolean rejecting; // true while a thread rejects leftovers
     private final CountDownLatch ended = new CountDownLatch(1);
-    private final Deferred<@Nullable Void> closed = new Deferred<>((Home) null);
+    private final Deferred<@Nullable Void> closed = new Deferred<>(null);
     private final Drain last;
     private final List<Runnable> steps; // created in advance, so that closing needs little memory
     private int bodies;
@@ -58,7 +61,7 @@ final class Closing {
             SpaceHome space,
             Dispatcher dispatcher,
             IdleStrategy idle,
-            Rejections rejections,
+            Reports.Rejections rejections,
             Runnable clockRegistration) {
         this.space = space;
         this.dispatcher = dispatcher;
@@ -176,7 +179,7 @@ final class Closing {
             descend(frames - 1, current);
         } else {
             // no effect: verifies that the call that must succeed at the end has room on the stack
-            SpaceHome.leave(current);
+            Home.leaveThread(current);
         }
     }
 
@@ -199,7 +202,7 @@ final class Closing {
             } finally {
                 try {
                     space.giveUpThread();
-                    SpaceHome.leave(before);
+                    Home.leaveThread(before);
                 } finally {
                     // a plain store, not a call: it succeeds whatever was thrown, so the next caller can go on
                     rejecting = false;
@@ -210,7 +213,7 @@ final class Closing {
 
     void await(Duration patience) {
         try {
-            if (!ended.await(SpaceHome.countedNanos(patience), TimeUnit.NANOSECONDS)) {
+            if (!ended.await(Home.nanosOf(patience), TimeUnit.NANOSECONDS)) {
                 throw new ActorException(
                         "space " + space + " did not end within " + patience + ": its thread is busy" + whatItDoes());
             }
@@ -279,8 +282,8 @@ final class Closing {
 
         private void reject(Node node) {
             switch (node) {
-                case Message ticket -> count(ticket.receiver().callOf(ticket));
-                case Request<?> ticket -> count(ticket.receiver().callOf(ticket));
+                case Message ticket -> count(((ActorCell) ticket.receiver()).callOf(ticket));
+                case Request<?> ticket -> count(((ActorCell) ticket.receiver()).callOf(ticket));
                 case Entry entry -> {
                     reject(entry);
                     return;
@@ -302,7 +305,7 @@ final class Closing {
 
         private void reject(Entry entry) {
             Runnable ifClosed = entry.ifClosed();
-            if (SpaceHome.goesToMailbox(entry)) {
+            if (Nodes.isMessage(entry)) {
                 tasks++;
             }
             if (ifClosed != null) {

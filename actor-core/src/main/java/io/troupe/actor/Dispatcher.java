@@ -1,11 +1,13 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Node;
-import io.troupe.actor.promise.NodeQueue;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.TimerWheel;
 import io.troupe.actor.time.Clock;
-import io.troupe.actor.time.TimerWheel;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Objects;
 import java.util.function.Consumer;
@@ -119,7 +121,7 @@ final class Dispatcher {
 
     /** Replaces objects that are written at every turn, before they become old: see {@link NodeRing#renew}. */
     private void renew() {
-        space.renewOwner();
+        space.renewTurn();
         callbacks.renew();
         messages.renew();
     }
@@ -219,21 +221,30 @@ final class Dispatcher {
     private @Nullable Node serveOne(Node node) {
         Node next = null;
         try {
-            next = SpaceHome.serveNode(node);
+            next = Nodes.serve(node);
         } catch (Throwable thrown) {
-            space.fail(node, thrown);
+            fail(node, thrown);
         }
         if (turnLeavesWork) {
             try {
                 endTurn();
             } catch (Throwable noMemoryForTheReport) {
                 if (next != null) {
-                    space.enqueueCallback(next);
+                    space.enqueue(next);
                 }
                 throw noMemoryForTheReport;
             }
         }
         return next;
+    }
+
+    /** Passes an exception that an entry has thrown to the entry's handler. */
+    void fail(Node node, Throwable thrown) {
+        try {
+            Nodes.threw(node, thrown);
+        } catch (Throwable again) {
+            space.reports().error("an entry of space", space, again, null);
+        }
     }
 
     /**
@@ -242,7 +253,7 @@ final class Dispatcher {
      */
     private void serveNext(Node callback) {
         if (quota == 0) { // the turn has halted this dispatcher
-            space.enqueueCallback(callback);
+            space.enqueue(callback);
         } else {
             direct.step();
             callbackQuota = quota - 1;
@@ -430,5 +441,55 @@ final class Dispatcher {
             serveOne(callback);
         }
         return true;
+    }
+
+    /**
+     * How many callbacks of a space precede its messages, for messages that came from the inbox while other entries
+     * were queued. Messages and callbacks are numbered from the creation of the space. On the space's thread.
+     */
+    private static final class Precedence {
+        private static final int FEW = 16;
+
+        private long[] messages = new long[FEW]; // ascending, like the callbacks
+        private long[] callbacks = new long[FEW];
+        private int first;
+        private int end;
+        private long newest;
+        private long passed;
+
+        /** Records that this number of callbacks precedes the message with that number, and all later messages. */
+        void note(long message, long callbacksBefore, long messagesTaken) {
+            if (callbacksBefore == newest) {
+                return; // the same as for the message before
+            }
+            if (end == messages.length) {
+                makeRoom(messagesTaken);
+            }
+            messages[end] = message;
+            callbacks[end] = callbacksBefore;
+            end++;
+            newest = callbacksBefore;
+        }
+
+        /**
+         * The number of callbacks that precede the message with that number; to be called with ascending numbers only.
+         */
+        long callbacksBefore(long message) {
+            while (first < end && messages[first] <= message) {
+                passed = callbacks[first++];
+            }
+            return passed;
+        }
+
+        private void makeRoom(long messagesTaken) {
+            callbacksBefore(messagesTaken);
+            int size = end - first;
+            int length = Math.max(FEW, 2 * size);
+            long[] freshCallbacks = Arrays.copyOf(Arrays.copyOfRange(callbacks, first, end), length);
+            messages = Arrays.copyOf(Arrays.copyOfRange(messages, first, end), length);
+            callbacks = freshCallbacks;
+            first = 0;
+            end = size;
+        }
     }
 }

@@ -1,6 +1,6 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Node;
+import io.troupe.actor.internal.loop.Node;
 import org.jspecify.annotations.Nullable;
 
 /** A task on a space's thread that is not a call of an actor. */

@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Owner;
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.time.Timer;
 import java.util.ArrayList;
 import java.util.List;

@@ -1,6 +1,13 @@
 package io.troupe.actor;
 
-/** The error of a request for which the actor's bounded mailbox had no room. */
+/**
+ * The error of a request for which the actor's bounded mailbox had no room.
+ *
+ * {@snippet :
+ * Promise<String> answer = greeter.greet("Bob")
+ *         .exceptionally(error -> error instanceof MailboxFullException ? "later" : "never");
+ * }
+ */
 public final class MailboxFullException extends ActorException {
     private static final long serialVersionUID = 1L;
 

@@ -1,6 +1,6 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Node;
+import io.troupe.actor.internal.loop.Node;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Objects;

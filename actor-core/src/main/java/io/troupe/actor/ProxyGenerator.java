@@ -2,10 +2,17 @@ package io.troupe.actor;
 
 import static org.objectweb.asm.Opcodes.*;
 
+import io.troupe.actor.internal.ActorProxy;
+import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.Recipient;
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
 import java.util.List;
 import org.objectweb.asm.ClassWriter;
+import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;
 import org.objectweb.asm.Type;
 
@@ -18,12 +25,12 @@ import org.objectweb.asm.Type;
  * {@snippet lang = "text":
  * final class Greeter$$greet$0 extends Request<String> {
  *     final String a0;
- *     Greeter$$greet$0(ActorCell cell, String a0) { super(cell); this.a0 = a0; }
+ *     Greeter$$greet$0(Recipient cell, String a0) { super(cell); this.a0 = a0; }
  *     protected Node serve() { Object target = target(); return target == null ? null : answer(invoke(target)); }
  *     protected Promise<String> invoke(Object implementation) { return ((Greeter) implementation).greet(a0); }
  * }
  * final class Greeter$$Proxy implements Greeter, ActorProxy {
- *     ActorCell troupe$cell;
+ *     Recipient troupe$cell;
  *     public Promise<String> greet(String a0) {
  *         var request = new Greeter$$greet$0(troupe$cell, a0);
  *         troupe$cell.send(request);
@@ -34,9 +41,9 @@ import org.objectweb.asm.Type;
  */
 final class ProxyGenerator {
     static final String CELL = "troupe$cell";
-    private static final String CELL_TYPE = Type.getInternalName(ActorCell.class);
+    private static final String RECIPIENT = Type.getInternalName(Recipient.class);
     private static final String CALLBACK_DESCRIPTOR = Type.getDescriptor(Callback.class);
-    private static final String CELL_DESCRIPTOR = Type.getDescriptor(ActorCell.class);
+    private static final String RECIPIENT_DESCRIPTOR = Type.getDescriptor(Recipient.class);
 
     private final Class<?> type;
     private final String typeName;
@@ -84,7 +91,7 @@ final class ProxyGenerator {
                 null,
                 superName,
                 isInterface ? new String[] {typeName, proxyMarker} : new String[] {proxyMarker});
-        writer.visitField(isInterface ? ACC_FINAL : 0, CELL, CELL_DESCRIPTOR, null, null)
+        writer.visitField(isInterface ? ACC_FINAL : 0, CELL, RECIPIENT_DESCRIPTOR, null, null)
                 .visitEnd();
         if (isInterface) {
             constructor(writer);
@@ -99,19 +106,19 @@ final class ProxyGenerator {
     }
 
     private void constructor(ClassWriter writer) {
-        MethodVisitor code = writer.visitMethod(0, "<init>", "(" + CELL_DESCRIPTOR + ")V", null, null);
+        MethodVisitor code = writer.visitMethod(0, "<init>", "(" + RECIPIENT_DESCRIPTOR + ")V", null, null);
         code.visitCode();
         code.visitVarInsn(ALOAD, 0);
         code.visitMethodInsn(INVOKESPECIAL, "java/lang/Object", "<init>", "()V", false);
         code.visitVarInsn(ALOAD, 0);
         code.visitVarInsn(ALOAD, 1);
-        code.visitFieldInsn(PUTFIELD, typeName + "$$Proxy", CELL, CELL_DESCRIPTOR);
+        code.visitFieldInsn(PUTFIELD, typeName + "$$Proxy", CELL, RECIPIENT_DESCRIPTOR);
         code.visitInsn(RETURN);
         finish(code);
     }
 
     private void cellAccessor(ClassWriter writer) {
-        MethodVisitor code = writer.visitMethod(ACC_PUBLIC, CELL, "()" + CELL_DESCRIPTOR, null, null);
+        MethodVisitor code = writer.visitMethod(ACC_PUBLIC, CELL, "()" + RECIPIENT_DESCRIPTOR, null, null);
         code.visitCode();
         loadCell(code);
         code.visitInsn(ARETURN);
@@ -129,17 +136,14 @@ final class ProxyGenerator {
         code.visitInsn(DUP);
         loadCell(code);
         int local = 1;
-        var descriptor = new StringBuilder("(").append(CELL_DESCRIPTOR);
+        var descriptor = new StringBuilder("(").append(RECIPIENT_DESCRIPTOR);
         for (Type argument : Type.getArgumentTypes(method)) {
             if (argument.getDescriptor().equals(CALLBACK_DESCRIPTOR)) {
                 loadCell(code);
                 code.visitVarInsn(ALOAD, local);
                 code.visitMethodInsn(
-                        INVOKEVIRTUAL,
-                        CELL_TYPE,
-                        "returning",
-                        "(" + CALLBACK_DESCRIPTOR + ")" + CALLBACK_DESCRIPTOR,
-                        false);
+                        INVOKEVIRTUAL, RECIPIENT, "returning", "(Ljava/lang/Object;)Ljava/lang/Object;", false);
+                code.visitTypeInsn(CHECKCAST, argument.getInternalName());
             } else {
                 code.visitVarInsn(argument.getOpcode(ILOAD), local);
             }
@@ -152,18 +156,288 @@ final class ProxyGenerator {
             code.visitInsn(DUP_X1); // the stack is now: message, cell, message
         }
         Class<?> parent = oneWay ? Message.class : Request.class;
-        code.visitMethodInsn(INVOKEVIRTUAL, CELL_TYPE, "send", "(" + Type.getDescriptor(parent) + ")V", false);
+        code.visitMethodInsn(INVOKEVIRTUAL, RECIPIENT, "send", "(" + Type.getDescriptor(parent) + ")V", false);
         code.visitInsn(oneWay ? RETURN : ARETURN);
         finish(code);
     }
 
     private void loadCell(MethodVisitor code) {
         code.visitVarInsn(ALOAD, 0);
-        code.visitFieldInsn(GETFIELD, typeName + "$$Proxy", CELL, CELL_DESCRIPTOR);
+        code.visitFieldInsn(GETFIELD, typeName + "$$Proxy", CELL, RECIPIENT_DESCRIPTOR);
     }
 
     private static void finish(MethodVisitor code) {
         code.visitMaxs(0, 0);
         code.visitEnd();
+    }
+
+    /** Generates the message class of one method: its arguments in typed fields, and the call. */
+    private static final class MessageGenerator {
+        private final Class<?> type;
+        private final Method method;
+        private final String name;
+        private final Type[] arguments;
+        private final boolean oneWay;
+        private final String result;
+
+        MessageGenerator(Class<?> type, Method method, String name) {
+            this.type = type;
+            this.method = method;
+            this.name = name;
+            this.arguments = Type.getArgumentTypes(method);
+            this.oneWay = method.getReturnType() == void.class;
+            this.result = oneWay ? "V" : Type.getDescriptor(Promise.class);
+        }
+
+        byte[] generate() {
+            var writer = new ClassWriter(ClassWriter.COMPUTE_MAXS);
+            String parent = Type.getInternalName(oneWay ? Message.class : Request.class);
+            writer.visit(V21, ACC_FINAL | ACC_SUPER | ACC_SYNTHETIC, name, null, parent, null);
+            for (int index = 0; index < arguments.length; index++) {
+                writer.visitField(ACC_FINAL, "a" + index, arguments[index].getDescriptor(), null, null)
+                        .visitEnd();
+            }
+            constructor(writer, parent);
+            serve(writer, parent);
+            invoke(writer);
+            methodName(writer);
+            argumentArray(writer);
+            writer.visitEnd();
+            return writer.toByteArray();
+        }
+
+        private void constructor(ClassWriter writer, String parent) {
+            var descriptor = new StringBuilder("(").append(RECIPIENT_DESCRIPTOR);
+            for (Type argument : arguments) {
+                descriptor.append(argument.getDescriptor());
+            }
+            MethodVisitor code =
+                    writer.visitMethod(0, "<init>", descriptor.append(")V").toString(), null, null);
+            code.visitCode();
+            code.visitVarInsn(ALOAD, 0);
+            code.visitVarInsn(ALOAD, 1);
+            code.visitMethodInsn(INVOKESPECIAL, parent, "<init>", "(" + RECIPIENT_DESCRIPTOR + ")V", false);
+            int local = 2;
+            for (int index = 0; index < arguments.length; index++) {
+                code.visitVarInsn(ALOAD, 0);
+                code.visitVarInsn(arguments[index].getOpcode(ILOAD), local);
+                code.visitFieldInsn(PUTFIELD, name, "a" + index, arguments[index].getDescriptor());
+                local += arguments[index].getSize();
+            }
+            code.visitInsn(RETURN);
+            finish(code);
+        }
+
+        /** Overrides the parent's method with the same code, so that the call site of {@code invoke} is monomorphic. */
+        private void serve(ClassWriter writer, String parent) {
+            String node = Type.getDescriptor(Node.class);
+            MethodVisitor code =
+                    writer.visitMethod(ACC_PROTECTED, "serve", "()" + node, null, new String[] {"java/lang/Throwable"});
+            var nobody = new Label();
+            code.visitCode();
+            code.visitVarInsn(ALOAD, 0);
+            code.visitMethodInsn(INVOKEVIRTUAL, parent, "target", "()Ljava/lang/Object;", false);
+            code.visitVarInsn(ASTORE, 1);
+            code.visitVarInsn(ALOAD, 1);
+            code.visitJumpInsn(IFNULL, nobody);
+            code.visitVarInsn(ALOAD, 0);
+            if (!oneWay) {
+                code.visitInsn(DUP);
+            }
+            code.visitVarInsn(ALOAD, 1);
+            code.visitMethodInsn(INVOKEVIRTUAL, name, "invoke", "(Ljava/lang/Object;)" + result, false);
+            if (oneWay) {
+                code.visitInsn(ACONST_NULL);
+            } else {
+                code.visitMethodInsn(INVOKEVIRTUAL, parent, "answer", "(" + result + ")" + node, false);
+            }
+            code.visitInsn(ARETURN);
+            code.visitLabel(nobody);
+            code.visitFrame(F_APPEND, 1, new Object[] {"java/lang/Object"}, 0, null);
+            code.visitInsn(ACONST_NULL);
+            code.visitInsn(ARETURN);
+            finish(code);
+        }
+
+        private void invoke(ClassWriter writer) {
+            MethodVisitor code = writer.visitMethod(
+                    ACC_PROTECTED, "invoke", "(Ljava/lang/Object;)" + result, null, new String[] {"java/lang/Throwable"
+                    });
+            code.visitCode();
+            code.visitVarInsn(ALOAD, 1);
+            code.visitTypeInsn(CHECKCAST, Type.getInternalName(type));
+            for (int index = 0; index < arguments.length; index++) {
+                loadArgument(code, index);
+            }
+            boolean isInterface = type.isInterface();
+            code.visitMethodInsn(
+                    isInterface ? INVOKEINTERFACE : INVOKEVIRTUAL,
+                    Type.getInternalName(type),
+                    method.getName(),
+                    Type.getMethodDescriptor(method),
+                    isInterface);
+            code.visitInsn(oneWay ? RETURN : ARETURN);
+            finish(code);
+        }
+
+        private void methodName(ClassWriter writer) {
+            MethodVisitor code = writer.visitMethod(ACC_PROTECTED, "method", "()Ljava/lang/String;", null, null);
+            code.visitCode();
+            code.visitLdcInsn(type.getSimpleName() + "." + ActorMethods.signature(method));
+            code.visitInsn(ARETURN);
+            finish(code);
+        }
+
+        private void argumentArray(ClassWriter writer) {
+            MethodVisitor code = writer.visitMethod(ACC_PROTECTED, "arguments", "()[Ljava/lang/Object;", null, null);
+            code.visitCode();
+            code.visitIntInsn(SIPUSH, arguments.length);
+            code.visitTypeInsn(ANEWARRAY, "java/lang/Object");
+            for (int index = 0; index < arguments.length; index++) {
+                code.visitInsn(DUP);
+                code.visitIntInsn(SIPUSH, index);
+                loadArgument(code, index);
+                box(code, arguments[index]);
+                code.visitInsn(AASTORE);
+            }
+            code.visitInsn(ARETURN);
+            finish(code);
+        }
+
+        private void loadArgument(MethodVisitor code, int index) {
+            code.visitVarInsn(ALOAD, 0);
+            code.visitFieldInsn(GETFIELD, name, "a" + index, arguments[index].getDescriptor());
+        }
+
+        private static void box(MethodVisitor code, Type primitive) {
+            String wrapper = switch (primitive.getSort()) {
+                case Type.BOOLEAN -> "Boolean";
+                case Type.CHAR -> "Character";
+                case Type.BYTE -> "Byte";
+                case Type.SHORT -> "Short";
+                case Type.INT -> "Integer";
+                case Type.LONG -> "Long";
+                case Type.FLOAT -> "Float";
+                case Type.DOUBLE -> "Double";
+                default -> null;
+            };
+            if (wrapper != null) {
+                code.visitMethodInsn(
+                        INVOKESTATIC,
+                        "java/lang/" + wrapper,
+                        "valueOf",
+                        "(" + primitive.getDescriptor() + ")Ljava/lang/" + wrapper + ";",
+                        false);
+            }
+        }
+    }
+
+    /**
+     * Generates the methods of a proxy that send no message: bridges, methods that throw, {@code toString},
+     * {@code equals} and {@code hashCode}.
+     */
+    private static final class LocalMethods {
+        private final Class<?> type;
+        private final String proxyName;
+        private final ActorMethods methods;
+
+        LocalMethods(Class<?> type, String proxyName, ActorMethods methods) {
+            this.type = type;
+            this.proxyName = proxyName;
+            this.methods = methods;
+        }
+
+        void write(ClassWriter writer) {
+            methods.bridges().forEach(bridge -> bridge(writer, bridge.from(), bridge.to()));
+            for (Method method : methods.refused()) {
+                refuse(
+                        writer,
+                        method.getModifiers() & (ACC_PUBLIC | ACC_PROTECTED),
+                        method.getName(),
+                        Type.getMethodDescriptor(method),
+                        ActorMethods.show(method)
+                                + " was called on a proxy, and is no message because it is not public: make it public, or call it inside the actor");
+            }
+            nameAsText(writer);
+            if (!type.isInterface()) {
+                lifecycle(writer, "started");
+                lifecycle(writer, "stopped");
+                identity(writer);
+            }
+        }
+
+        private void bridge(ClassWriter writer, Method from, Method to) {
+            MethodVisitor code = writer.visitMethod(
+                    ACC_PUBLIC | ACC_BRIDGE | ACC_SYNTHETIC,
+                    from.getName(),
+                    Type.getMethodDescriptor(from),
+                    null,
+                    null);
+            code.visitCode();
+            code.visitVarInsn(ALOAD, 0);
+            Type[] given = Type.getArgumentTypes(from);
+            Type[] wanted = Type.getArgumentTypes(to);
+            int local = 1;
+            for (int index = 0; index < given.length; index++) {
+                code.visitVarInsn(given[index].getOpcode(ILOAD), local);
+                if (!wanted[index].equals(given[index])) {
+                    code.visitTypeInsn(CHECKCAST, wanted[index].getInternalName());
+                }
+                local += given[index].getSize();
+            }
+            code.visitMethodInsn(INVOKEVIRTUAL, proxyName, to.getName(), Type.getMethodDescriptor(to), false);
+            code.visitInsn(Type.getReturnType(from).getOpcode(IRETURN));
+            finish(code);
+        }
+
+        private void lifecycle(ClassWriter writer, String name) {
+            String text = type.getSimpleName() + "." + name
+                    + "() was called on a proxy, and is no message: the actor's space calls it";
+            refuse(writer, ACC_PUBLIC, name, "()V", text);
+        }
+
+        private static void refuse(ClassWriter writer, int access, String name, String descriptor, String text) {
+            MethodVisitor code = writer.visitMethod(access, name, descriptor, null, null);
+            code.visitCode();
+            code.visitTypeInsn(NEW, "java/lang/IllegalStateException");
+            code.visitInsn(DUP);
+            code.visitLdcInsn(text);
+            code.visitMethodInsn(
+                    INVOKESPECIAL, "java/lang/IllegalStateException", "<init>", "(Ljava/lang/String;)V", false);
+            code.visitInsn(ATHROW);
+            finish(code);
+        }
+
+        private void nameAsText(ClassWriter writer) {
+            MethodVisitor code = writer.visitMethod(ACC_PUBLIC, "toString", "()Ljava/lang/String;", null, null);
+            code.visitCode();
+            code.visitVarInsn(ALOAD, 0);
+            code.visitFieldInsn(GETFIELD, proxyName, CELL, Type.getDescriptor(Recipient.class));
+            code.visitMethodInsn(INVOKEVIRTUAL, RECIPIENT, "toString", "()Ljava/lang/String;", false);
+            code.visitInsn(ARETURN);
+            finish(code);
+        }
+
+        /** A class actor's own equals and hashCode would read fields that are unset in a proxy. */
+        private static void identity(ClassWriter writer) {
+            MethodVisitor hash = writer.visitMethod(ACC_PUBLIC, "hashCode", "()I", null, null);
+            hash.visitCode();
+            hash.visitVarInsn(ALOAD, 0);
+            hash.visitMethodInsn(INVOKESTATIC, "java/lang/System", "identityHashCode", "(Ljava/lang/Object;)I", false);
+            hash.visitInsn(IRETURN);
+            finish(hash);
+            MethodVisitor equals = writer.visitMethod(ACC_PUBLIC, "equals", "(Ljava/lang/Object;)Z", null, null);
+            equals.visitCode();
+            equals.visitVarInsn(ALOAD, 0);
+            equals.visitVarInsn(ALOAD, 1);
+            equals.visitMethodInsn(
+                    INVOKESTATIC,
+                    Type.getInternalName(Recipient.class),
+                    "same",
+                    "(Ljava/lang/Object;Ljava/lang/Object;)Z",
+                    false);
+            equals.visitInsn(IRETURN);
+            finish(equals);
+        }
     }
 }

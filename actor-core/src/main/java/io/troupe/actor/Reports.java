@@ -2,7 +2,16 @@ package io.troupe.actor;
 
 import io.troupe.actor.RecorderEvents.DeadLetterEvent;
 import io.troupe.actor.RecorderEvents.ErrorEvent;
-import io.troupe.actor.promise.Node;
+import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.TimerWheel;
+import io.troupe.actor.promise.Promise;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.LongAdder;
 import org.jspecify.annotations.Nullable;
@@ -43,10 +52,25 @@ final class Reports {
             try {
                 new ErrorEvent(settings.name(), where, error).commit();
             } finally {
-                space.asItself(() -> (first != null ? first : settings.onError()).handle(where, error));
+                asItself(() -> (first != null ? first : settings.onError()).handle(where, error));
             }
         } catch (Throwable broken) {
             logBrokenHandler(what, error, broken);
+        }
+    }
+
+    /** Calls a handler on the space's own behalf within the current turn; from any thread. */
+    private void asItself(Runnable handler) {
+        if (!space.isCurrent()) {
+            handler.run();
+            return;
+        }
+        Owner before = space.owner();
+        space.beginForItself();
+        try {
+            handler.run();
+        } finally {
+            space.begin(before);
         }
     }
 
@@ -70,7 +94,7 @@ final class Reports {
             try {
                 new DeadLetterEvent(settings.name(), letter).commit();
             } finally {
-                space.asItself(() -> settings.onDeadLetter().accept(letter));
+                asItself(() -> settings.onDeadLetter().accept(letter));
             }
         } catch (Throwable broken) { // for example an AssertionError in a test
             error("the dead-letter handler of space " + settings.name() + ", about", letter, broken, null);
@@ -83,23 +107,75 @@ final class Reports {
             try {
                 request.reject(error);
             } finally {
-                endCallbacks(request.arguments(), error);
+                endCallbacks(request, error);
             }
         } else if (call instanceof Message message) {
             deadLetter(new DeadLetter(cell.toString(), message.toString(), reason));
-            endCallbacks(message.arguments(), error);
+            endCallbacks(message, error);
         }
     }
 
     /** Ends the callbacks of a request that was cancelled before it began. */
     void skip(Request<?> request) {
-        endCallbacks(request.arguments(), new CancellationException(request + " was cancelled before it began"));
+        endCallbacks(request, new CancellationException(request + " was cancelled before it began"));
     }
 
-    private static void endCallbacks(@Nullable Object[] arguments, Exception error) {
-        for (Object argument : arguments) {
+    private static void endCallbacks(Node call, Exception error) {
+        for (Object argument : Message.argumentsOf(call)) {
             if (argument instanceof ReturningCallback<?> callback) {
                 callback.abandon(error);
+            }
+        }
+    }
+
+    /** The promises that were rejected without a listener, until they are reported. On the space's thread. */
+    static final class Rejections {
+        private record Lost(Promise<?> promise, Throwable error) {}
+
+        private static final long GRACE_NANOS = 1_000_000_000;
+
+        private final TimerWheel timers;
+        private final Reports reports;
+        private final List<Lost> lost = new ArrayList<>();
+        private final Map<Promise<?>, Throwable> held = new LinkedHashMap<>();
+
+        Rejections(TimerWheel timers, Reports reports) {
+            this.timers = timers;
+            this.reports = reports;
+        }
+
+        void add(Promise<?> promise, Throwable error) {
+            lost.add(new Lost(promise, error));
+        }
+
+        /** Keeps a rejection for a while, because its caller on another thread may be about to register a listener. */
+        void hold(Promise<?> promise, Throwable error) {
+            held.put(promise, error);
+            timers.set(() -> release(promise), GRACE_NANOS, 0);
+        }
+
+        private void release(Promise<?> promise) {
+            Throwable error = held.remove(promise);
+            if (error != null) {
+                add(promise, error);
+            }
+        }
+
+        void releaseAll() {
+            List.copyOf(held.keySet()).forEach(this::release);
+        }
+
+        /** Reports the promises that still have no listener. */
+        void report() {
+            if (lost.isEmpty()) {
+                return;
+            }
+            var candidates = List.copyOf(lost);
+            lost.clear();
+            for (var candidate : candidates) {
+                if (!Request.isHandled(candidate.promise)) {
+                    reports.error("a promise nobody listens to:", candidate.promise, candidate.error, null);
+                }
             }
         }
     }

@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Node;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import org.jspecify.annotations.Nullable;
@@ -8,33 +9,32 @@ import org.jspecify.annotations.Nullable;
 /** A callback argument as the actor sees it: what the actor sends becomes entries of the caller's callback queue. */
 final class ReturningCallback<T extends @Nullable Object> implements Callback<T> {
     private final Callback<T> reader;
-    private final ActorSpace home;
+    private final SpaceHome home;
     private final @Nullable Incarnation owner;
     private volatile boolean ended;
     private volatile boolean readerGone;
     private volatile @Nullable Queue<Delivery> pending;
 
-    private ReturningCallback(Callback<T> reader, ActorSpace home, @Nullable Incarnation owner) {
+    private ReturningCallback(Callback<T> reader, SpaceHome home, @Nullable Incarnation owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
     }
 
     /** Wraps a callback argument; one that was wrapped before keeps its first reader. */
-    static <T extends @Nullable Object> @Nullable Callback<T> wrap(@Nullable Callback<T> callback, ActorSpace callee) {
+    static <T extends @Nullable Object> @Nullable Callback<T> wrap(@Nullable Callback<T> callback, SpaceHome callee) {
         return callback == null ? null : to(callback, callee);
     }
 
     /** Wraps a callback for the calling space and actor; for a caller outside every space, for the given space. */
-    static <T extends @Nullable Object> ReturningCallback<T> to(Callback<T> reader, ActorSpace ifOutside) {
+    static <T extends @Nullable Object> ReturningCallback<T> to(Callback<T> reader, SpaceHome ifOutside) {
         if (reader instanceof ReturningCallback<T> before) {
             return before;
         }
-        ActorSpace caller = ActorSpace.current();
+        SpaceHome caller = Home.current() instanceof SpaceHome here ? here : null;
         return caller == null
                 ? new ReturningCallback<>(reader, ifOutside, null)
-                : new ReturningCallback<>(
-                        reader, caller, caller.currentOwner() instanceof Incarnation life ? life : null);
+                : new ReturningCallback<>(reader, caller, caller.owner() instanceof Incarnation life ? life : null);
     }
 
     /** True if no more results can arrive. */
@@ -130,10 +130,10 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         var next = new Delivery(delivery, evenIfClosed);
         Queue<Delivery> waiting = home.isCurrent() ? pending : pendingQueue();
         if (waiting == null) {
-            home.enqueueCallback(next);
+            home.enqueue(next);
         } else {
             waiting.add(next);
-            home.enqueueCallback(new Ticket(waiting));
+            home.enqueue(new Ticket(waiting));
         }
     }
 

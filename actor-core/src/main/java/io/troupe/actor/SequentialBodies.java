@@ -1,13 +1,15 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Owner;
 import io.troupe.actor.promise.Promise;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,25 +19,25 @@ import org.jspecify.annotations.Nullable;
  */
 final class SequentialBodies {
     private final SpaceHome space;
-    private final Set<SequentialBody<?>> waiting = new LinkedHashSet<>();
-    private @Nullable SequentialBody<?> running;
+    private final Set<Body<?>> waiting = new LinkedHashSet<>();
+    private @Nullable Body<?> running;
 
     SequentialBodies(SpaceHome space) {
         this.space = space;
     }
 
     <T extends @Nullable Object> Promise<T> start(Callable<? extends T> body, Owner owner) {
-        var end = new Deferred<T>(space);
-        var sequence = new SequentialBody<T>(space, owner, body, end);
+        var end = new Deferred<T>(space, null);
+        var sequence = new Body<T>(space, owner, body, end);
         space.enqueueMessage(new Entry(() -> lend(sequence), () -> end.reject(closed())));
         return end;
     }
 
     /** Passes control to a body until it ends or waits. */
-    private void lend(SequentialBody<?> sequence) {
+    private void lend(Body<?> sequence) {
         waiting.remove(sequence);
         running = sequence;
-        space.beginTurnOf(sequence.owner());
+        space.begin(sequence.owner());
         try {
             sequence.resume();
         } finally {
@@ -45,17 +47,17 @@ final class SequentialBodies {
 
     /** Suspends the calling body until the promise is settled. */
     void await(Promise<?> promise) {
-        SequentialBody<?> sequence = running;
+        Body<?> sequence = running;
         if (sequence == null) {
             throw new IllegalStateException(
                     "await() would stop the whole space, and with it whoever could settle " + promise
                             + ": register what comes next with then(..), return thenCompose(..), or call await() in the body of sequential(..)");
         }
         sequence.checkOwner();
-        space.whenPromiseSettled(
+        Request.whenSettled(
                 promise,
                 sequence::hasEnded,
-                () -> space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));
+                () -> space.enqueue(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));
         while (!promise.isDone()) { // it may be resumed for a promise that it no longer waits for
             waiting.add(sequence);
             try {
@@ -67,7 +69,7 @@ final class SequentialBodies {
         }
     }
 
-    private void resume(SequentialBody<?> sequence) {
+    private void resume(Body<?> sequence) {
         if (waiting.contains(sequence)) {
             lend(sequence);
         } // else it was cancelled before
@@ -77,7 +79,7 @@ final class SequentialBodies {
     void cancelThoseOf(Incarnation life) {
         for (var sequence : List.copyOf(waiting)) {
             if (sequence.owner() == life) {
-                space.enqueueCallback(Entry.urgent(() -> resume(sequence), () -> resume(sequence)));
+                space.enqueue(Entry.urgent(() -> resume(sequence), () -> resume(sequence)));
             }
         }
     }
@@ -97,5 +99,143 @@ final class SequentialBodies {
 
     private CancellationException closed() {
         return new CancellationException("space " + space + " was closed before this body had ended");
+    }
+
+    /**
+     * One sequential body and its thread; see {@link SequentialBodies}. Control passes between the space's thread and
+     * the body's thread by one volatile flag, which also publishes all earlier writes.
+     *
+     * <p>{@link #resume} and {@link #run} are called near the bottom of a stack, but {@link #yieldControl} anywhere in
+     * a body, even where its stack is nearly exhausted.
+     */
+    static final class Body<T extends @Nullable Object> {
+        private final SpaceHome space;
+        private final Owner owner;
+        private final Callable<? extends T> body;
+        private final Deferred<T> end;
+        private volatile boolean hasControl; // true while the body has control
+        private @Nullable Thread spaceThread;
+        private @Nullable Thread thread;
+        private boolean begun;
+        private volatile boolean over;
+        private @Nullable RuntimeException cancelled;
+
+        Body(SpaceHome space, Owner owner, Callable<? extends T> body, Deferred<T> end) {
+            this.space = space;
+            this.owner = owner;
+            this.body = body;
+            this.end = end;
+        }
+
+        Owner owner() {
+            return owner;
+        }
+
+        /** True if the body has returned or thrown; any thread. */
+        boolean hasEnded() {
+            return over;
+        }
+
+        /** Lets the body run until it ends or waits; on the space's thread. */
+        void resume() {
+            if (over) {
+                return;
+            }
+            spaceThread = Thread.currentThread();
+            hasControl = true;
+            if (begun) {
+                LockSupport.unpark(thread);
+            } else if (!begin()) {
+                return;
+            }
+            boolean interrupted = false;
+            while (hasControl) {
+                // limited, because the body may be unable to wake it
+                LockSupport.parkNanos(this, IdleStrategy.LONGEST_SLEEP_NANOS);
+                interrupted |= Thread.interrupted();
+            }
+            if (interrupted) {
+                Thread.currentThread().interrupt();
+            }
+        }
+
+        /** Starts the body; false if there is no thread for it, which rejects the body's promise. */
+        private boolean begin() {
+            begun = true;
+            try {
+                HelperThreads.run(space + "-sequential", this::run);
+                return true;
+            } catch (Throwable noThread) {
+                hasControl = false;
+                end.reject(noThread);
+                return false;
+            }
+        }
+
+        /** Passes control to the space's thread until it lets the body continue; on the body's thread. */
+        void yieldControl() {
+            Thread mine = Thread.currentThread();
+            LockSupport.unpark(
+                    mine); // if the stack is too short for waiting, this throws while the body still has control
+            LockSupport.park(this);
+            space.handThreadTo(spaceThread);
+            hasControl = false;
+            try {
+                LockSupport.unpark(spaceThread);
+            } catch (StackOverflowError endOfTheBodysStack) {
+                // the other thread checks the flag by itself, and the body must wait in any case
+            }
+            boolean interrupted = false;
+            while (!hasControl) {
+                LockSupport.park(this);
+                interrupted |= Thread.interrupted();
+            }
+            space.takeThread();
+            if (interrupted) {
+                mine.interrupt();
+            }
+        }
+
+        /** Makes the current or the next wait end with this exception. */
+        void cancel(RuntimeException reason) {
+            cancelled = reason;
+        }
+
+        void checkOwner() {
+            if (cancelled != null) {
+                throw cancelled;
+            }
+            if (owner instanceof Incarnation life && life.isOver()) {
+                throw new CancellationException("the actor " + life + " has stopped while a body of it waited");
+            }
+        }
+
+        void run() {
+            thread = Thread.currentThread();
+            try {
+                space.takeThread();
+                space.runOnLoan(this::runBody);
+            } catch (Throwable broken) {
+                space.reports().error("a sequential body", space, broken, null);
+            } finally {
+                over = true;
+                // this thread may run a body of another space before the other thread wakes up
+                space.handThreadTo(spaceThread);
+                hasControl = false;
+                LockSupport.unpark(spaceThread);
+            }
+        }
+
+        private void runBody() {
+            if (end.isDone()) {
+                return; // cancelled before it began
+            }
+            try {
+                checkOwner();
+                end.resolve(body.call());
+            } catch (Throwable thrown) {
+                end.reject(thrown);
+            }
+        }
     }
 }

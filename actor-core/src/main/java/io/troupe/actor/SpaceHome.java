@@ -1,25 +1,22 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Home;
-import io.troupe.actor.promise.Node;
-import io.troupe.actor.promise.NodeQueue;
-import io.troupe.actor.promise.Owner;
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.TimerWheel;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Schedule;
-import io.troupe.actor.time.Timer;
-import io.troupe.actor.time.TimerWheel;
-import java.time.Duration;
-import java.util.function.BooleanSupplier;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The internal side of an {@link ActorSpace}: the home of promises, the queues of its thread, and the owner on whose
- * behalf the thread runs. The parts of a space are created here.
+ * The internal side of an {@link ActorSpace}: its queues, its thread, and its other parts, which are created here.
  *
  * <p><b>Threads.</b> Queueing and reading the state from any thread; turns on the space's thread.
  */
-abstract sealed class SpaceHome extends Home permits ActorSpace {
+final class SpaceHome extends Home {
     // fields of the space itself, because every call from another thread and every answer reads them
     private final NodeQueue inbox = new NodeQueue();
     private final NodeQueue callbackInbox = new NodeQueue();
@@ -33,7 +30,7 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     final Closing closing;
     final SpaceLoop loop;
     private final Reports reports;
-    private final Rejections rejections;
+    private final Reports.Rejections rejections;
     private final SpaceTimers timers;
     private final ProbedMetrics figures;
     private final SequentialBodies sequences = new SequentialBodies(this);
@@ -45,32 +42,26 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         reports = new Reports(this, settings);
         dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, messages, wheel, settings.clock());
         timers = new SpaceTimers(this, settings.clock(), wheel);
-        rejections = new Rejections(wheel, reports);
+        rejections = new Reports.Rejections(wheel, reports);
         figures = new ProbedMetrics(this, dispatcher, reports);
         closing =
                 new Closing(this, dispatcher, idle, rejections, settings.clock().onMove(idle::wake));
         loop = new SpaceLoop(this, settings, dispatcher, idle, rejections, closing);
     }
 
-    final void startThread() {
+    void startThread() {
         new SpaceThread(this, callbacks, messages, loop).start();
     }
 
     // ---- queueing
 
-    /** @hidden */
     @Override
-    protected final boolean isCurrent() {
+    public boolean isCurrent() {
         return Thread.currentThread() == thread;
     }
 
-    /** @hidden */
     @Override
-    protected final void enqueue(Node node) {
-        enqueueCallback(node);
-    }
-
-    final void enqueueCallback(Node node) {
+    public void enqueue(Node node) {
         if (isCurrent()) {
             callbacks.add(node);
         } else {
@@ -78,15 +69,13 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    /** @hidden */
     @Override
-    protected final void enqueueAsRemote(Node node) {
+    public void enqueueAsRemote(Node node) {
         offer(node, callbackInbox);
     }
 
-    /** @hidden */
     @Override
-    protected final void enqueueAtHome(Node node) {
+    public void enqueueAtHome(Node node) {
         if (Thread.currentThread() instanceof SpaceThread own && own.serves(this)) {
             own.callbacks().add(node);
         } else {
@@ -94,13 +83,12 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    /** @hidden */
     @Override
-    protected final boolean isNextCallbackFirst() {
+    public boolean isNextCallbackFirst() {
         return callbacks.isEmpty() && !callbackInbox.isReady();
     }
 
-    final void enqueueMessage(Node node) {
+    void enqueueMessage(Node node) {
         if (isCurrent()) {
             messages.add(node);
         } else {
@@ -126,41 +114,38 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     // ---- services for promises
 
-    /** @hidden */
     @Override
-    protected final Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
+    public Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
         return timers.schedule(delayNanos, task, ifClosed);
     }
 
-    /** @hidden */
     @Override
-    protected final void rejected(Promise<?> promise, Throwable error) {
-        if (idle.isClosed() && (isMadeOutside(promise) || error instanceof ActorStoppedException)) {
+    public void rejected(Node node, Throwable error) {
+        var promise = (Promise<?>) node;
+        if (idle.isClosed() && (Request.isMadeOutside(promise) || error instanceof ActorStoppedException)) {
             return; // a late caller gets the rejection, and the other requests are counted
         }
         if (!isCurrent()) {
             enqueueMessage(new Entry(() -> rejected(promise, error), () -> rejected(promise, error)));
         } else if (isStopping() && error instanceof ActorStoppedException) {
             return; // counted among the leftovers
-        } else if (isMadeOutside(promise)) {
+        } else if (Request.isMadeOutside(promise)) {
             rejections.hold(promise, error);
         } else {
             rejections.add(promise, error);
         }
     }
 
-    /** @hidden */
     @Override
-    protected final void rejectedTooLate(Promise<?> promise, Throwable error) {
+    public void rejectedTooLate(Node promise, Throwable error) {
         if (!(error instanceof ActorStoppedException)) { // a caller that has timed out does not need this error
             rejected(promise, error);
         }
     }
 
-    /** @hidden */
     @Override
-    protected final void await(Promise<?> promise) {
-        sequences.await(promise);
+    public void await(Node promise) {
+        sequences.await((Promise<?>) promise);
     }
 
     // ---- thread
@@ -168,39 +153,37 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
     /**
      * Makes the calling thread this space's thread.
      *
-     * @return for {@link #leave}
+     * @return for {@link #leaveThread}
      */
-    final @Nullable Home enter() {
+    @Nullable
+    Home enter() {
         takeThread();
         beginForItself();
         return enterThread();
     }
 
-    final void giveUpThread() {
+    void giveUpThread() {
         thread = null;
     }
 
-    static void leave(@Nullable Home before) {
-        leaveThread(before);
-    }
-
     /** The thread that has control now; this may change at any time. */
-    final @Nullable Thread servingThread() {
+    @Nullable
+    Thread servingThread() {
         return thread;
     }
 
     /** Makes the calling thread the one that has control. */
-    final void takeThread() {
+    void takeThread() {
         thread = Thread.currentThread();
     }
 
     /** Passes control from the calling thread to another one. */
-    final void handThreadTo(@Nullable Thread next) {
+    void handThreadTo(@Nullable Thread next) {
         thread = next;
     }
 
     /** Runs a body on a thread that has control. */
-    final void runOnLoan(Runnable body) {
+    void runOnLoan(Runnable body) {
         Home before = enterThread();
         try {
             body.run();
@@ -211,41 +194,8 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
 
     // ---- turns, on the space's thread
 
-    final void beginTurnOf(Owner owner) {
-        begin(owner);
-    }
-
-    /** See {@link Home#renewTurn}. */
-    final void renewOwner() {
-        renewTurn();
-    }
-
-    final Owner currentOwner() {
-        return owner();
-    }
-
-    /** Runs an action when the current entry has returned, before anything else. */
-    final void afterTurn(Runnable action) {
-        dispatcher.afterTurn(action);
-    }
-
-    /** Runs an action on the space's own behalf within the current turn; from any thread. */
-    final void asItself(Runnable action) {
-        if (!isCurrent()) {
-            action.run();
-            return;
-        }
-        Owner before = owner();
-        beginForItself();
-        try {
-            action.run();
-        } finally {
-            begin(before);
-        }
-    }
-
     /** Runs a task on the space's own behalf and reports what it throws. */
-    final void runGuarded(Runnable task) {
+    void runGuarded(Runnable task) {
         beginForItself();
         try {
             task.run();
@@ -254,91 +204,120 @@ abstract sealed class SpaceHome extends Home permits ActorSpace {
         }
     }
 
-    /** Passes an exception thrown by a node to the node's handler. */
-    final void fail(Node node, Throwable thrown) {
-        try {
-            threw(node, thrown);
-        } catch (Throwable again) {
-            reports.error("an entry of space", this, again, null);
-        }
-    }
-
     // ---- parts and state
 
-    final ActorList actors() {
+    /** The user's side of this home. */
+    ActorSpace facade() {
+        return (ActorSpace) Objects.requireNonNull(holder());
+    }
+
+    ActorList actors() {
         return actors;
     }
 
-    final Reports reports() {
+    Reports reports() {
         return reports;
     }
 
-    final SequentialBodies sequences() {
+    SequentialBodies sequences() {
         return sequences;
     }
 
-    final SpaceMetrics figures() {
+    SpaceMetrics figures() {
         return figures;
     }
 
-    final SpaceTimers timers() {
+    SpaceTimers timers() {
         return timers;
     }
 
-    final Timer timer(ActorCell cell, Duration delay, Duration period, Schedule schedule, Runnable task) {
-        return timers.set(cell, delay, period, schedule, task);
-    }
-
-    final boolean isCrankedByHand() {
+    boolean isCrankedByHand() {
         return settings.handCranked();
     }
 
-    final boolean isClosing() {
+    boolean isClosing() {
         return closing.hasBegun();
     }
 
     /** True once the space is closed; callers must then reject their own entries. */
-    final boolean hasEnded() {
+    boolean hasEnded() {
         return idle.isClosed();
     }
 
     /** True once the space processes no further entries; on its thread. */
-    final boolean isStopping() {
+    boolean isStopping() {
         return loop.isStopping();
     }
 
-    final void checkCurrent(String call) {
+    void checkCurrent(String call) {
         if (!isCurrent()) {
             throw new IllegalStateException(call + " belongs on the thread of space " + this + ", and was called on "
                     + Thread.currentThread().getName() + ": call the actor through its proxy");
         }
     }
 
-    // ---- access to nodes and promises for this package
-
-    static @Nullable Node serveNode(Node node) throws Throwable {
-        return serve(node);
+    @Override
+    public String toString() {
+        return settings.name();
     }
 
-    static boolean goesToMailbox(Node node) {
-        return isMessage(node);
-    }
+    /**
+     * The actors of a space that have started and not stopped, in the order of their start. The list is linked through
+     * the cells, so that an actor needs no list node.
+     */
+    static final class ActorList {
+        private @Nullable ActorCell first;
+        private @Nullable ActorCell last;
+        private int size;
 
-    static long countedNanos(Duration duration) {
-        return nanosOf(duration);
-    }
+        int size() {
+            return size;
+        }
 
-    static boolean isListenedTo(Promise<?> promise) {
-        return isHandled(promise);
-    }
+        /** Appends a cell. No effect if it is already in the list: a restarted actor keeps its position. */
+        void add(ActorCell cell) {
+            if (contains(cell)) {
+                return;
+            }
+            cell.before = last;
+            if (last == null) {
+                first = cell;
+            } else {
+                last.after = cell;
+            }
+            last = cell;
+            size++;
+        }
 
-    /** See {@link Home#whenSettled}. */
-    final void whenPromiseSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
-        whenSettled(promise, isOver, action);
-    }
+        void remove(ActorCell cell) {
+            if (!contains(cell)) {
+                return;
+            }
+            if (cell.before == null) {
+                first = cell.after;
+            } else {
+                cell.before.after = cell.after;
+            }
+            if (cell.after == null) {
+                last = cell.before;
+            } else {
+                cell.after.before = cell.before;
+            }
+            cell.before = null;
+            cell.after = null;
+            size--;
+        }
 
-    /** See {@link Home#cancellable}. */
-    final <T extends @Nullable Object> Deferred<T> deferred(Runnable ifCancelled) {
-        return cancellable(this, ifCancelled);
+        private boolean contains(ActorCell cell) {
+            return cell.before != null || first == cell;
+        }
+
+        List<ActorCell> all() {
+            var cells = new ArrayList<ActorCell>(size);
+            for (ActorCell cell = first; cell != null; cell = cell.after) {
+                cells.add(cell);
+            }
+            return cells;
+        }
     }
 }

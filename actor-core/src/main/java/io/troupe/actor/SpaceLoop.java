@@ -1,6 +1,6 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Home;
+import io.troupe.actor.internal.loop.Home;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
@@ -16,7 +16,7 @@ final class SpaceLoop {
     private final SpaceSettings settings;
     private final Dispatcher dispatcher;
     private final IdleStrategy idle;
-    private final Rejections rejections;
+    private final Reports.Rejections rejections;
     private final Closing closing;
     private boolean stopping;
     private long pauseNanos;
@@ -26,7 +26,7 @@ final class SpaceLoop {
             SpaceSettings settings,
             Dispatcher dispatcher,
             IdleStrategy idle,
-            Rejections rejections,
+            Reports.Rejections rejections,
             Closing closing) {
         this.space = space;
         this.settings = settings;
@@ -51,7 +51,7 @@ final class SpaceLoop {
             if (watch != null) {
                 watch.run();
             }
-            SpaceHome.leave(before);
+            Home.leaveThread(before);
         }
     }
 
@@ -111,7 +111,7 @@ final class SpaceLoop {
             if (!closing.isOver()) { // after the end another thread may already be acting for the space
                 space.giveUpThread();
             }
-            SpaceHome.leave(before);
+            Home.leaveThread(before);
         }
     }
 

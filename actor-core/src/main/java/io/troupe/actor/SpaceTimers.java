@@ -1,37 +1,42 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.TimerWheel;
 import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
-import io.troupe.actor.time.TimerWheel;
 import java.time.Duration;
+import java.util.HashMap;
+import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.Future;
+import java.util.concurrent.RejectedExecutionException;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 
 /** Sets the timers of a space: for its actors, and for promises from any thread. */
 final class SpaceTimers {
     private final SpaceHome space;
     private final Clock clock;
     private final TimerWheel wheel;
-    private final OutsideTimers outside;
+    private final Outside outside;
 
     SpaceTimers(SpaceHome space, Clock clock, TimerWheel wheel) {
         this.space = space;
         this.clock = clock;
         this.wheel = wheel;
-        this.outside = new OutsideTimers(space);
+        this.outside = new Outside(space);
     }
 
-    /** Sets a timer that ends with the current incarnation of an actor; on the space's thread. */
-    Timer set(ActorCell cell, Duration delay, Duration period, Schedule schedule, Runnable task) {
+    /** Sets a timer that ends with an incarnation of an actor; on the space's thread. */
+    Timer set(Incarnation life, Duration delay, Duration period, Schedule schedule, Runnable task) {
         Objects.requireNonNull(delay, "delay");
         Objects.requireNonNull(period, "period");
         Objects.requireNonNull(task, "task");
-        Incarnation life = cell.life();
-        Timer timer = wheel.set(
-                () -> life.run("a timer", task),
-                SpaceHome.countedNanos(delay),
-                SpaceHome.countedNanos(period),
-                schedule);
+        Timer timer = wheel.set(() -> life.run("a timer", task), Home.nanosOf(delay), Home.nanosOf(period), schedule);
         life.own(timer);
         return timer;
     }
@@ -94,6 +99,174 @@ final class SpaceTimers {
         @Override
         public void run() {
             task.run();
+        }
+    }
+
+    /**
+     * The delays that threads other than the space's own have set, so that they expire in time even if the space is
+     * stalled. They run on one daemon thread per space. It is started on demand and ends {@value #IDLE_SECONDS} seconds
+     * after the last delay, or with the space.
+     *
+     * <p><b>Threads.</b> Any thread. A continuation of {@code toCompletableFuture()} runs on the timer thread: one that
+     * blocks delays the others of its space. <b>Cost.</b> Setting and cancelling take time logarithmic in the number of
+     * delays.
+     */
+    private static final class Outside {
+        private static final long IDLE_SECONDS = 10;
+
+        private final SpaceHome space;
+        private final Set<Delay> pending = ConcurrentHashMap.newKeySet(); // the thread that removes a delay runs it
+        private @Nullable ScheduledThreadPoolExecutor executor; // guarded by this
+        private volatile boolean closed;
+
+        Outside(SpaceHome space) {
+            this.space = space;
+        }
+
+        /**
+         * Runs the task of an expiry after a delay.
+         *
+         * @return cancels it
+         */
+        Runnable schedule(long delayNanos, Expiry expiry) {
+            var delay = new Delay(expiry);
+            pending.add(delay);
+            try {
+                Future<?> future = executor().schedule(delay, delayNanos, TimeUnit.NANOSECONDS);
+                return () -> {
+                    if (pending.remove(delay)) {
+                        future.cancel(false);
+                    }
+                };
+            } catch (RejectedExecutionException spaceIsClosed) {
+                delay.runIfClosed();
+                return () -> {};
+            }
+        }
+
+        private synchronized ScheduledThreadPoolExecutor executor() {
+            if (closed) {
+                throw new RejectedExecutionException("space " + space + " is closed");
+            }
+            if (executor == null) {
+                executor = new ScheduledThreadPoolExecutor(
+                        1,
+                        Thread.ofPlatform()
+                                .daemon()
+                                .inheritInheritableThreadLocals(false)
+                                .name(space + "-timers")
+                                .factory());
+                executor.setRemoveOnCancelPolicy(true); // a settled promise must not be retained here
+                executor.setKeepAliveTime(IDLE_SECONDS, TimeUnit.SECONDS);
+                executor.allowCoreThreadTimeOut(true);
+            }
+            return executor;
+        }
+
+        int size() {
+            return pending.size();
+        }
+
+        /** Called when the space is closed: runs the alternative tasks, and returns the number of pending delays. */
+        int close() {
+            synchronized (this) {
+                closed = true;
+                if (executor != null) {
+                    executor.shutdownNow();
+                }
+            }
+            int count = 0;
+            for (Delay delay : pending) {
+                count += delay.runIfClosed() ? 1 : 0;
+            }
+            return count;
+        }
+
+        /** One delay, compared by identity. */
+        private final class Delay implements Runnable {
+            private final Expiry expiry;
+
+            Delay(Expiry expiry) {
+                this.expiry = expiry;
+            }
+
+            @Override
+            public void run() {
+                if (pending.remove(this)) {
+                    guard(expiry.task());
+                }
+            }
+
+            /** Runs the alternative task; false if the delay has expired or was cancelled. */
+            boolean runIfClosed() {
+                boolean mine = pending.remove(this);
+                if (mine) {
+                    guard(expiry.ifClosed());
+                }
+                return mine;
+            }
+
+            private void guard(Runnable task) {
+                try {
+                    task.run();
+                } catch (Throwable thrown) {
+                    space.reports().error("a delay that was asked of space", space, thrown, null);
+                }
+            }
+        }
+    }
+
+    /**
+     * The keyed timers of one actor: at most one per key. On the space's thread.
+     *
+     * <p><b>Cost.</b> Amortized constant time: timers that were cancelled by their handle are removed whenever the map
+     * has doubled.
+     */
+    static final class Keyed {
+        private static final int SMALL = 16;
+
+        private @Nullable Map<Object, Timer> timers; // most actors have none
+        private int sweepAt = SMALL;
+
+        Timer set(ActorCell cell, Object key, Duration delay, Duration period, Schedule schedule, Runnable task) {
+            Objects.requireNonNull(key, "key");
+            Objects.requireNonNull(task, "task");
+            var known = timers == null ? timers = new HashMap<>() : timers;
+            boolean once = period.isZero();
+            Timer timer = cell.setTimer(delay, period, schedule, () -> {
+                if (once) {
+                    known.remove(key); // first, because the task may set the key again
+                }
+                task.run();
+            });
+            Timer before = known.put(key, timer);
+            if (before != null) {
+                before.cancel();
+            } else if (known.size() >= sweepAt) {
+                known.values().removeIf(each -> !each.isWaiting());
+                sweepAt = Math.max(SMALL, 2 * known.size());
+            }
+            return timer;
+        }
+
+        boolean cancel(Object key) {
+            Objects.requireNonNull(key, "key");
+            Timer timer = timers == null ? null : timers.remove(key);
+            return timer != null && timer.cancel();
+        }
+
+        void cancelAll() {
+            if (timers != null) {
+                timers.values().forEach(Timer::cancel);
+                timers.clear();
+            }
+        }
+
+        /**
+         * The number of stored timers: those that are waiting, and at most as many that were cancelled by their handle.
+         */
+        int size() {
+            return timers == null ? 0 : timers.size();
         }
     }
 }

@@ -98,7 +98,7 @@ public final class Topic<T> {
      */
     public Callback.Stream<T> subscribe(Consumer<? super T> onValue) {
         var stream = new Callback.Stream<T>(Objects.requireNonNull(onValue, "onValue"), this::refuseFailure);
-        addReader(ReturningCallback.to(stream, space));
+        addReader(ReturningCallback.to(stream, space.home));
         return stream;
     }
 
@@ -113,9 +113,9 @@ public final class Topic<T> {
     public final void subscribe(Callback<? super T> callback, Callback<? super T>... more) {
         Objects.requireNonNull(callback, "callback");
         Objects.requireNonNull(more, "more");
-        addReader(ReturningCallback.to(callback, space));
+        addReader(ReturningCallback.to(callback, space.home));
         for (Callback<? super T> another : more) {
-            addReader(ReturningCallback.to(Objects.requireNonNull(another, "more"), space));
+            addReader(ReturningCallback.to(Objects.requireNonNull(another, "more"), space.home));
         }
     }
 

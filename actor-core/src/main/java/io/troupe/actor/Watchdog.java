@@ -2,6 +2,7 @@ package io.troupe.actor;
 
 import io.troupe.actor.RecorderEvents.SpaceFiguresEvent;
 import io.troupe.actor.RecorderEvents.StallEvent;
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.List;
@@ -41,7 +42,7 @@ final class Watchdog {
         this.space = space;
         this.idle = idle;
         this.dispatcher = dispatcher;
-        this.limitNanos = SpaceHome.countedNanos(limit);
+        this.limitNanos = Home.nanosOf(limit);
         this.listener = listener;
     }
 
@@ -152,7 +153,7 @@ final class Watchdog {
         return type.equals(Dispatcher.class.getName())
                         && (frame.getMethodName().equals("serveOne")
                                 || frame.getMethodName().equals("runTask"))
-                || type.equals(SequentialBody.class.getName())
+                || type.equals(SequentialBodies.Body.class.getName())
                 || type.equals(Reports.class.getName());
     }
 

@@ -3,8 +3,9 @@ package io.troupe.actor;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Node;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.io.File;

@@ -53,8 +53,10 @@ class DifferencesTest {
         }
 
         public void read() {
-            source.each(letter -> log.add(letter + " on behalf of " + space().currentOwner()));
-            source.stream((letter, error) -> log.add(letter + " on behalf of " + space().currentOwner()));
+            source.each(
+                    letter -> log.add(letter + " on behalf of " + space().home.owner()));
+            source.stream((letter, error) ->
+                    log.add(letter + " on behalf of " + space().home.owner()));
         }
     }
 

@@ -180,18 +180,18 @@ class EndOfTheStackTest {
         var entries = IntStream.range(0, most)
                 .mapToObj(number -> new Entry(() -> {}, () -> refusals[number]++))
                 .toArray(Entry[]::new);
-        space.enqueueMessage(entries[0]);
+        space.home.enqueueMessage(entries[0]);
         assertThat(refusals[0]).isEqualTo(1);
         var attempts = new int[] {1};
         var deep = new Deep(() -> {
             int attempt = attempts[0]++;
-            space.enqueueMessage(entries[attempt]);
+            space.home.enqueueMessage(entries[attempt]);
             returned[attempt] = true;
         });
         onASmallStack(deep::recurse);
         assertThat(deep.done).isTrue();
         assertThat(attempts[0]).isGreaterThan(2); // else the stack did not overflow within a call
-        space.enqueueMessage(new Entry(() -> {}, () -> {})); // finds what was left
+        space.home.enqueueMessage(new Entry(() -> {}, () -> {})); // finds what was left
         for (int attempt = 1; attempt < attempts[0]; attempt++) {
             assertThat(refusals[attempt]).as("attempt %s", attempt).isEqualTo(returned[attempt] ? 1 : 0);
         }

@@ -3,6 +3,8 @@ package io.troupe.actor;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.internal.ActorProxy;
+import io.troupe.actor.internal.Request;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.io.IOException;
@@ -188,7 +190,7 @@ class InterfaceTypeTest {
         refused(Secret[].class, "does not extend io.troupe.actor.Actor");
         refused(Closed.class, "it is sealed");
         refused(Override.class, "it is an annotation");
-        refused(ActorProxy.class, "ActorProxy.troupe$cell()", "returns ActorCell");
+        refused(ActorProxy.class, "ActorProxy.troupe$cell()", "returns Recipient");
     }
 
     private void refused(Class<?> type, String... reasons) {

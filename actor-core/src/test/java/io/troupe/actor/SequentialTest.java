@@ -203,9 +203,9 @@ class SequentialTest {
 
     @Test
     void threadOfABody_thatHasEnded_isNotTheSpacesAnyMore() throws Exception {
-        SpaceHome space = test.space();
+        SpaceHome space = test.space().home;
         var end = new Deferred<Boolean>();
-        new SequentialBody<>(space, space.currentOwner(), space::isCurrent, end).run();
+        new SequentialBodies.Body<>(space, space.owner(), space::isCurrent, end).run();
         assertThat(end.get(Duration.ofSeconds(50))).isTrue();
         assertThat(space.isCurrent()).isFalse(); // though no other thread has taken control
     }
@@ -220,7 +220,7 @@ class SequentialTest {
                 var own = new ArrayList<Promise<Boolean>>();
                 for (int body = 0; body < 20; body++) {
                     first.sequential(() -> true);
-                    own.add(second.sequential(() -> !((SpaceHome) first).isCurrent()));
+                    own.add(second.sequential(() -> !first.home.isCurrent()));
                 }
                 assertThat(Promise.all(own).get(Duration.ofSeconds(50))).containsOnly(true);
             }

@@ -2,7 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Home;
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Promise;
 import java.lang.reflect.Method;
 import java.util.Arrays;
@@ -117,23 +117,13 @@ interface CallDispatcher {
         }
 
         @Override
-        protected Home home() {
-            return home;
-        }
-
-        @Override
-        protected boolean isLocal() {
-            return false;
+        protected @Nullable Home home() {
+            return Home.of(home);
         }
 
         @Override
         protected boolean madeOutside() {
             return madeOutside;
-        }
-
-        @Override
-        protected void run() {
-            throw new IllegalStateException("the answer to a call is never queued");
         }
 
         @Override

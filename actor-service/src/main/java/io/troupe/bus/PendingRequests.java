@@ -1,8 +1,8 @@
 package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Home;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.BusMessage.Purpose;
 import java.time.Duration;
@@ -124,7 +124,7 @@ final class PendingRequests {
         private final Reply answer;
         private final Deferred<@Nullable Void> over;
 
-        PendingRequest(BusPort requester, Address to, Operation<?, A> operation, BusMessage request, Home home) {
+        PendingRequest(BusPort requester, Address to, Operation<?, A> operation, BusMessage request, ActorSpace home) {
             this.requester = requester;
             this.to = to;
             this.operation = operation;
@@ -232,13 +232,13 @@ final class PendingRequests {
 
         /** The promise that the requester gets. */
         private final class Reply extends Promise<A> {
-            private final Home home;
+            private final ActorSpace home;
             private final boolean madeOutside;
             private volatile Runnable whenCancelled = () -> {};
 
-            Reply(Home home) {
+            Reply(ActorSpace home) {
                 this.home = home;
-                this.madeOutside = Home.current() != home;
+                this.madeOutside = ActorSpace.current() != home;
             }
 
             boolean resolve(A value) {
@@ -255,23 +255,13 @@ final class PendingRequests {
             }
 
             @Override
-            protected Home home() {
-                return home;
-            }
-
-            @Override
-            protected boolean isLocal() {
-                return false;
+            protected @Nullable Home home() {
+                return Home.of(home);
             }
 
             @Override
             protected boolean madeOutside() {
                 return madeOutside;
-            }
-
-            @Override
-            protected void run() {
-                throw new IllegalStateException("an answer is never queued");
             }
 
             @Override

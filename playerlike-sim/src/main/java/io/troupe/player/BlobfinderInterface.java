@@ -11,6 +11,15 @@ import org.jspecify.annotations.Nullable;
 /**
  * A camera that reports colour blobs.
  *
+ * {@snippet :
+ * BlobfinderInterface camera = robot.requestInterfaceBlobfinder(0, PlayerConstants.PLAYER_OPEN_MODE);
+ * while (!camera.isDataReady())
+ *     ;
+ * for (PlayerBlobfinderBlob blob : camera.getData().getBlobs()) {
+ *     log.add("a blob of " + blob.getArea() + " square pixels");
+ * }
+ * }
+ *
  * <p><b>Units and shapes.</b> Pixels, x to the right and y down; colours {@code 0x00RRGGBB}; ranges in metres.
  *
  * <p><b>Source.</b> Player interface blobfinder.

@@ -14,6 +14,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * A scanning laser.
  *
+ * {@snippet :
+ * LaserInterface laser = robot.requestInterfaceLaser(0, PlayerConstants.PLAYER_OPEN_MODE);
+ * while (!laser.isDataReady())
+ *     ;
+ * float[] ranges = laser.getData().getRanges();
+ * float leastAngle = laser.getData().getMin_angle();
+ * }
+ *
  * <p><b>Units and shapes.</b> Metres and radians; a scan runs from the least angle (right) to the greatest (left).
  * Every message has a separate copy of its arrays, which the program may change.
  *

@@ -27,6 +27,16 @@ import org.jspecify.annotations.Nullable;
 /**
  * A connection to a Player server that gives access to its devices.
  *
+ * {@snippet :
+ * PlayerClient robot = new PlayerClient("localhost", port);
+ * SonarInterface sonar = robot.requestInterfaceSonar(0, PlayerConstants.PLAYER_OPEN_MODE);
+ * robot.runThreaded(-1, -1);
+ * while (!sonar.isDataReady())
+ *     ;
+ * float[] ranges = sonar.getData().getRanges();
+ * robot.close();
+ * }
+ *
  * <p><b>Role.</b> Created by a program that drives robots; the names are those of the Player Java client. A server in
  * this JVM is found by its port and needs no socket (see {@link PlayerPorts}). Any other server, ours or a real Player
  * 3 server, is connected over TCP.

@@ -18,6 +18,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * A robot's drive and odometry.
  *
+ * {@snippet :
+ * Position2DInterface wheels = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+ * wheels.setSpeed(0.3, 0); // ahead
+ * while (!wheels.isDataReady())
+ *     ;
+ * double travelledMetres = wheels.getX();
+ * }
+ *
  * <p><b>Units and shapes.</b> Metres, radians, seconds; x forward, y left, turning left is positive.
  *
  * <p><b>Source.</b> Player interface position2d.

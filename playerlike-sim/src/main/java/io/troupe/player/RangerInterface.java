@@ -16,6 +16,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * A range sensor with one element (a scanning laser) or several (a sonar ring).
  *
+ * {@snippet :
+ * RangerInterface ranger = robot.requestInterfaceRanger(0, PlayerConstants.PLAYER_OPEN_MODE);
+ * while (!ranger.isDataReady())
+ *     ;
+ * double[] ranges = ranger.getData().getRanges();
+ * }
+ *
  * <p><b>Units and shapes.</b> Metres and radians. The ranges of all elements one after the other; within an element
  * from right to left. Every message has a separate copy of its array, which the program may change.
  *

@@ -14,6 +14,14 @@ import org.jspecify.annotations.Nullable;
 /**
  * The simulated world: the poses of its models, and its time.
  *
+ * {@snippet :
+ * SimulationInterface world = robot.requestInterfaceSimulation(0, PlayerConstants.PLAYER_OPEN_MODE);
+ * world.get2DPose("one");
+ * while (!world.isPose2DReady())
+ *     ;
+ * PlayerPose pose = world.getPose2D().getPose();
+ * }
+ *
  * <p><b>Units and shapes.</b> Metres and radians, in the world's frame. It publishes no data.
  *
  * <p><b>Source.</b> Player interface simulation.

@@ -11,6 +11,13 @@ import org.jspecify.annotations.Nullable;
 /**
  * A sonar ring.
  *
+ * {@snippet :
+ * SonarInterface sonar = robot.requestInterfaceSonar(0, PlayerConstants.PLAYER_OPEN_MODE);
+ * while (!sonar.isDataReady())
+ *     ;
+ * float[] ranges = sonar.getData().getRanges();
+ * }
+ *
  * <p><b>Units and shapes.</b> Metres; one range per sonar, in the order of the geometry. Every message has a separate
  * copy of its array, which the program may change.
  *

@@ -41,7 +41,7 @@ import org.junit.jupiter.api.Timeout;
 /** Messages that the simulated devices send and understand. Robot one has a laser, a ranger and a second laser. */
 @Timeout(60)
 class SimulatedDevicesTest {
-    private static final int PORT = 6790;
+    static final int PORT = 6790;
     private static final double DEGREE = StrictMath.PI / 180;
 
     private final Simulation simulation = Simulation.open(scenario(), WorldSettings.DEFAULT);
@@ -51,7 +51,7 @@ class SimulatedDevicesTest {
         return new RangeSensorSpec(mount, 0.1, 8, fovDeg * DEGREE, samples, 0.03, 0.05, RangeNoise.NONE);
     }
 
-    private static Scenario scenario() {
+    static Scenario scenario() {
         var front = new RangerSpec(
                 RangerSpec.Kind.LASER, new Pose(0.1, 0, 0), 0.15, 0.12, List.of(sensor(new Pose(0.1, 0, 0), 90, 3)));
         var ring = new RangerSpec(

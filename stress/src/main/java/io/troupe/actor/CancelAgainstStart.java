@@ -1,5 +1,7 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Nodes;
 import io.troupe.actor.promise.Promise;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
@@ -29,7 +31,7 @@ public class CancelAgainstStart {
     @Actor
     public void start() {
         try {
-            request.run();
+            Nodes.serve(request);
         } catch (Throwable thrown) {
             throw new IllegalStateException("an answer was thrown", thrown);
         }
@@ -43,7 +45,7 @@ public class CancelAgainstStart {
 
     private static ActorCell startedCell() {
         var space = ActorSpace.create(SpaceSettings.named("law").withHandCrank());
-        var cell = new ActorCell(space, Object.class, 1, Object::new, ActorSettings.DEFAULT);
+        var cell = new ActorCell(space.home, Object.class, 1, Object::new, ActorSettings.DEFAULT);
         space.execute(cell::start);
         space.crank();
         return cell;

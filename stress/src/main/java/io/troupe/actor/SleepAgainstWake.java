@@ -1,9 +1,9 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Node;
-import io.troupe.actor.promise.NodeQueue;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.TimerWheel;
 import io.troupe.actor.time.Clock;
-import io.troupe.actor.time.TimerWheel;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;
@@ -37,7 +37,7 @@ public class SleepAgainstWake {
     private static final ActorSpace SPACE = ActorSpace.create(SETTINGS);
 
     private final Dispatcher dispatcher = new Dispatcher(
-            SPACE, new NodeQueue(), new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS, Clock.system());
+            SPACE.home, new NodeQueue(), new NodeQueue(), new NodeRing(), new NodeRing(), NO_TIMERS, Clock.system());
     private final IdleStrategy lifeline = new IdleStrategy();
 
     @Actor

@@ -1,5 +1,6 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.internal.loop.Home;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
@@ -27,14 +28,14 @@ final class Combinators {
 
     private static <R extends @Nullable Object> Deferred<R> about(List<? extends Promise<?>> parts) {
         Home here = Home.current();
-        return new Deferred<>(
-                here != null
-                        ? here
-                        : parts.stream()
-                                .map(Promise::home)
-                                .filter(Objects::nonNull)
-                                .findFirst()
-                                .orElse(null));
+        Home home = here != null
+                ? here
+                : parts.stream()
+                        .map(Promise::home)
+                        .filter(Objects::nonNull)
+                        .findFirst()
+                        .orElse(null);
+        return new Deferred<>(home, null);
     }
 
     static <T extends @Nullable Object> Promise<List<T>> all(Collection<? extends Promise<? extends T>> promises) {
@@ -45,7 +46,7 @@ final class Combinators {
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new InlineListener(
+            part.register(new Listeners.Inline(
                     () -> {
                         Throwable error = part.error();
                         if (error != null) {
@@ -70,7 +71,7 @@ final class Combinators {
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new InlineListener(
+            part.register(new Listeners.Inline(
                     () -> {
                         if (pending.decrementAndGet() == 0) {
                             var outcomes = new ArrayList<Outcome<T>>(parts.size());
@@ -91,7 +92,7 @@ final class Combinators {
         }
         var pending = new AtomicInteger(parts.size());
         for (var part : parts) {
-            part.register(new InlineListener(
+            part.register(new Listeners.Inline(
                     () -> {
                         if (!part.isRejected()) {
                             first.resolve(Stage.present(part.getNow()));

@@ -1,5 +1,6 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.internal.loop.Home;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
@@ -36,18 +37,26 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
 
     /** Creates a deferred of the actor space whose thread is calling, if any. */
     public Deferred() {
-        this(Home.current());
+        this(Home.current(), null);
     }
 
     /**
-     * Creates a deferred of a given home: listeners registered outside every space run there, and a rejection without a
-     * listener is reported there.
+     * Creates a deferred of a given space: listeners registered outside every space run there, and a rejection without
+     * a listener is reported there.
+     *
+     * @param space an {@code ActorSpace}, or null for none
      */
-    public Deferred(@Nullable Home home) {
-        this(home, null);
+    public Deferred(Home.@Nullable Holder space) {
+        this(Home.of(space), null);
     }
 
-    Deferred(@Nullable Home home, @Nullable Runnable ifCancelled) {
+    /**
+     * Creates a deferred for this library.
+     *
+     * @param ifCancelled runs on the thread that cancels the promise
+     * @hidden
+     */
+    public Deferred(@Nullable Home home, @Nullable Runnable ifCancelled) {
         this.home = home;
         this.madeOutside = home != null && !home.isCurrent();
         this.ifCancelled = ifCancelled;
@@ -86,18 +95,6 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     @Override
     protected @Nullable Home home() {
         return home;
-    }
-
-    /** @hidden */
-    @Override
-    protected boolean isLocal() {
-        return false;
-    }
-
-    /** @hidden */
-    @Override
-    protected void run() {
-        throw new IllegalStateException("a deferred promise is never queued");
     }
 
     @Override

@@ -1,111 +1,350 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.internal.loop.DetachedNodes;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.Owner;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.TimeoutException;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The listeners of a pending promise that has more than a few. When their number has doubled, listeners that are no
- * longer needed are removed. So a long-lived promise keeps at most about twice as many as are needed.
- *
- * <p><b>Threads.</b> Guarded by its own monitor. <b>Cost.</b> Amortized constant time per listener.
+ * The listeners of a promise, other than a {@link Stage}. Also runs listeners without a home, on the thread that
+ * settles their promise: one after the other, never nested, so a chain of them may have any length.
  */
-final class Listeners extends Node {
-    private static final int FEW = 8;
+final class Listeners {
+    /** The listeners that wait for their turn on a thread that is no home's; present while it runs one. */
+    private static final ThreadLocal<@Nullable DetachedNodes> DETACHED = new ThreadLocal<>();
 
-    private final List<Node> nodes = new ArrayList<>(2 * FEW); // oldest first
-    private int sweepAt = 2 * FEW;
-    private boolean closed;
-
-    /**
-     * Takes over a linked list for which {@link #isMany} holds, and adds one listener. Does not change the links,
-     * because another thread may be settling the list.
-     */
-    Listeners(@Nullable Node newest, Node more) {
-        Node node = newest;
-        for (int count = 0; count < FEW && node != null; count++) {
-            nodes.addFirst(node);
-            node = node.next;
-        }
-        nodes.add(more);
-    }
-
-    /** True if a linked list is long enough to be replaced by this class. */
-    static boolean isMany(@Nullable Node newest) {
-        Node node = newest;
-        int count = 0;
-        while (node != null && count < FEW) {
-            node = node.next;
-            count++;
-        }
-        return count == FEW;
-    }
+    private Listeners() {}
 
     /**
-     * True if no listener of a short linked list (not {@link #isMany}) needs the outcome. The result is valid only if
-     * the list was not settled meanwhile.
+     * Runs a listener without a home, after those that the calling thread is already running. The thread of a home
+     * keeps its queue; any other thread gets one for each outermost listener, so that nothing stays behind in it.
      */
-    static boolean areGivenUp(Node newest) {
-        Node node = newest;
-        for (int count = 0;
-                count < FEW && node != null;
-                count++) { // bounded: the links of a list that is being settled may change
-            if (!isGivenUp(node)) {
+    static void runDetached(Node listener) {
+        Home here = Home.current();
+        DetachedNodes nodes = here != null ? here.detachedNodes() : DETACHED.get();
+        if (nodes != null) {
+            nodes.run(listener);
+            return;
+        }
+        nodes = new DetachedNodes();
+        DETACHED.set(nodes);
+        try {
+            nodes.run(listener);
+        } finally {
+            DETACHED.remove();
+        }
+    }
+
+    /** An internal listener that only passes an outcome on, so it may run on any thread that settles the promise. */
+    static final class Inline extends Node {
+        private final Runnable action;
+        private final BooleanSupplier isOver;
+
+        /**
+         * Creates a listener for another promise.
+         *
+         * @param reader the promise that needs the outcome; once it is settled, this listener is no longer needed
+         */
+        Inline(Runnable action, Promise<?> reader) {
+            this(action, reader::isDone);
+        }
+
+        /**
+         * Creates a listener.
+         *
+         * @param isOver true once this listener is no longer needed; called by any thread
+         */
+        Inline(Runnable action, BooleanSupplier isOver) {
+            this.action = action;
+            this.isOver = isOver;
+        }
+
+        @Override
+        protected void run() {
+            action.run();
+        }
+
+        @Override
+        protected boolean isIdle() {
+            return isOver.getAsBoolean();
+        }
+    }
+
+    /** A listener that settles one promise with the outcome of another; it is never run. */
+    static class Follower extends Node {
+        final Settleable<?> promise;
+
+        Follower(Settleable<?> promise) {
+            this.promise = promise;
+        }
+
+        /** Called when the source is settled, before the following promise is. */
+        void beforeSettling() {}
+
+        @Override
+        protected final boolean isIdle() {
+            return promise.isDone();
+        }
+    }
+
+    /** The listener of a thread outside every space that waits for a promise. */
+    static final class Waiter extends Node {
+        private final CountDownLatch settled = new CountDownLatch(1);
+        private volatile boolean gone;
+
+        private Waiter() {}
+
+        static void await(Promise<?> promise, Duration timeout) throws TimeoutException, InterruptedException {
+            if (Home.current() != null) {
+                throw new IllegalStateException(
+                        "get() would stop the whole space, and with it whoever could settle "
+                                + promise
+                                + ": register what comes next with then(..), return thenCompose(..), or write await() in the body of sequential(..)");
+            }
+            if (DETACHED.get() != null) {
+                throw new IllegalStateException(
+                        "get() in a listener would keep the other listeners of this thread from running, and with them whoever could settle "
+                                + promise + ": register what comes next with then(..)");
+            }
+            if (promise.isDone()) {
+                promise.markHandled();
+                return;
+            }
+            var waiter = new Waiter();
+            promise.register(waiter);
+            try {
+                if (!waiter.settled.await(Home.nanosOf(timeout), TimeUnit.NANOSECONDS)) {
+                    throw new TimeoutException("no answer within " + timeout + " from " + promise);
+                }
+            } finally {
+                waiter.gone = true;
+            }
+        }
+
+        @Override
+        protected void run() {
+            settled.countDown();
+        }
+
+        @Override
+        protected boolean isIdle() {
+            return gone;
+        }
+
+        @Override
+        protected boolean hasTimedOut() {
+            return gone;
+        }
+    }
+
+    /**
+     * The listeners of a pending promise that has more than a few. When their number has doubled, listeners that are no
+     * longer needed are removed. So a long-lived promise keeps at most about twice as many as are needed.
+     *
+     * <p><b>Threads.</b> Guarded by its own monitor. <b>Cost.</b> Amortized constant time per listener.
+     */
+    static final class Many extends Node {
+        private static final int FEW = 8;
+
+        private final List<Node> nodes = new ArrayList<>(2 * FEW); // oldest first
+        private int sweepAt = 2 * FEW;
+        private boolean closed;
+
+        /**
+         * Takes over a linked list for which {@link #isMany} holds, and adds one listener. Does not change the links,
+         * because another thread may be settling the list.
+         */
+        Many(@Nullable Node newest, Node more) {
+            Node node = newest;
+            for (int count = 0; count < FEW && node != null; count++) {
+                nodes.addFirst(node);
+                node = Nodes.next(node);
+            }
+            nodes.add(more);
+        }
+
+        /** True if a linked list is long enough to be replaced by this class. */
+        static boolean isMany(@Nullable Node newest) {
+            Node node = newest;
+            int count = 0;
+            while (node != null && count < FEW) {
+                node = Nodes.next(node);
+                count++;
+            }
+            return count == FEW;
+        }
+
+        /**
+         * True if no listener of a short linked list (not {@link #isMany}) needs the outcome. The result is valid only
+         * if the list was not settled meanwhile.
+         */
+        static boolean areGivenUp(Node newest) {
+            Node node = newest;
+            // bounded: the links of a list that is being settled may change
+            for (int count = 0; count < FEW && node != null; count++) {
+                if (!isGivenUp(node)) {
+                    return false;
+                }
+                node = Nodes.next(node);
+            }
+            return true;
+        }
+
+        /** A thread whose wait timed out may wait again, so it does not count as gone. */
+        private static boolean isGivenUp(Node listener) {
+            return Nodes.isIdle(listener) && !(listener instanceof Waiter);
+        }
+
+        /** True if no listener needs the outcome, or if the promise has been settled. */
+        synchronized boolean areGivenUp() {
+            return closed || nodes.stream().allMatch(Many::isGivenUp);
+        }
+
+        /** Adds a listener; false if the promise has been settled. */
+        synchronized boolean add(Node listener) {
+            if (closed) {
                 return false;
             }
-            node = node.next;
+            while (!nodes.isEmpty() && Nodes.isIdle(nodes.getLast())) {
+                nodes.removeLast();
+            }
+            if (nodes.size() >= sweepAt) {
+                nodes.removeIf(Nodes::isIdle);
+                sweepAt = Math.max(2 * FEW, 2 * nodes.size());
+            }
+            nodes.add(listener);
+            return true;
         }
-        return true;
-    }
 
-    /** A thread whose wait timed out may wait again, so it does not count as gone. */
-    private static boolean isGivenUp(Node listener) {
-        return listener.isIdle() && !(listener instanceof Waiter);
-    }
-
-    /** True if no listener needs the outcome, or if the promise has been settled. */
-    synchronized boolean areGivenUp() {
-        return closed || nodes.stream().allMatch(Listeners::isGivenUp);
-    }
-
-    /** Adds a listener; false if the promise has been settled. */
-    synchronized boolean add(Node listener) {
-        if (closed) {
-            return false;
+        /** Links the listeners; returns the newest. */
+        synchronized Node link() {
+            Node newest = nodes.getFirst();
+            Nodes.link(newest, null);
+            for (Node node : nodes.subList(1, nodes.size())) {
+                Nodes.link(node, newest);
+                newest = node;
+            }
+            return newest;
         }
-        while (!nodes.isEmpty() && nodes.getLast().isIdle()) {
-            nodes.removeLast();
+
+        synchronized boolean isClosed() {
+            return closed;
         }
-        if (nodes.size() >= sweepAt) {
-            nodes.removeIf(Node::isIdle);
-            sweepAt = Math.max(2 * FEW, 2 * nodes.size());
+
+        /** Rejects further listeners. */
+        synchronized void close() {
+            closed = true;
         }
-        nodes.add(listener);
-        return true;
     }
 
-    /** Links the listeners; returns the newest. */
-    synchronized Node link() {
-        Node newest = nodes.getFirst();
-        newest.next = null;
-        for (Node node : nodes.subList(1, nodes.size())) {
-            node.next = newest;
-            newest = node;
+    /**
+     * The requests that an owner has begun and not answered: each follows the promise that its method returned. The
+     * owner rejects them if it ends first.
+     *
+     * <p><b>Threads.</b> Guarded by its own monitor, because a promise may be settled on any thread.
+     */
+    static final class OpenRequests implements Owner.OpenRequests {
+        private static final int FEW = 8;
+
+        private @Nullable OpenRequest oldest;
+        private @Nullable OpenRequest newest;
+        private int size;
+        private int sweepAt = FEW;
+
+        /** Settles a request with the outcome of the other promise; the request is open until then. */
+        static void follow(Settleable<?> request, Promise<?> other, Owner owner) {
+            var open = (OpenRequests) owner.openRequests(OpenRequests::new);
+            var link = new OpenRequest(request, open);
+            open.add(link);
+            other.register(link);
         }
-        return newest;
-    }
 
-    synchronized boolean isClosed() {
-        return closed;
-    }
+        /** Adds a request. Cancelled requests are removed whenever the number has doubled. */
+        private synchronized void add(OpenRequest link) {
+            if (size >= sweepAt) {
+                OpenRequest next;
+                for (OpenRequest each = oldest; each != null; each = next) {
+                    next = each.after;
+                    if (each.isIdle()) {
+                        unlink(each);
+                    }
+                }
+                sweepAt = Math.max(FEW, 2 * size);
+            }
+            link.listed = true;
+            link.before = newest;
+            if (newest == null) {
+                oldest = link;
+            } else {
+                newest.after = link;
+            }
+            newest = link;
+            size++;
+        }
 
-    /** Rejects further listeners. */
-    synchronized void close() {
-        closed = true;
-    }
+        private synchronized void remove(OpenRequest link) {
+            if (link.listed) {
+                unlink(link);
+            }
+        }
 
-    @Override
-    protected void run() {
-        throw new IllegalStateException("a list of listeners is never run");
+        private void unlink(OpenRequest link) {
+            OpenRequest before = link.before;
+            OpenRequest after = link.after;
+            if (before == null) {
+                oldest = after;
+            } else {
+                before.after = after;
+            }
+            if (after == null) {
+                newest = before;
+            } else {
+                after.before = before;
+            }
+            link.before = null;
+            link.after = null;
+            link.listed = false;
+            size--;
+        }
+
+        @Override
+        public synchronized List<Promise<?>> takeAll() {
+            var requests = new ArrayList<Promise<?>>(size);
+            while (oldest != null) {
+                requests.add((Promise<?>) oldest.promise);
+                unlink(oldest);
+            }
+            return requests;
+        }
+
+        private static final class OpenRequest extends Follower {
+            private final OpenRequests list;
+            boolean listed;
+
+            @Nullable
+            OpenRequest before;
+
+            @Nullable
+            OpenRequest after;
+
+            OpenRequest(Settleable<?> request, OpenRequests list) {
+                super(request);
+                this.list = list;
+            }
+
+            @Override
+            void beforeSettling() {
+                list.remove(this);
+            }
+        }
     }
 }

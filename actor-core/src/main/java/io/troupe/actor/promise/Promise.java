@@ -1,5 +1,7 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Nodes;
 import io.troupe.actor.promise.SettledState.Rejection;
 import java.time.Duration;
 import java.util.Collection;
@@ -7,6 +9,7 @@ import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CompletionException;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BiConsumer;
@@ -80,7 +83,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
             if (error == null) {
                 promise.resolve(value);
             } else {
-                promise.reject(Errors.unwrapCompletion(error));
+                boolean isWrapped = error instanceof CompletionException && error.getCause() != null;
+                promise.reject(isWrapped ? error.getCause() : error);
             }
         });
         return promise;
@@ -119,7 +123,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * @throws TimeoutException if it is not settled in time
      */
     public final T get(Duration timeout) throws TimeoutException, InterruptedException {
-        Waiter.await(this, Objects.requireNonNull(timeout, "timeout"));
+        Listeners.Waiter.await(this, Objects.requireNonNull(timeout, "timeout"));
         return valueOrThrow();
     }
 
@@ -149,7 +153,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     private T valueOrThrow() {
         Object outcome = Objects.requireNonNull(outcomeNow());
         if (outcome instanceof Rejection rejection) {
-            throw Errors.rethrow(rejection.error());
+            throw Nodes.rethrow(rejection.error());
         }
         return valueOf(outcome);
     }
@@ -203,7 +207,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         Objects.requireNonNull(function, "function");
         Promise<R> both = thenCompose(mine -> other.<R>thenApply(theirs -> function.apply(mine, theirs)));
         // a listener, so that an error of the other promise is not reported as unhandled
-        other.register(new InlineListener(() -> {}, both));
+        other.register(new Listeners.Inline(() -> {}, both));
         return both;
     }
 
@@ -282,7 +286,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      */
     public final CompletableFuture<T> toCompletableFuture() {
         var future = new CompletableFuture<T>();
-        register(new InlineListener(
+        register(new Listeners.Inline(
                 () -> {
                     Object outcome = Objects.requireNonNull(outcomeNow());
                     if (outcome instanceof Rejection rejection) {
@@ -349,5 +353,36 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     private <R extends @Nullable Object> Promise<R> listen(Stage<T, R> stage) {
         return stage.listen();
+    }
+
+    /**
+     * True for an error of the virtual machine, except a stack overflow or an out-of-memory error: it is reported
+     * although it also rejects a promise.
+     *
+     * @hidden
+     */
+    protected static boolean isOfTheMachine(Throwable error) {
+        return error instanceof VirtualMachineError
+                && !(error instanceof StackOverflowError)
+                && !(error instanceof OutOfMemoryError);
+    }
+
+    /** A promise that was fulfilled when it was created; it has no home. */
+    static final class Settled<T extends @Nullable Object> extends Promise<T> {
+        static final Promise<@Nullable Void> DONE = new Settled<>(null);
+
+        Settled(T value) {
+            super(asOutcome(value));
+        }
+
+        @Override
+        protected @Nullable Home home() {
+            return null;
+        }
+
+        @Override
+        public String toString() {
+            return PromiseText.withOutcome("promise", this);
+        }
     }
 }

@@ -62,7 +62,7 @@ final class PromiseText {
     }
 
     private static String nameOf(Promise<?> first) {
-        boolean isNameless = first instanceof Stage || first instanceof Deferred || first instanceof Settled;
+        boolean isNameless = first instanceof Stage || first instanceof Deferred || first instanceof Promise.Settled;
         return isNameless ? "promise" : first.toString();
     }
 

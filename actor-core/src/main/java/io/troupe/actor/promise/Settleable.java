@@ -1,12 +1,18 @@
 package io.troupe.actor.promise;
 
-import io.troupe.actor.promise.Owner.OpenRequest;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.promise.Listeners.Follower;
+import io.troupe.actor.promise.Listeners.Many;
 import io.troupe.actor.promise.SettledState.PendingNotification;
 import io.troupe.actor.promise.SettledState.Rejection;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,8 +26,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     /*
      * One field holds the whole state, so that one compare-and-set decides between "settle" and "register":
      *   null                   pending, without listeners
-     *   a Node                 pending, with listeners: the newest, linked by Node.next to the older ones,
-     *                          or Listeners if there are more than a few
+     *   a Node                 pending, with listeners: the newest, linked to the older ones,
+     *                          or Many if there are more than a few
      *   a PendingNotification  settled by a thread other than that of some listener, which may not have run yet
      *   anything else          settled: the value itself, NULL, a Rejection, or a Boxed value (one that would be
      *                          mistaken for one of the above)
@@ -60,7 +66,9 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      *
      * @hidden
      */
-    protected abstract boolean isLocal();
+    protected boolean isLocal() {
+        return false;
+    }
 
     /**
      * True if it was made by a thread outside its home, which may need a moment to register a listener.
@@ -135,12 +143,40 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             if (!(now instanceof Node newest)) {
                 return now != null;
             }
-            boolean givenUp = newest instanceof Listeners many ? many.areGivenUp() : Listeners.areGivenUp(newest);
+            boolean givenUp = newest instanceof Many many ? many.areGivenUp() : Many.areGivenUp(newest);
             VarHandle.acquireFence();
             if (STATE.getAcquire(this) == now) {
                 return givenUp;
             } // else another thread may have changed the links meanwhile
         }
+    }
+
+    /**
+     * True if the promise was made by a thread outside its home; see {@link #madeOutside}.
+     *
+     * @hidden
+     */
+    protected static boolean isMadeOutside(Promise<?> promise) {
+        return ((Settleable<?>) promise).madeOutside();
+    }
+
+    /**
+     * True if a listener of the promise has received, or will receive, the outcome.
+     *
+     * @hidden
+     */
+    protected static boolean isHandled(Promise<?> promise) {
+        return ((Settleable<?>) promise).isHandled();
+    }
+
+    /**
+     * Runs an action when the promise is settled, on the thread that settles it.
+     *
+     * @param isOver true once the action is no longer needed, so that the promise may drop it; called by any thread
+     * @hidden
+     */
+    protected static void whenSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
+        promise.register(new Listeners.Inline(action, isOver));
     }
 
     /** Marks a rejection as received. */
@@ -177,7 +213,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         Object mine = handedOn(outcome);
         Node listeners = claimHere(mine);
         Home here = home();
-        if (here != null && listeners instanceof Stage<?, ?> only && only.next == null) {
+        if (here != null && listeners instanceof Stage<?, ?> only && Nodes.next(only) == null) {
             return only.handOn(here); // the usual case, by the shortest path
         }
         finish(listeners, mine);
@@ -194,21 +230,18 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     }
 
     /**
-     * Like {@link #follow}; until it is settled, this promise is one of the owner's {@linkplain Owner#takeOpenRequests
-     * open requests}.
+     * Like {@link #follow}; until it is settled, this promise is one of the owner's open requests.
      *
      * @hidden
      */
     protected final void follow(Promise<? extends T> other, Owner owner) {
-        var answer = new OpenRequest(this, owner);
-        owner.open(answer);
-        other.register(answer);
+        Listeners.OpenRequests.follow(this, other, owner);
     }
 
     final boolean settleAtHome(Object outcome) {
         Node listeners = claimHere(outcome);
         Home here = home();
-        if (here != null && listeners instanceof Stage<?, ?> only && only.next == null) {
+        if (here != null && listeners instanceof Stage<?, ?> only && Nodes.next(only) == null) {
             only.dispatch(here);
             return true;
         }
@@ -298,7 +331,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (!isLocal()) {
             return claimShared(outcome);
         }
-        if (state instanceof Stage<?, ?> only && only.next == null && !(outcome instanceof Rejection)) {
+        if (state instanceof Stage<?, ?> only && Nodes.next(only) == null && !(outcome instanceof Rejection)) {
             STATE.setRelease(this, outcome);
             return only;
         }
@@ -311,7 +344,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             return AlreadySettled.INSTANCE;
         }
         var listeners = (Node) now;
-        if (listeners instanceof Listeners many) {
+        if (listeners instanceof Many many) {
             listeners = many.link();
         }
         STATE.setRelease(this, outcome);
@@ -335,7 +368,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             if (isSettled(now)) {
                 return AlreadySettled.INSTANCE;
             }
-            if (now instanceof Listeners many) {
+            if (now instanceof Many many) {
                 Node listeners;
                 PendingNotification notification;
                 synchronized (many) {
@@ -379,16 +412,16 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             rejection.markHandled();
         } else if (place != null && !(rejection.error() instanceof CancellationException)) {
             if (listeners == null) {
-                place.rejected((Promise<?>) this, rejection.error());
+                place.rejected(this, rejection.error());
             } else {
-                place.rejectedTooLate((Promise<?>) this, rejection.error());
+                place.rejectedTooLate(this, rejection.error());
             }
         }
     }
 
     private static boolean isHandledBy(@Nullable Node listeners) {
-        for (Node node = listeners; node != null; node = node.next) {
-            if (!node.hasTimedOut()) {
+        for (Node node = listeners; node != null; node = Nodes.next(node)) {
+            if (!Nodes.hasTimedOut(node)) {
                 return true;
             }
         }
@@ -400,15 +433,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * of them may have any length.
      */
     private static void notifyListeners(Node newest, Object outcome) {
-        if (newest.next == null && newest instanceof Stage<?, ?> only) {
+        if (Nodes.next(newest) == null && newest instanceof Stage<?, ?> only) {
             only.dispatch();
             return;
         }
         Node waiting = reverse(newest, null);
         while (waiting != null) {
             Node listener = waiting;
-            waiting = listener.next;
-            listener.next = null;
+            waiting = Nodes.next(listener);
+            Nodes.link(listener, null);
             if (listener instanceof Follower follower) {
                 follower.beforeSettling();
                 Node more = follower.isIdle() ? AlreadySettled.INSTANCE : follower.promise.claim(handedOn(outcome));
@@ -425,8 +458,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     private static @Nullable Node reverse(@Nullable Node newest, @Nullable Node rest) {
         Node oldest = rest;
         for (Node node = newest; node != null; ) {
-            Node before = node.next;
-            node.next = oldest;
+            Node before = Nodes.next(node);
+            Nodes.link(node, oldest);
             oldest = node;
             node = before;
         }
@@ -450,7 +483,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     /**
      * Registers a node that is notified when this promise is settled, immediately if it is already settled. Stages go
-     * to their home's queue, relays run on the current thread.
+     * to their home's queue, inline listeners run on the current thread.
      */
     final void register(Node listener) {
         if (!isLocal()) {
@@ -468,11 +501,11 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     private void registerAtHome(Node listener) {
         Object now = state;
         if (now == null) {
-            listener.next = null;
+            Nodes.link(listener, null);
             STATE.setRelease(this, listener);
         } else if (isSettled(now)) {
             notifyLate(listener, now);
-        } else if (now instanceof Listeners many) {
+        } else if (now instanceof Many many) {
             many.add(listener);
         } else {
             STATE.setRelease(this, with((Node) now, listener));
@@ -493,7 +526,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                 notifyLate(listener, now);
                 return;
             }
-            if (now instanceof Listeners many) {
+            if (now instanceof Many many) {
                 if (many.add(listener)) {
                     return;
                 } // else it is settled now
@@ -509,17 +542,17 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      */
     private static Node with(@Nullable Node newest, Node listener) {
         Node first = firstWithUse(newest);
-        if (Listeners.isMany(first)) {
-            return new Listeners(first, listener);
+        if (Many.isMany(first)) {
+            return new Many(first, listener);
         }
-        listener.next = first;
+        Nodes.link(listener, first);
         return listener;
     }
 
     private static @Nullable Node firstWithUse(@Nullable Node newest) {
         Node node = newest;
-        while (node != null && node.isIdle()) {
-            node = node.next;
+        while (node != null && Nodes.isIdle(node)) {
+            node = Nodes.next(node);
         }
         return node;
     }
@@ -528,7 +561,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (outcome instanceof Rejection rejection) {
             rejection.markHandled();
         }
-        listener.next = null;
+        Nodes.link(listener, null);
         notifyListeners(listener, outcome);
     }
 
@@ -537,7 +570,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             if (outcome instanceof Rejection rejection) {
                 rejection.markHandled();
             }
-            stage.next = null;
+            Nodes.link(stage, null);
             stage.dispatchAsRemote();
         } else {
             notifyLate(listener, outcome);
@@ -548,7 +581,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (listener instanceof Stage<?, ?> stage) {
             stage.dispatch();
         } else {
-            DetachedListeners.run(listener);
+            Listeners.runDetached(listener);
         }
     }
 
@@ -574,10 +607,5 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         static final Node INSTANCE = new AlreadySettled();
 
         private AlreadySettled() {}
-
-        @Override
-        protected void run() {
-            throw new IllegalStateException("the sign of a refused claim is never run");
-        }
     }
 }

@@ -1,5 +1,7 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Nodes;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -54,7 +56,7 @@ abstract class SettledState {
 
         PendingNotification(Object outcome, Node listeners) {
             this.outcome = outcome;
-            for (Node node = listeners; node != null; node = node.next) {
+            for (Node node = listeners; node != null; node = Nodes.next(node)) {
                 if (node instanceof Stage) {
                     onTheirWay.incrementAndGet();
                 }
@@ -73,7 +75,7 @@ abstract class SettledState {
 
         /** True if the home of some listener may be running concurrently with the calling thread. */
         static boolean isNeeded(Node newest) {
-            for (Node node = newest; node != null; node = node.next) {
+            for (Node node = newest; node != null; node = Nodes.next(node)) {
                 if (node instanceof Stage<?, ?> stage && stage.isElsewhere()) {
                     return true;
                 }
@@ -92,7 +94,7 @@ abstract class SettledState {
                 if (now == Settleable.AlreadySettled.INSTANCE) {
                     return false;
                 }
-                listener.next = now;
+                Nodes.link(listener, now);
                 if (late.compareAndSet(now, listener)) {
                     return true;
                 }
@@ -105,7 +107,7 @@ abstract class SettledState {
 
             End(PendingNotification notification, Node listeners) {
                 this.notification = notification;
-                this.next = listeners;
+                Nodes.link(this, listeners);
             }
 
             /**
@@ -117,13 +119,8 @@ abstract class SettledState {
                 if (notification.late.compareAndSet(null, Settleable.AlreadySettled.INSTANCE)) {
                     return null;
                 }
-                next = notification.late.getAndSet(null);
+                Nodes.link(this, notification.late.getAndSet(null));
                 return this;
-            }
-
-            @Override
-            protected void run() {
-                throw new IllegalStateException("the end of a line is never run");
             }
         }
     }

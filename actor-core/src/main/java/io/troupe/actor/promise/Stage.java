@@ -1,5 +1,8 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.promise.SettledState.Rejection;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
@@ -25,7 +28,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
             this.owner = from.owner();
         } else {
             Home here = Home.current();
-            this.owner = here != null ? here.owner() : from != null ? from.outsider : null;
+            this.owner = here != null ? here.owner() : from != null ? from.outsider() : null;
         }
     }
 
@@ -40,7 +43,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     final void dispatch() {
         Home home = owner == null ? Home.current() : owner.home();
         if (home == null) {
-            DetachedListeners.run(this);
+            Listeners.runDetached(this);
         } else {
             home.enqueue(this);
         }
@@ -101,11 +104,13 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return outcome;
     }
 
-    /** An exception of the listener rejects the promise of its result. */
+    /** An exception of the listener rejects the promise of its result; an error of the virtual machine goes on. */
     @Override
     protected final void threw(Throwable thrown) {
         settleError(thrown);
-        Errors.rethrowIfOfTheMachine(thrown);
+        if (isOfTheMachine(thrown)) {
+            throw (VirtualMachineError) thrown;
+        }
     }
 
     /** Rejects this promise because its owner has ended; passes the source's error on, so that it is not lost. */
@@ -132,7 +137,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     }
 
     @Override
-    final boolean isIdle() {
+    protected final boolean isIdle() {
         return isDone();
     }
 

@@ -1,5 +1,6 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.internal.loop.Home;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
@@ -73,11 +74,6 @@ final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected boolean isLocal() {
-        return false;
-    }
-
-    @Override
     protected boolean madeOutside() {
         return madeOutside;
     }
@@ -92,17 +88,12 @@ final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected void run() {
-        throw new IllegalStateException("a promise with a time limit is never queued");
-    }
-
-    @Override
     public String toString() {
         return PromiseText.describe(this);
     }
 
     /** Cancels the timer and passes the outcome on. */
-    private static final class Ending extends Follower {
+    private static final class Ending extends Listeners.Follower {
         private final TimeLimitedPromise<?> limited;
 
         Ending(TimeLimitedPromise<?> limited) {
@@ -116,7 +107,7 @@ final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
         }
 
         @Override
-        boolean hasTimedOut() {
+        protected boolean hasTimedOut() {
             return limited.expired;
         }
     }

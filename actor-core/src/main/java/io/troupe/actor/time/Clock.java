@@ -3,6 +3,13 @@ package io.troupe.actor.time;
 /**
  * A source of time, with a callback for clocks that are moved by hand.
  *
+ * {@snippet :
+ * Clock clock = space.clock();
+ * long startNanos = clock.nanos();
+ * space.delay(Duration.ofSeconds(2))
+ *         .thenRun(() -> log.add("after " + Duration.ofNanos(clock.nanos() - startNanos)));
+ * }
+ *
  * <p><b>Threads.</b> Any thread. <b>Units and shapes.</b> Nanoseconds since a fixed but arbitrary moment, never
  * decreasing.
  */

@@ -1,17 +1,21 @@
 package io.troupe.actor.guide;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.ActorException;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.ActorTypeException;
 import io.troupe.actor.Callback;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.ErrorHandler;
 import io.troupe.actor.Leftovers;
 import io.troupe.actor.MailboxBound;
 import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.MailboxFullException;
 import io.troupe.actor.SpaceMetrics;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.Stall;
@@ -23,6 +27,7 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.CallbackProbe;
 import io.troupe.actor.testkit.Probe;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
@@ -446,6 +451,75 @@ class JavadocSamplesTest {
             controller.pause();
             test.advance(Duration.ofMillis(250));
             assertThat(log).containsExactly("cycle", "cycle");
+        }
+    }
+
+    @Test
+    void actorException_isTheErrorOfACallWithoutAnActor() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            Greeter greeter = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
+            space.stop(greeter);
+            Promise<String> answer = greeter.greet("Ada")
+                    .exceptionally(
+                            error -> error instanceof ActorException ? "the greeter is gone" : "the greeter failed");
+            assertThat(test.get(answer)).isEqualTo("the greeter is gone");
+        }
+    }
+
+    @Test
+    void actorStoppedException_saysWhetherTheRequestWasBegun() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            Greeter first = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
+            Greeter second = space.spawn(Greeter.class, () -> name -> Promise.of("Good morning, " + name));
+            space.stop(first);
+            Promise<String> answer = first.greet("Ada")
+                    .exceptionallyCompose(error -> error instanceof ActorStoppedException stopped && !stopped.wasBegun()
+                            ? second.greet("Ada")
+                            : Promise.failed(error));
+            assertThat(test.get(answer)).isEqualTo("Good morning, Ada");
+        }
+    }
+
+    @Test
+    void mailboxFullException_isTheErrorOfARequestWithoutRoom() {
+        try (var test = new TestSpace()) {
+            ActorSettings one = ActorSettings.named("greeter").withMailbox(1, Overflow.REJECT);
+            Greeter greeter = test.space().spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name), one);
+            greeter.greet("Ada");
+            Promise<String> answer = greeter.greet("Bob")
+                    .exceptionally(error -> error instanceof MailboxFullException ? "later" : "never");
+            assertThat(test.get(answer)).isEqualTo("later");
+        }
+    }
+
+    interface Greeting {
+        String greet(String name); // returns neither void nor a promise
+    }
+
+    @Test
+    void actorTypeException_namesTheMethod() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            assertThatThrownBy(() -> {
+                        space.spawn(Greeting.class, () -> name -> "Hello, " + name); // throws
+                    })
+                    .isInstanceOf(ActorTypeException.class)
+                    .hasMessageContaining("Greeting.greet(String)");
+        }
+    }
+
+    @Test
+    void clock_isThatOfTheTimers() {
+        try (var test = new TestSpace()) {
+            ActorSpace space = test.space();
+            Clock clock = space.clock();
+            long startNanos = clock.nanos();
+            space.delay(Duration.ofSeconds(2))
+                    .thenRun(() -> log.add("after " + Duration.ofNanos(clock.nanos() - startNanos)));
+            test.advance(Duration.ofSeconds(2));
+            assertThat(log).containsExactly("after PT2S");
         }
     }
 }

@@ -3,11 +3,14 @@ package io.troupe.actor.promise;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Reachable;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.testkit.TestSpace;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -60,7 +63,7 @@ class ListenersTest {
                 }
                 return false;
             };
-            source.register(new InlineListener(() -> {}, isOver));
+            source.register(new Listeners.Inline(() -> {}, isOver));
         }
         asking[0] = true;
         assertThat(source.isGivenUp()).isTrue();
@@ -71,7 +74,7 @@ class ListenersTest {
         var limited = new ArrayList<Promise<Integer>>();
         var source = limitedBy(1, limited);
         var failure = new IllegalStateException("too late");
-        limited.getFirst().register(new InlineListener(() -> source.reject(failure), () -> false));
+        limited.getFirst().register(new Listeners.Inline(() -> source.reject(failure), () -> false));
         test.advance(Duration.ofSeconds(1));
         test.advance(Duration.ofSeconds(1));
         assertThat(test.takeProblems())
@@ -85,24 +88,16 @@ class ListenersTest {
         var listeners = new ArrayList<Node>();
         var promise = new Promise<Integer>() {
             @Override
-            protected Home home() {
+            protected @Nullable Home home() {
                 listeners.forEach(node -> lockHeld.add(Thread.holdsLock(node)));
-                return test.space();
+                return Home.of(test.space());
             }
-
-            @Override
-            protected boolean isLocal() {
-                return false;
-            }
-
-            @Override
-            protected void run() {}
         };
         for (int count = 0; count < 20; count++) {
-            promise.register(new InlineListener(() -> {}, () -> false));
+            promise.register(new Listeners.Inline(() -> {}, () -> false));
         }
         Reachable.from(promise).stream()
-                .filter(Listeners.class::isInstance)
+                .filter(Listeners.Many.class::isInstance)
                 .forEach(each -> listeners.add((Node) each));
         assertThat(listeners).hasSize(1);
         promise.settleError(new IllegalStateException("failed"));

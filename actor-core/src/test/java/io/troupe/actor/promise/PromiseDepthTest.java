@@ -2,6 +2,7 @@ package io.troupe.actor.promise;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.testkit.TestSpace;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -81,7 +82,7 @@ class PromiseDepthTest {
     @Test
     void longChain_isSettledAndRejected_inASpaceAndOutside() {
         try (var test = new TestSpace()) {
-            for (Home home : Arrays.asList(test.space(), null)) {
+            for (ActorSpace home : Arrays.asList(test.space(), null)) {
                 var fulfilled = new Deferred<Integer>(home);
                 Promise<Integer> value = chain(fulfilled, 100_000);
                 fulfilled.resolve(0);

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.Reachable;
+import io.troupe.actor.internal.loop.NodeQueue;
 import io.troupe.actor.testkit.TestSpace;
 import java.io.IOException;
 import java.time.Duration;
@@ -45,7 +46,7 @@ class PromiseMemoryTest {
     void overlappingRaces_onASharedPromise_leaveNoMoreThanAFewListeners() {
         var longLived = new Deferred<Integer>(test.space());
         overlappingRaces(longLived, 10_000);
-        assertThat(kept(longLived, Follower.class)).isBetween(1L, 20L);
+        assertThat(kept(longLived, Listeners.Follower.class)).isBetween(1L, 20L);
         longLived.resolve(1);
         test.crank();
     }
@@ -58,7 +59,7 @@ class PromiseMemoryTest {
             local.add(source.thenApply(value -> value));
             overlappingRaces(local.getFirst(), 10_000);
         });
-        assertThat(kept(local.getFirst(), Follower.class)).isBetween(1L, 20L);
+        assertThat(kept(local.getFirst(), Listeners.Follower.class)).isBetween(1L, 20L);
         source.resolve(1);
         test.crank();
     }
@@ -107,7 +108,7 @@ class PromiseMemoryTest {
             test.crank();
         }
         longLived.then(value -> {});
-        assertThat(kept(longLived, InlineListener.class)).isLessThan(20);
+        assertThat(kept(longLived, Listeners.Inline.class)).isLessThan(20);
         longLived.resolve(1);
         test.crank();
     }
@@ -186,14 +187,14 @@ class PromiseMemoryTest {
     void queueThatIsIdle_keepsNoNode() {
         var queue = new NodeQueue();
         for (int round = 0; round < 3; round++) {
-            var first = new InlineListener(() -> {}, () -> false);
-            var second = new InlineListener(() -> {}, () -> false);
+            var first = new Listeners.Inline(() -> {}, () -> false);
+            var second = new Listeners.Inline(() -> {}, () -> false);
             queue.offer(first);
             assertThat(queue.poll()).isSameAs(first);
-            assertThat(kept(queue, InlineListener.class)).isEqualTo(1);
+            assertThat(kept(queue, Listeners.Inline.class)).isEqualTo(1);
             queue.forgetLast();
             queue.forgetLast();
-            assertThat(kept(queue, InlineListener.class)).isZero();
+            assertThat(kept(queue, Listeners.Inline.class)).isZero();
             assertThat(queue.isEmpty()).isTrue();
             queue.offer(first);
             queue.offer(second);

@@ -23,10 +23,9 @@ public final class PublicTypes {
      * @param javadoc the text of its comment in one line; empty if it has none
      */
     public record PublicType(String name, String javadoc) {
-        /** Whether its comment marks it as public for technical reasons only. */
+        /** True if it is public for technical reasons only: it is in a package called {@code internal}, or below. */
         public boolean isForTheLibraryOnly() {
-            String text = javadoc.toLowerCase(java.util.Locale.ROOT);
-            return text.contains("for generated code") || text.contains("internal to this library");
+            return name.contains(".internal.");
         }
     }
 

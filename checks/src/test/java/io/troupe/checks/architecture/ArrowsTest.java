@@ -20,6 +20,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 class ArrowsTest {
     private static final String PROMISE = "io.troupe.actor.promise";
     private static final String TIME = "io.troupe.actor.time";
+    private static final String LOOP = "io.troupe.actor.internal.loop";
+    private static final String INTERNAL = "io.troupe.actor.internal";
     private static final String ACTOR = "io.troupe.actor";
     private static final String COMMON = "io.troupe.common..";
     private static final String BUS = "io.troupe.bus";
@@ -141,8 +143,18 @@ class ArrowsTest {
     }
 
     @Test
-    void promise_importsNoOtherRoom() {
-        arrow(PROMISE).check(Classes.MAIN);
+    void loop_importsTime() {
+        arrow(LOOP, TIME).check(Classes.MAIN);
+    }
+
+    @Test
+    void promise_importsLoop() {
+        arrow(PROMISE, LOOP).check(Classes.MAIN);
+    }
+
+    @Test
+    void internal_importsPromiseAndLoop() {
+        arrow(INTERNAL, PROMISE, LOOP).check(Classes.MAIN);
     }
 
     @Test
@@ -151,8 +163,8 @@ class ArrowsTest {
     }
 
     @Test
-    void actor_importsPromiseAndTime() {
-        arrow(ACTOR, PROMISE, TIME).check(Classes.MAIN);
+    void actor_importsPromiseAndTimeAndTheInternalPackages() {
+        arrow(ACTOR, PROMISE, TIME, INTERNAL, LOOP).check(Classes.MAIN);
     }
 
     @Test

@@ -1,5 +1,9 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.Nodes;
 import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 import org.openjdk.jcstress.annotations.Actor;
@@ -25,7 +29,7 @@ public class LateListener {
 
     public LateListener() {
         home.thread = Thread.currentThread();
-        promise = new Deferred<>(home);
+        promise = new Deferred<>(home, null);
         promise.then(value -> order = 10 * order + 1);
         home.thread = null;
     }
@@ -62,7 +66,7 @@ public class LateListener {
 
         private static void runOne(Node node) {
             try {
-                node.run();
+                Nodes.serve(node);
             } catch (Throwable thrown) {
                 throw new IllegalStateException("a listener threw", thrown);
             }
@@ -74,12 +78,12 @@ public class LateListener {
         }
 
         @Override
-        protected boolean isCurrent() {
+        public boolean isCurrent() {
             return Thread.currentThread() == thread;
         }
 
         @Override
-        protected void enqueue(Node node) {
+        public void enqueue(Node node) {
             if (isCurrent()) {
                 ring.add(node);
             } else {
@@ -88,27 +92,27 @@ public class LateListener {
         }
 
         @Override
-        protected void enqueueAsRemote(Node node) {
+        public void enqueueAsRemote(Node node) {
             inbox.offer(node);
         }
 
         @Override
-        protected void enqueueAtHome(Node node) {
+        public void enqueueAtHome(Node node) {
             ring.add(node);
         }
 
         @Override
-        protected Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
+        public Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
             throw new UnsupportedOperationException("nobody sets timers here");
         }
 
         @Override
-        protected void rejected(Promise<?> rejected, Throwable error) {
+        public void rejected(Node rejected, Throwable error) {
             throw new UnsupportedOperationException("nobody rejects anything here");
         }
 
         @Override
-        protected void await(Promise<?> awaited) {
+        public void await(Node awaited) {
             throw new UnsupportedOperationException("nobody waits here");
         }
     }

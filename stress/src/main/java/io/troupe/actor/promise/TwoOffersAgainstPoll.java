@@ -1,5 +1,7 @@
 package io.troupe.actor.promise;
 
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.NodeQueue;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;

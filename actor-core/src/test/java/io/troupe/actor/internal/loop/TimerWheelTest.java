@@ -1,8 +1,12 @@
-package io.troupe.actor.time;
+package io.troupe.actor.internal.loop;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.time.Clock;
+import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.time.Schedule;
+import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
@@ -101,11 +105,11 @@ class TimerWheelTest {
     }
 
     /** Counts the comparisons of timers: the work that remains when slots are found by a bit scan. */
-    private static final class CountingHeap extends TimerHeap {
+    private static final class CountingHeap extends TimerWheel.Heap {
         private long comparisons;
 
         @Override
-        boolean isEarlier(Timer timer, Timer other) {
+        boolean isEarlier(TimerWheel.WheelTimer timer, TimerWheel.WheelTimer other) {
             comparisons++;
             return super.isEarlier(timer, other);
         }

@@ -1,24 +1,21 @@
-package io.troupe.actor;
+package io.troupe.actor.internal;
 
-import io.troupe.actor.promise.Home;
-import io.troupe.actor.promise.Node;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.promise.Promise;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A message that returns a result; also the promise of that result. For generated code: each method of an actor type
  * that returns a promise has a subclass whose fields are the arguments.
- *
- * @hidden
  */
 public abstract class Request<T extends @Nullable Object> extends Promise<T> {
-    private static final int COUNTED = 1_000; // bounds the cost of a time-out behind a long queue
-
-    private final ActorCell cell;
+    private final Recipient receiver;
     private boolean calledInside;
 
-    protected Request(ActorCell cell) {
-        this.cell = cell;
+    protected Request(Recipient receiver) {
+        this.receiver = receiver;
     }
 
     /** Calls the method. */
@@ -30,6 +27,10 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     /** The arguments, for log and error messages. */
     protected abstract Object[] arguments();
 
+    public final Recipient receiver() {
+        return receiver;
+    }
+
     /** Repeated in each generated class, to keep its call site of {@code invoke} monomorphic. */
     @Override
     protected @Nullable Node serve() throws Throwable {
@@ -37,30 +38,25 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return target == null ? null : answer(invoke(target));
     }
 
-    @Override
-    protected final void run() throws Throwable {
-        enqueue(serve());
-    }
-
-    private void enqueue(@Nullable Node callback) {
+    /** Like {@link #serve}, for a target that has already been looked up; queues the listener. */
+    public final void serveWith(Object target) throws Throwable {
+        Node callback = answer(invoke(target));
         if (callback != null) {
-            cell.space().enqueueCallback(callback);
+            receiver.home().enqueue(callback);
         }
     }
 
     /** The target to invoke, or null if the request was already handled or rejected. */
     protected final @Nullable Object target() {
-        return cell.target(this);
+        return receiver.target(this);
     }
 
     /** An exception of the actor rejects the promise; an error of the virtual machine is reported in addition. */
     @Override
     protected final void threw(Throwable thrown) {
         reject(thrown);
-        if (thrown instanceof VirtualMachineError
-                && !(thrown instanceof StackOverflowError)
-                && !(thrown instanceof OutOfMemoryError)) {
-            cell.space().reports().error(method() + " of", cell, thrown, null);
+        if (isOfTheMachine(thrown)) {
+            receiver.reportError(method(), thrown);
         }
     }
 
@@ -71,14 +67,10 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
 
     @Override
     protected final Home home() {
-        return cell.space();
+        return receiver.home();
     }
 
-    final ActorCell receiver() {
-        return cell;
-    }
-
-    final void noteCaller(boolean inside) {
+    public final void noteCaller(boolean inside) {
         calledInside = inside;
     }
 
@@ -94,18 +86,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
 
     @Override
     protected final String progress() {
-        ActorSpace space = cell.space();
-        if (isDone() || !space.isCurrent()) {
-            return "";
-        }
-        int inMailbox = cell.placeInMailbox(this, COUNTED);
-        int before = inMailbox >= 0 ? inMailbox : space.dispatcher.messagesBefore(this, COUNTED);
-        if (before >= 0) {
-            return ", which has not begun it: " + before + " calls come first";
-        }
-        return space.dispatcher.isLongerThan(COUNTED)
-                ? ", where more than " + COUNTED + " calls wait"
-                : ", which has begun it";
+        return isDone() || !home().isCurrent() ? "" : receiver.progressOf(this);
     }
 
     /**
@@ -115,15 +96,10 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
      */
     protected final @Nullable Node answer(@Nullable Promise<? extends T> answer) {
         if (answer == null) {
-            reject(new ActorException(method() + " of " + cell + " answered null, expected a promise"));
+            reject(receiver.answeredNull(method()));
             return null;
         }
         return followAtHome(answer);
-    }
-
-    /** Like {@link #serve}, for a target that has already been looked up. */
-    final void serveWith(Object target) throws Throwable {
-        enqueue(answer(invoke(target)));
     }
 
     /**
@@ -135,17 +111,38 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         if (answer instanceof Request<?>) {
             follow(answer);
         } else {
-            follow(answer, cell.life());
+            follow(answer, receiver.life());
         }
     }
 
     /** Rejects this request; false if it was already settled. */
-    final boolean reject(Throwable error) {
+    public final boolean reject(Throwable error) {
         return settleError(error);
     }
 
     @Override
     public final String toString() {
-        return Message.describe(method(), arguments()) + " of " + cell;
+        return Message.describe(method(), arguments()) + " of " + receiver;
+    }
+
+    // ---- access to any promise, for this library
+
+    /** True if the promise was made by a thread outside its home, which may be about to register a listener. */
+    public static boolean isMadeOutside(Promise<?> promise) {
+        return Promise.isMadeOutside(promise);
+    }
+
+    /** True if the promise has, or had, a listener that receives its outcome. */
+    public static boolean isHandled(Promise<?> promise) {
+        return Promise.isHandled(promise);
+    }
+
+    /**
+     * Runs an action when the promise is settled, on the thread that settles it.
+     *
+     * @param isOver true once the action is no longer needed, so that the promise may drop it; called by any thread
+     */
+    public static void whenSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
+        Promise.whenSettled(promise, isOver, action);
     }
 }

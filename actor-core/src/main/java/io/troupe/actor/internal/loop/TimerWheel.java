@@ -1,6 +1,10 @@
-package io.troupe.actor.time;
+package io.troupe.actor.internal.loop;
 
+import io.troupe.actor.time.Clock;
+import io.troupe.actor.time.Schedule;
+import io.troupe.actor.time.Timer;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Comparator;
 import java.util.List;
 import java.util.Objects;
@@ -12,7 +16,7 @@ import org.jspecify.annotations.Nullable;
  * The timers of one thread, on hierarchical wheels: with slots of about one millisecond, 64 milliseconds, 64 times
  * that, and so on.
  *
- * <p><b>Role.</b> Each actor space has one; internal to this library. <b>Threads.</b> The space's thread only.
+ * <p><b>Role.</b> Each actor space has one. Internal to this library. <b>Threads.</b> The space's thread only.
  *
  * <p><b>Order.</b> By deadline, then by the order in which they were set; a task never runs before its deadline.
  *
@@ -21,8 +25,6 @@ import org.jspecify.annotations.Nullable;
  * Timers that are due later cost nothing until then.
  *
  * <p><b>Source.</b> Varghese and Lauck, "Hashed and hierarchical timing wheels", scheme 7 (1987).
- *
- * @hidden
  */
 public final class TimerWheel {
     /*
@@ -38,15 +40,16 @@ public final class TimerWheel {
     private static final int NONE = -1;
     private static final int FEW = 16;
     private static final long MADE_UP_FOR_NANOS = 1_000_000_000;
-    private static final Comparator<Timer> IN_TURN =
-            Comparator.<Timer>comparingLong(timer -> timer.deadlineNanos).thenComparingLong(timer -> timer.sequence);
+    private static final Comparator<WheelTimer> IN_TURN = Comparator.<WheelTimer>comparingLong(
+                    timer -> timer.deadlineNanos)
+            .thenComparingLong(timer -> timer.sequence);
 
     private final Clock clock;
     private final BooleanSupplier onThread;
-    private final TimerHeap near;
-    private final @Nullable Timer[] slots = new Timer[WHEELS * SLOTS];
+    private final Heap near;
+    private final @Nullable WheelTimer[] slots = new WheelTimer[WHEELS * SLOTS];
     private final long[] occupied = new long[WHEELS]; // one bit per slot
-    private final List<Timer> periodic = new ArrayList<>(); // periodic timers that have run in this pass
+    private final List<WheelTimer> periodic = new ArrayList<>(); // periodic timers that have run in this pass
     private long position; // a tick, unsigned
     private long sequence;
     private int size;
@@ -61,10 +64,10 @@ public final class TimerWheel {
      * @param onThread true on the wheel's thread
      */
     public TimerWheel(Clock clock, BooleanSupplier onThread) {
-        this(clock, onThread, new TimerHeap());
+        this(clock, onThread, new Heap());
     }
 
-    TimerWheel(Clock clock, BooleanSupplier onThread, TimerHeap near) {
+    TimerWheel(Clock clock, BooleanSupplier onThread, Heap near) {
         this.clock = clock;
         this.onThread = onThread;
         this.near = near;
@@ -93,7 +96,7 @@ public final class TimerWheel {
             position = Math.max(position, tick(now)); // otherwise it moves when timers are run
         }
         long deadline = saturatedSum(now, Math.max(0, delayNanos));
-        var timer = new Timer(this, task, deadline, periodNanos, schedule, sequence++);
+        var timer = new WheelTimer(this, task, deadline, periodNanos, schedule, sequence++);
         insert(timer);
         size++;
         return timer;
@@ -111,13 +114,13 @@ public final class TimerWheel {
     /** Cancels all timers; returns their tasks, in the order in which they would have run. */
     public List<Runnable> clear() {
         insertPeriodicOnes();
-        var waiting = new ArrayList<Timer>(size);
-        for (Timer first : slots) {
-            for (Timer timer = first; timer != null; timer = timer.after) {
+        var waiting = new ArrayList<WheelTimer>(size);
+        for (WheelTimer first : slots) {
+            for (WheelTimer timer = first; timer != null; timer = timer.after) {
                 waiting.add(timer);
             }
         }
-        for (Timer first = near.first(); first != null; first = near.first()) {
+        for (WheelTimer first = near.first(); first != null; first = near.first()) {
             waiting.add(first);
             remove(first);
         }
@@ -131,7 +134,7 @@ public final class TimerWheel {
         if (size == 0) {
             return false;
         }
-        Timer first = near.first();
+        WheelTimer first = near.first();
         long now = clock.nanos();
         if (first != null && first.deadlineNanos <= now) {
             return true;
@@ -148,7 +151,7 @@ public final class TimerWheel {
      * no timer.
      */
     public long nextDeadline() {
-        Timer first = near.first();
+        WheelTimer first = near.first();
         if (first != null) {
             return first.deadlineNanos;
         }
@@ -173,7 +176,7 @@ public final class TimerWheel {
         long firstNew = sequence;
         int count = 0;
         try {
-            for (Timer timer = near.first(); timer != null; timer = near.first()) {
+            for (WheelTimer timer = near.first(); timer != null; timer = near.first()) {
                 if (timer.deadlineNanos > now || timer.sequence >= firstNew) {
                     break;
                 }
@@ -186,7 +189,7 @@ public final class TimerWheel {
         return count;
     }
 
-    private void run(Timer timer, long now, Consumer<Runnable> runner) {
+    private void run(WheelTimer timer, long now, Consumer<Runnable> runner) {
         if (timer.periodNanos == 0) {
             remove(timer);
             runner.accept(timer.task);
@@ -204,7 +207,7 @@ public final class TimerWheel {
         }
     }
 
-    private long nextDeadline(Timer timer, long now) {
+    private long nextDeadline(WheelTimer timer, long now) {
         long next = saturatedSum(timer.deadlineNanos, timer.periodNanos);
         return switch (timer.schedule) {
             case FIXED_RATE ->
@@ -222,8 +225,8 @@ public final class TimerWheel {
     }
 
     private void insertPeriodicOnes() {
-        for (Timer timer : periodic) {
-            if (timer.waiting && timer.place == Timer.NOWHERE) {
+        for (WheelTimer timer : periodic) {
+            if (timer.waiting && timer.place == WheelTimer.NOWHERE) {
                 insert(timer);
             }
         }
@@ -231,7 +234,7 @@ public final class TimerWheel {
     }
 
     /** Cancels a timer; on the wheel's thread only. */
-    boolean cancel(Timer timer) {
+    private boolean cancel(WheelTimer timer) {
         if (!onThread.getAsBoolean()) {
             throw new IllegalStateException("a timer can be cancelled on the thread of its space only, and not on "
                     + Thread.currentThread().getName() + ": send the actor a message");
@@ -239,13 +242,13 @@ public final class TimerWheel {
         return remove(timer);
     }
 
-    private boolean remove(Timer timer) {
+    private boolean remove(WheelTimer timer) {
         if (!timer.waiting) {
             return false;
         }
         timer.waiting = false;
         size--;
-        if (timer.place != Timer.NOWHERE) {
+        if (timer.place != WheelTimer.NOWHERE) {
             unlink(timer);
         }
         return true;
@@ -253,7 +256,7 @@ public final class TimerWheel {
 
     // ---- slots
 
-    private void insert(Timer timer) {
+    private void insert(WheelTimer timer) {
         long tick = tick(timer.deadlineNanos);
         long difference = tick ^ position;
         if (tick <= position) { // signed comparison: a tick has fewer than 64 bits
@@ -264,7 +267,7 @@ public final class TimerWheel {
         int wheel = (Long.SIZE - 1 - Long.numberOfLeadingZeros(difference)) / DIGIT_BITS;
         int digit = (int) (tick >>> wheel * DIGIT_BITS) & (SLOTS - 1);
         int slot = wheel * SLOTS + digit;
-        Timer first = slots[slot];
+        WheelTimer first = slots[slot];
         timer.near = false;
         timer.place = slot;
         timer.after = first;
@@ -275,13 +278,13 @@ public final class TimerWheel {
         occupied[wheel] |= 1L << digit;
     }
 
-    private void unlink(Timer timer) {
+    private void unlink(WheelTimer timer) {
         if (timer.near) {
             near.remove(timer);
             return;
         }
         int slot = timer.place;
-        Timer after = timer.after;
+        WheelTimer after = timer.after;
         if (timer.before != null) {
             timer.before.after = after;
         } else {
@@ -295,14 +298,14 @@ public final class TimerWheel {
         }
         timer.before = null;
         timer.after = null;
-        timer.place = Timer.NOWHERE;
+        timer.place = WheelTimer.NOWHERE;
     }
 
     /** Moves timers that are due up to a tick to the heap, and those due soon after it to finer wheels. */
     private void moveTo(long tick) {
         for (int slot = nextSlot(); slot != NONE && start(slot) <= tick; slot = nextSlot()) {
             position = start(slot);
-            for (Timer timer = slots[slot]; timer != null; timer = slots[slot]) {
+            for (WheelTimer timer = slots[slot]; timer != null; timer = slots[slot]) {
                 unlink(timer);
                 insert(timer);
             }
@@ -331,7 +334,7 @@ public final class TimerWheel {
     private long earliestIn(int slot, int limit) {
         long earliest = Long.MAX_VALUE;
         int looks = 0;
-        for (Timer timer = slots[slot]; timer != null; timer = timer.after) {
+        for (WheelTimer timer = slots[slot]; timer != null; timer = timer.after) {
             if (looks++ == limit) {
                 return nanos(start(slot));
             }
@@ -352,5 +355,159 @@ public final class TimerWheel {
     private static long saturatedSum(long nanos, long more) {
         long sum = nanos + more;
         return sum < nanos ? Long.MAX_VALUE : sum;
+    }
+
+    /** A timer of a wheel. */
+    static final class WheelTimer implements Timer {
+        /** The place of a timer that is neither in a slot nor in the heap. */
+        static final int NOWHERE = -1;
+
+        final Runnable task;
+        final long periodNanos;
+        final Schedule schedule;
+        final long sequence;
+        long deadlineNanos;
+        boolean waiting = true;
+        int place = NOWHERE; // the index in the heap if it is near, else the index of its slot
+        boolean near;
+
+        @Nullable
+        WheelTimer before; // links within its slot
+
+        @Nullable
+        WheelTimer after;
+
+        private final TimerWheel wheel;
+
+        WheelTimer(
+                TimerWheel wheel,
+                Runnable task,
+                long deadlineNanos,
+                long periodNanos,
+                Schedule schedule,
+                long sequence) {
+            this.wheel = wheel;
+            this.task = task;
+            this.deadlineNanos = deadlineNanos;
+            this.periodNanos = periodNanos;
+            this.schedule = schedule;
+            this.sequence = sequence;
+        }
+
+        @Override
+        public boolean cancel() {
+            return wheel.cancel(this);
+        }
+
+        @Override
+        public boolean isWaiting() {
+            return waiting;
+        }
+    }
+
+    /**
+     * Timers ordered by deadline, then by creation: a heap with four children per node, in which each timer stores its
+     * index.
+     *
+     * <p><b>Cost.</b> Logarithmic time for adding and removing.
+     */
+    static class Heap {
+        private static final int SMALL = 16;
+        private static final int CHILDREN = 4;
+
+        private @Nullable WheelTimer[] timers = new WheelTimer[SMALL];
+        private int size;
+
+        /** The number of timers. */
+        final int size() {
+            return size;
+        }
+
+        /** The earliest timer, or null. */
+        final @Nullable WheelTimer first() {
+            return timers[0];
+        }
+
+        /** True if a timer runs before another one; the only place where timers are compared. */
+        boolean isEarlier(WheelTimer timer, WheelTimer other) {
+            return timer.deadlineNanos < other.deadlineNanos
+                    || timer.deadlineNanos == other.deadlineNanos && timer.sequence < other.sequence;
+        }
+
+        /*
+         * A stack overflow of the caller in here must not corrupt the heap. A call may overflow, a store cannot:
+         * between two calls the heap is complete, and at worst a timer is out of order.
+         */
+
+        final void add(WheelTimer timer) {
+            if (size == timers.length) {
+                timers = Arrays.copyOf(timers, 2 * size);
+            }
+            timers[size] = timer;
+            timer.place = size++;
+            moveUp(timer);
+        }
+
+        /** Removes a timer that is in the heap. */
+        final void remove(WheelTimer timer) {
+            WheelTimer last = at(size - 1);
+            size--;
+            timers[size] = null;
+            if (last != timer) {
+                timers[timer.place] = last;
+                last.place = timer.place;
+            }
+            timer.place = WheelTimer.NOWHERE;
+            if (last != timer) {
+                moveDown(last);
+                moveUp(last);
+            }
+            if (size < timers.length / 4 && timers.length > SMALL) {
+                timers = Arrays.copyOf(timers, timers.length / 2);
+            }
+        }
+
+        private WheelTimer at(int place) {
+            return Objects.requireNonNull(timers[place]);
+        }
+
+        private void moveUp(WheelTimer timer) {
+            while (timer.place > 0) {
+                WheelTimer parent = at((timer.place - 1) >>> 2);
+                if (!isEarlier(timer, parent)) {
+                    return;
+                }
+                int place = parent.place;
+                timers[timer.place] = parent;
+                parent.place = timer.place;
+                timers[place] = timer;
+                timer.place = place;
+            }
+        }
+
+        private void moveDown(WheelTimer timer) {
+            for (WheelTimer child = earliestChild(timer); child != null; child = earliestChild(timer)) {
+                if (!isEarlier(child, timer)) {
+                    return;
+                }
+                int place = child.place;
+                timers[timer.place] = child;
+                child.place = timer.place;
+                timers[place] = timer;
+                timer.place = place;
+            }
+        }
+
+        private @Nullable WheelTimer earliestChild(WheelTimer timer) {
+            int first = (timer.place << 2) + 1;
+            WheelTimer earliest = first < size ? at(first) : null;
+            for (int place = first + 1; earliest != null && place < Math.min(first + CHILDREN, size); place++) {
+                WheelTimer child = at(place);
+                if (isEarlier(child, earliest)) {
+                    earliest = child;
+                }
+            }
+            return earliest;
+        }
     }
 }

@@ -1,6 +1,6 @@
-package io.troupe.actor;
+package io.troupe.actor.internal;
 
-import io.troupe.actor.promise.Node;
+import io.troupe.actor.internal.loop.Node;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -8,14 +8,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * A one-way message. For generated code: each {@code void} method of an actor type has a subclass whose fields are the
  * arguments.
- *
- * @hidden
  */
 public abstract class Message extends Node {
-    private final ActorCell cell;
+    private final Recipient receiver;
 
-    protected Message(ActorCell cell) {
-        this.cell = cell;
+    protected Message(Recipient receiver) {
+        this.receiver = receiver;
     }
 
     /** Calls the method. */
@@ -27,8 +25,8 @@ public abstract class Message extends Node {
     /** The arguments, for log and error messages. */
     protected abstract Object[] arguments();
 
-    final ActorCell receiver() {
-        return cell;
+    public final Recipient receiver() {
+        return receiver;
     }
 
     /** Repeated in each generated class, to keep its call site of {@code invoke} monomorphic. */
@@ -41,24 +39,33 @@ public abstract class Message extends Node {
         return null;
     }
 
-    @Override
-    protected final void run() throws Throwable {
-        serve();
+    /** Like {@link #serve}, for a target that has already been looked up. */
+    public final void serveWith(Object target) throws Throwable {
+        invoke(target);
     }
 
     /** The target to invoke, or null if the message was already handled or rejected. */
     protected final @Nullable Object target() {
-        return cell.target(this);
+        return receiver.target(this);
     }
 
     @Override
     protected final void threw(Throwable thrown) {
-        cell.failed(method(), thrown);
+        receiver.failed(method(), thrown);
     }
 
     @Override
     protected final boolean isMessage() {
         return true;
+    }
+
+    /** The arguments of a call, or none if the node is no call. */
+    public static @Nullable Object[] argumentsOf(Node call) {
+        return switch (call) {
+            case Message message -> message.arguments();
+            case Request<?> request -> request.arguments();
+            default -> new Object[0];
+        };
     }
 
     @Override

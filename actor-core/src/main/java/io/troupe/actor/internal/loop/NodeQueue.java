@@ -1,4 +1,4 @@
-package io.troupe.actor.promise;
+package io.troupe.actor.internal.loop;
 
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
@@ -18,12 +18,7 @@ abstract class QueuePadding {
 abstract class QueueHead extends QueuePadding {
     Node head = new Stub();
 
-    private static final class Stub extends Node {
-        @Override
-        protected void run() {
-            throw new IllegalStateException("a stub is never run");
-        }
-    }
+    private static final class Stub extends Node {}
 }
 
 /** Padding between the consumer's field and the producers' field. */
@@ -40,7 +35,7 @@ abstract class QueueTail extends QueueHeadPadding {
 /**
  * An unbounded queue of nodes, from many threads to one.
  *
- * <p><b>Role.</b> A space's inbox; internal to this library.
+ * <p><b>Role.</b> A space's inbox. Internal to this library.
  *
  * <p><b>Threads.</b> {@link #offer} from any thread; {@link #poll}, {@link #isEmpty} and the batch methods from one
  * thread at a time. What a thread did before {@code offer} is visible to the thread that takes the node.
@@ -48,8 +43,6 @@ abstract class QueueTail extends QueueHeadPadding {
  * <p><b>Order.</b> First in, first out per offering thread; between threads, the order of their atomic exchanges.
  *
  * <p><b>Cost.</b> One atomic exchange per offer, no allocation.
- *
- * @hidden
  */
 @SuppressWarnings("unused")
 public final class NodeQueue extends QueueTail {

@@ -1,22 +1,27 @@
-package io.troupe.actor.promise;
+package io.troupe.actor.internal.loop;
 
 import org.jspecify.annotations.Nullable;
 
 /**
- * An entry of a {@link Home}'s queues.
+ * An entry of a {@link Home}'s queues. Internal to this library.
  *
- * <p><b>Role.</b> Messages, requests and listeners are nodes, so queueing one allocates nothing. For generated code and
- * internal use, not for applications.
- *
- * @hidden
+ * <p><b>Role.</b> Messages, requests and listeners are nodes, so queueing one allocates nothing. A promise is a node,
+ * so nothing here is public: the library uses {@link Nodes}.
  */
 public abstract class Node {
     /** Link to another node; owned by the queue, or by the promise, that currently holds this node. */
     @Nullable
     Node next;
 
-    /** Runs this node on its home's thread; the caller passes what it throws to {@link #threw}. */
-    protected abstract void run() throws Throwable;
+    protected Node() {}
+
+    /**
+     * Runs this node on its home's thread; the caller passes what it throws to {@link #threw}. Overridden by every node
+     * that is queued as a callback.
+     */
+    protected void run() throws Throwable {
+        throw new IllegalStateException("this is never run: " + this);
+    }
 
     /**
      * Runs this as an entry of a queue. If a request's result has exactly one listener, and that listener would run
@@ -29,9 +34,9 @@ public abstract class Node {
         return null;
     }
 
-    /** Handles what {@link #run} has thrown; rethrows it if this node has no handler. */
+    /** Handles what {@link #serve} has thrown; rethrows it if this node has no handler. */
     protected void threw(Throwable thrown) {
-        throw Errors.rethrow(thrown);
+        throw Nodes.rethrow(thrown);
     }
 
     /** True if this goes to a mailbox; everything else goes to the callback queue, which is drained first. */
@@ -40,12 +45,12 @@ public abstract class Node {
     }
 
     /** True if this listener no longer needs the outcome, so that the promise may drop it. */
-    boolean isIdle() {
+    protected boolean isIdle() {
         return false;
     }
 
     /** True if this listener has timed out, so that a later failure must be reported elsewhere. */
-    boolean hasTimedOut() {
+    protected boolean hasTimedOut() {
         return false;
     }
 }

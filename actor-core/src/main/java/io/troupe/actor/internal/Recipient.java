@@ -1,0 +1,61 @@
+package io.troupe.actor.internal;
+
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Owner;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The actor behind a proxy, as its messages and requests see it. For generated code.
+ *
+ * <p>A class with one subclass, not an interface: the virtual machine calls its methods directly.
+ *
+ * <p><b>Threads.</b> The two {@code send} and {@link #returning} from any thread, the rest on the space's thread.
+ */
+public abstract class Recipient {
+    protected Recipient() {}
+
+    /** Puts a message into the actor's mailbox. */
+    public abstract void send(Message message);
+
+    /** Puts a request into the actor's mailbox. */
+    public abstract void send(Request<?> request);
+
+    /** Wraps an argument that is a callback, so that what the actor sends arrives in the caller's callback queue. */
+    public abstract @Nullable Object returning(@Nullable Object callback);
+
+    /** Identity, for the {@code equals} of a proxy. */
+    public static boolean same(Object first, @Nullable Object second) {
+        return first == second;
+    }
+
+    /**
+     * Begins the turn of a one-way message.
+     *
+     * @return the target to invoke, or null if the message was already handled or rejected
+     */
+    protected abstract @Nullable Object target(Message message);
+
+    /**
+     * Begins the turn of a request.
+     *
+     * @return the target to invoke, or null if the request was already handled or rejected
+     */
+    protected abstract @Nullable Object target(Request<?> request);
+
+    protected abstract Home home();
+
+    /** The incarnation that owns the requests that begin now. */
+    protected abstract Owner life();
+
+    /** Reports a failure of a one-way message and applies supervision. */
+    protected abstract void failed(String method, Throwable thrown);
+
+    /** Reports an error of the virtual machine that has also rejected a request. */
+    protected abstract void reportError(String method, Throwable thrown);
+
+    /** The error of a request whose method returned null. */
+    protected abstract RuntimeException answeredNull(String method);
+
+    /** See {@link Request#progress}. */
+    protected abstract String progressOf(Request<?> request);
+}

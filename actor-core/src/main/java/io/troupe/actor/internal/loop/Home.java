@@ -1,0 +1,199 @@
+package io.troupe.actor.internal.loop;
+
+import java.time.Duration;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * An event loop: the single thread that owns actors, promises and listeners. Internal to this library.
+ *
+ * <p><b>Role.</b> Promises run their listeners on their home's thread; each actor space has one.
+ *
+ * <p><b>Threads.</b> {@link #enqueue}, {@link #schedule} and {@link #rejected} from any thread, the rest on the home's
+ * thread.
+ */
+public abstract class Home {
+    private static final ThreadLocal<@Nullable Home> CURRENT = new ThreadLocal<>();
+
+    private final Owner outsider;
+    private final Owner self;
+    private final DetachedNodes detachedNodes = new DetachedNodes();
+    private CurrentOwner turn;
+    private @Nullable Holder holder;
+
+    @SuppressWarnings("this-escape") // owners only store the reference, and do not use it before the first node runs
+    protected Home() {
+        outsider = new Owner(this, true);
+        self = new Owner(this);
+        turn = new CurrentOwner(self);
+    }
+
+    /** The home whose thread is calling, or null. */
+    public static @Nullable Home current() {
+        return CURRENT.get();
+    }
+
+    /** The home of a space, or null for no space. */
+    public static @Nullable Home of(@Nullable Holder holder) {
+        return holder == null ? null : holder.home;
+    }
+
+    /** What users have of this home, or null if there is no such object. */
+    public final @Nullable Holder holder() {
+        return holder;
+    }
+
+    /** The nodes without a home that this home's thread runs. */
+    public final DetachedNodes detachedNodes() {
+        return detachedNodes;
+    }
+
+    // ---- the thread
+
+    /** True on this home's thread. */
+    public abstract boolean isCurrent();
+
+    /**
+     * Makes the calling thread this home's thread until {@link #leaveThread}.
+     *
+     * @return the home to which the thread belonged before, or null
+     */
+    protected final @Nullable Home enterThread() {
+        Home before = CURRENT.get();
+        CURRENT.set(this);
+        return before;
+    }
+
+    /**
+     * Restores the home to which the calling thread belonged before.
+     *
+     * @param before what {@link #enterThread} returned
+     */
+    public static void leaveThread(@Nullable Home before) {
+        if (before == null) {
+            CURRENT.remove();
+        } else {
+            CURRENT.set(before);
+        }
+    }
+
+    // ---- queueing
+
+    /** Queues a node as a callback; first in, first out per sender. */
+    public abstract void enqueue(Node node);
+
+    /**
+     * Like {@link #enqueue} from another thread, even if called on this home's thread: the node goes behind those that
+     * other threads have queued.
+     */
+    public abstract void enqueueAsRemote(Node node);
+
+    /** Like {@link #enqueue}, called on this home's thread. */
+    public abstract void enqueueAtHome(Node node);
+
+    /** True if a callback that is queued now, on this home's thread, would run before everything else. */
+    public boolean isNextCallbackFirst() {
+        return false;
+    }
+
+    // ---- services for promises
+
+    /**
+     * Runs a task after a delay, or the other one if the home is closed first. If called on this home's thread, the
+     * task runs there. Otherwise it runs on a separate thread that does not depend on the home, unless the home uses a
+     * manual clock.
+     *
+     * @return cancels the task, from any thread
+     */
+    public abstract Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed);
+
+    /**
+     * Called when a promise without listeners was rejected. The home checks again a little later and reports the
+     * rejection if there is still no listener.
+     *
+     * @param promise a promise, which this package cannot name
+     */
+    public abstract void rejected(Node promise, Throwable error);
+
+    /** Called when a promise was rejected after every listener had timed out. */
+    public void rejectedTooLate(Node promise, Throwable error) {
+        rejected(promise, error);
+    }
+
+    /**
+     * Suspends a sequential body until the promise is settled, and runs other work meanwhile; throws for any other
+     * caller.
+     *
+     * @param promise a promise, which this package cannot name
+     */
+    public abstract void await(Node promise);
+
+    // ---- owners
+
+    /** Sets the owner on whose behalf this home's thread now runs. */
+    public final void begin(Owner owner) {
+        CurrentOwner now = turn;
+        if (now.owner != owner) {
+            now.owner = owner;
+        }
+    }
+
+    /** Sets this home itself as the owner on whose behalf its thread now runs. */
+    public final void beginForItself() {
+        begin(self);
+    }
+
+    /** The owner on whose behalf this home's thread is running. */
+    public final Owner owner() {
+        return turn.owner;
+    }
+
+    /** The owner for work of the home itself. */
+    public final Owner itself() {
+        return self;
+    }
+
+    /** The owner for threads outside every home. */
+    public final Owner outsider() {
+        return outsider;
+    }
+
+    /** Replaces the holder of the current owner; called periodically, see {@link CurrentOwner}. */
+    public final void renewTurn() {
+        turn = new CurrentOwner(turn.owner);
+    }
+
+    /** A duration in nanoseconds, saturated at the range of a long (about 292 years). */
+    public static long nanosOf(Duration duration) {
+        try {
+            return duration.toNanos();
+        } catch (ArithmeticException tooLong) {
+            return duration.isNegative() ? Long.MIN_VALUE : Long.MAX_VALUE;
+        }
+    }
+
+    /**
+     * What users have of a home: the base class of {@code ActorSpace}. It has no public members, so that a home's
+     * methods are not among the user's.
+     */
+    public abstract static class Holder {
+        private final Home home;
+
+        protected Holder(Home home) {
+            this.home = home;
+            home.holder = this;
+        }
+    }
+
+    /**
+     * Holds the owner on whose behalf a home's thread is running. This is a separate object that is replaced
+     * periodically, because the field is written at every turn, and storing a reference into an object of the old
+     * generation costs a fence under G1 (until JEP 522, JDK 26).
+     */
+    private static final class CurrentOwner {
+        Owner owner;
+
+        CurrentOwner(Owner owner) {
+            this.owner = owner;
+        }
+    }
+}
