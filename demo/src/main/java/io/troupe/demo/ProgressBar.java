@@ -2,7 +2,6 @@ package io.troupe.demo;
 
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.Interruption;
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.view.RecordedRun;
 import java.util.Locale;
 import java.util.function.Consumer;

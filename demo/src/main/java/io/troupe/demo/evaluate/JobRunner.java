@@ -4,7 +4,6 @@ import io.troupe.actor.time.Clock;
 import io.troupe.common.measure.MeasuringJvm;
 import io.troupe.common.text.NamedColours;
 import io.troupe.demo.evaluate.Measurement.Kind;
-import io.troupe.common.text.NamedColours;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;

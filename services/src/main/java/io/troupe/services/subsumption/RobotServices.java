@@ -2,14 +2,7 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
-import io.troupe.common.text.NamedColours;
-import io.troupe.services.behaviour.ColourFinder;
-import java.lang.System.Logger.Level;
 import java.util.Optional;
-import java.util.OptionalInt;
-import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.BiFunction;
-import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -4,12 +4,12 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.time.Clock;
 import io.troupe.broker.ActorServices;
+import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.BrokerObserver;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.ConnectionSettings;
 import io.troupe.broker.Need;
-import io.troupe.broker.ServiceBroker;
 import io.troupe.broker.ServiceCallException;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
@@ -142,7 +142,7 @@ public final class SubsumptionRun implements AutoCloseable {
 
     /** Publishes the robot services at a broker on a space, and connects to them through it. */
     static RobotServices publishAndConnect(ActorSpace space, RobotServicesActor.Settings settings) {
-        var actors = new ActorServices(ServiceBroker.open(space, BROKER), "robots", space, BROKER.observer());
+        var actors = new ActorServices(Broker.open(space, BROKER), "robots", space, BROKER.observer());
         actors.publish(
                 space,
                 RobotServices.class,
