@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatCode;
 
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.BusTopic;
+import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.services.subsumption.RobotServices.ServiceEnd;
 import java.util.Arrays;
