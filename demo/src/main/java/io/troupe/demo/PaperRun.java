@@ -1,6 +1,8 @@
 package io.troupe.demo;
 
 import io.troupe.demo.terminal.Plural;
+import io.troupe.demo.terminal.RealTime;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
@@ -9,14 +11,12 @@ import io.troupe.services.subsumption.SynchronousRound;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.SonarSpec;
 import io.troupe.sim.worldfile.WorldFileException;
 import java.util.List;
 import java.util.Set;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
 import java.util.stream.Collectors;
@@ -101,11 +101,7 @@ final class PaperRun {
             throw new WorldFileException(scenario.world().file() + " has " + Plural.of(robots.size(), "robot")
                     + ", expected " + expected + " as the table of services has");
         }
-        int port = scenario.devices().stream()
-                .filter(device -> device.interfaceName().equals("position2d"))
-                .mapToInt(DeviceBinding::port)
-                .findFirst()
-                .orElseThrow(() -> new WorldFileException(scenario.world().file() + " offers no position2d"));
+        int port = WorldLoader.robotPort(scenario, scenario.world().file());
         Set<Binding> offered = scenario.devices().stream()
                 .filter(device -> device.port() == port)
                 .map(device -> new Binding(device.interfaceName(), device.index(), device.model()))
@@ -159,14 +155,14 @@ final class PaperRun {
                     .withRound(modeSettings.round());
             try (var running = SubsumptionRun.start(services)) {
                 recorder.start(simulation.latest());
-                long origin = System.nanoTime();
+                var realTime = new RealTime();
                 while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
                     Snapshot snapshot = simulation.tick();
                     running.check();
                     recorder.record(snapshot);
                     progress.show(snapshot.timeMicros() / 1e6);
                     if (realtime) {
-                        awaitRealTime(origin + snapshot.timeMicros() * 1000);
+                        realTime.await(snapshot.timeMicros());
                     }
                 }
                 return recorder.finish(simulation.timeMicros() < endMicros);
@@ -186,11 +182,5 @@ final class PaperRun {
                 .put("reconnect", modeSettings.reconnects())
                 .put("seconds", new Json.Fragment(Json.seconds(endMicros)))
                 .put("interval", new Json.Fragment(Json.seconds(scenario.world().intervalMillis() * 1000L)));
-    }
-
-    private static void awaitRealTime(long deadlineNanos) {
-        for (long left = deadlineNanos - System.nanoTime(); left > 0; left = deadlineNanos - System.nanoTime()) {
-            LockSupport.parkNanos(left);
-        }
     }
 }
