@@ -1,8 +1,8 @@
 package io.troupe.demo;
 
-import io.troupe.demo.crowd.CrowdLimits;
 import io.troupe.demo.crowd.CrowdTable;
 import io.troupe.demo.table.ServiceJars;
+import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.ServiceCatalogue;
@@ -122,14 +122,15 @@ final class TeamOptions implements AutoCloseable {
                     spec.commandLine(),
                     "--robots is " + size + " and --world is " + world + ", expected only one of them");
         }
-        CrowdLimits.check(spec, "--robots", size, CrowdWorld.MOST_ROBOTS);
-        int states = CrowdLimits.check(spec, "--colours", colours == null ? COLOURS : colours, CrowdWorld.MOST_COLOURS);
+        OptionRange.check(spec, "--robots", size, 1, CrowdWorld.MOST_ROBOTS);
+        int states =
+                OptionRange.check(spec, "--colours", colours == null ? COLOURS : colours, 1, CrowdWorld.MOST_COLOURS);
         Path file = table;
         if (file != null) {
             return new Team(CrowdWorld.scenario(size, states), read(file, size, catalogue));
         }
-        int kinds = CrowdLimits.check(
-                spec, "--services", services == null ? SERVICES : services, CrowdLimits.MOST_SERVICES);
+        int kinds = OptionRange.check(
+                spec, "--services", services == null ? SERVICES : services, 1, CrowdTable.MOST_SERVICES);
         double hold = holdSeconds == null ? CrowdTable.HOLD_SECONDS : holdSeconds;
         if (!(hold >= 0) || hold > MOST_HOLD_SECONDS) {
             throw new ParameterException(

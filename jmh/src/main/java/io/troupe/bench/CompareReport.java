@@ -1,6 +1,5 @@
 package io.troupe.bench;
 
-import io.troupe.common.measure.SampleStatistics;
 import java.util.List;
 import java.util.Locale;
 
@@ -53,14 +52,10 @@ record CompareReport(int rounds, long seed, Results results) {
                 "| %s | %s | %s | %s | %s | %s |%n",
                 workload.label(),
                 name,
-                cell(results.nanos(workload, name)),
-                cell(results.ratio(workload, name)),
+                results.nanos(workload, name).text(CompareReport::number),
+                results.ratio(workload, name).text(CompareReport::number),
                 bytes(results.bytes(workload, name).median()),
                 retained == null ? "" : bytes(retained));
-    }
-
-    private static String cell(SampleStatistics of) {
-        return number(of.median()) + " (" + number(of.lowerQuartile()) + ".." + number(of.upperQuartile()) + ")";
     }
 
     private static String bytes(double value) {

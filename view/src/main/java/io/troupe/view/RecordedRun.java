@@ -1,5 +1,9 @@
 package io.troupe.view;
 
+import io.troupe.demo.terminal.Plural;
+import io.troupe.demo.terminal.RealTime;
+import io.troupe.demo.terminal.WorldLoader;
+import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -7,7 +11,6 @@ import io.troupe.services.subsumption.SynchronousRound;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.SonarSpec;
@@ -17,6 +20,8 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
 
 /**
@@ -135,11 +140,7 @@ public final class RecordedRun {
             throw new WorldFileException(scenario.world().file() + " has " + RunResult.count(robots.size(), "robot")
                     + ", expected " + expected + " as the table of services has");
         }
-        int port = scenario.devices().stream()
-                .filter(device -> device.interfaceName().equals("position2d"))
-                .mapToInt(DeviceBinding::port)
-                .findFirst()
-                .orElseThrow(() -> new WorldFileException(scenario.world().file() + " offers no position2d"));
+        int port = WorldLoader.robotPort(scenario, scenario.world().file());
         Set<Binding> offered = scenario.devices().stream()
                 .filter(device -> device.port() == port)
                 .map(device -> new Binding(device.interfaceName(), device.index(), device.model()))
@@ -203,6 +204,7 @@ public final class RecordedRun {
                     .withRound(settings.round());
             try (var running = SubsumptionRun.start(services)) {
                 recorder.start(simulation.latest());
+<<<<<<< HEAD:view/src/main/java/io/troupe/view/RecordedRun.java
                 long origin = System.nanoTime();
                 while (simulation.timeMicros() < endMicros && !listener.isStopRequested()) {
                     Snapshot snapshot = simulation.tick();
@@ -211,6 +213,16 @@ public final class RecordedRun {
                     listener.ticked(snapshot.timeMicros());
                     if (settings.realTime()) {
                         awaitRealTime(origin + snapshot.timeMicros() * 1000);
+=======
+                var realTime = new RealTime();
+                while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
+                    Snapshot snapshot = simulation.tick();
+                    running.check();
+                    recorder.record(snapshot);
+                    progress.show(snapshot.timeMicros() / 1e6);
+                    if (realtime) {
+                        realTime.await(snapshot.timeMicros());
+>>>>>>> 8bf86d64ba6088916d51b40dcd1fe0b7e8cff3aa:demo/src/main/java/io/troupe/demo/PaperRun.java
                     }
                 }
                 return recorder.finish(simulation.timeMicros() < endMicros);
@@ -230,11 +242,5 @@ public final class RecordedRun {
                 .put("reconnect", settings.reconnects())
                 .put("seconds", new Json.Fragment(Json.seconds(endMicros)))
                 .put("interval", new Json.Fragment(Json.seconds(scenario.world().intervalMillis() * 1000L)));
-    }
-
-    private static void awaitRealTime(long deadlineNanos) {
-        for (long left = deadlineNanos - System.nanoTime(); left > 0; left = deadlineNanos - System.nanoTime()) {
-            LockSupport.parkNanos(left);
-        }
     }
 }

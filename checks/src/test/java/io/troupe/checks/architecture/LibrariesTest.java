@@ -48,6 +48,11 @@ class LibrariesTest {
     }
 
     @Test
+    void picocli_staysInCommandLines() {
+        library("picocli..", "io.troupe.demo..", "io.troupe.bench..");
+    }
+
+    @Test
     void jmh_staysInTheBenchmarks() {
         library("org.openjdk.jmh..", "io.troupe.bench..");
         noClasses()

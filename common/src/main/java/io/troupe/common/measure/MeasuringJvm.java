@@ -65,7 +65,7 @@ public final class MeasuringJvm implements AutoCloseable {
      *
      * @param main its main method calls {@link MeasuringJvm#serve}
      * @param options of the JVM
-     * @param processors the number that the JVM is told to have; null for those of the machine
+     * @param processors the number that the JVM is configured to have; null for those of the machine
      * @param log the file to which its standard error is appended; null for the standard error of this program
      * @param limit the longest time for an answer; null for no limit
      */

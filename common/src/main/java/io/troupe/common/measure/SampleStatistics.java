@@ -3,6 +3,7 @@ package io.troupe.common.measure;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Locale;
+import java.util.function.DoubleFunction;
 
 /**
  * Median, quartiles and extremes of repeated measurements.
@@ -70,5 +71,10 @@ public record SampleStatistics(
         String lower = String.format(Locale.ROOT, format, lowerQuartile);
         String upper = String.format(Locale.ROOT, format, upperQuartile);
         return lower.equals(upper) ? middle : middle + " (" + lower + ".." + upper + ")";
+    }
+
+    /** The median, followed by the quartiles in brackets. */
+    public String text(DoubleFunction<String> number) {
+        return number.apply(median) + " (" + number.apply(lowerQuartile) + ".." + number.apply(upperQuartile) + ")";
     }
 }

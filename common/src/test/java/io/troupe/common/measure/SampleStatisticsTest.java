@@ -34,6 +34,8 @@ class SampleStatisticsTest {
     void text_leavesQuartilesOutThatNobodySees() {
         assertThat(SampleStatistics.of(1, 2, 3).text(1)).isEqualTo("2.0 (1.5..2.5)");
         assertThat(SampleStatistics.of(2.001, 2.002, 2.003).text(1)).isEqualTo("2.0");
+        assertThat(SampleStatistics.of(2, 2, 2).text(value -> "<" + value + ">"))
+                .isEqualTo("<2.0> (<2.0>..<2.0>)");
     }
 
     @Test

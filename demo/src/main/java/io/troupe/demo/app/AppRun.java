@@ -6,6 +6,9 @@ import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
+import io.troupe.bus.InProcessBus;
+import io.troupe.demo.terminal.RealTime;
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.services.component.application.Application;
@@ -16,9 +19,7 @@ import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Scenario;
-import io.troupe.sim.worldfile.WorldFileException;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -29,7 +30,6 @@ import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
@@ -69,7 +69,7 @@ final class AppRun {
      */
     void run(double seconds, boolean realtime, BooleanSupplier stop) throws IOException, InterruptedException {
         String declaration = ApplicationReader.text(file);
-        int port = port();
+        int port = WorldLoader.robotPort(scenario, scenario.world().file());
         var failure = new AtomicReference<@Nullable Throwable>();
         try (var simulation = Simulation.open(scenario, WORLD);
                 var tcp = declaration.contains(TCP) ? tcp(simulation, port) : null;
@@ -99,14 +99,6 @@ final class AppRun {
             rethrow(failure.get());
             report.summary(plan.name(), scenario.world().name());
         }
-    }
-
-    private int port() {
-        return scenario.devices().stream()
-                .filter(device -> device.interfaceName().equals("position2d"))
-                .mapToInt(DeviceBinding::port)
-                .findFirst()
-                .orElseThrow(() -> new WorldFileException(scenario.world().file() + " offers no position2d"));
     }
 
     private static TcpServer tcp(Simulation simulation, int port) {
@@ -158,19 +150,13 @@ final class AppRun {
     }
 
     private void move(Simulation simulation, long endMicros, boolean realtime, BooleanSupplier stop) {
-        long origin = System.nanoTime();
+        var realTime = new RealTime();
         while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
             var snapshot = simulation.tick();
             report.moved(snapshot);
             if (realtime) {
-                awaitRealTime(origin + snapshot.timeMicros() * 1000);
+                realTime.await(snapshot.timeMicros());
             }
-        }
-    }
-
-    private static void awaitRealTime(long deadlineNanos) {
-        for (long left = deadlineNanos - System.nanoTime(); left > 0; left = deadlineNanos - System.nanoTime()) {
-            LockSupport.parkNanos(left);
         }
     }
 }

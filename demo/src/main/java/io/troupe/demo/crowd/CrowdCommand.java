@@ -3,6 +3,7 @@ package io.troupe.demo.crowd;
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
+import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.Plural;
@@ -16,7 +17,6 @@ import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
-import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
 /** {@code troupe crowd}: measures the cost of a robot for crowds of several sizes. */
@@ -32,7 +32,7 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class CrowdCommand implements Callable<Integer> {
-    private static final double MOST_SECONDS = 1e5;
+    private static final int MOST_SECONDS = 100_000;
     private static final int MOST_REPEATS = 1000;
 
     @Spec
@@ -68,7 +68,7 @@ public final class CrowdCommand implements Callable<Integer> {
         terminal.println("crowds of " + Plural.of(colours, "colour") + " and " + Plural.of(services, "service") + " on "
                 + Plural.of(cores, "core") + (cores == 1 ? "" : ", of which two take turns"));
         terminal.flush();
-        List<TrialResult> trials = new ArrayList<>();
+        List<CrowdTrial.Result> trials = new ArrayList<>();
         try (var interruption = Interruption.open()) {
             try {
                 measure(trials, interruption);
@@ -95,22 +95,19 @@ public final class CrowdCommand implements Callable<Integer> {
 
     private void check() {
         for (int size : sizes) {
-            CrowdLimits.check(spec, "--sizes", size, CrowdWorld.MOST_ROBOTS);
+            OptionRange.check(spec, "--sizes", size, 1, CrowdWorld.MOST_ROBOTS);
         }
-        CrowdLimits.check(spec, "--repeat", repeat, MOST_REPEATS);
-        CrowdLimits.check(spec, "--colours", colours, CrowdWorld.MOST_COLOURS);
-        CrowdLimits.check(spec, "--services", services, CrowdLimits.MOST_SERVICES);
-        if (!(seconds > 0) || seconds > MOST_SECONDS) {
-            throw new ParameterException(
-                    spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 100000");
-        }
+        OptionRange.check(spec, "--repeat", repeat, 1, MOST_REPEATS);
+        OptionRange.check(spec, "--colours", colours, 1, CrowdWorld.MOST_COLOURS);
+        OptionRange.check(spec, "--services", services, 1, CrowdTable.MOST_SERVICES);
+        OptionRange.checkSeconds(spec, seconds, MOST_SECONDS);
     }
 
     /**
      * Measures all sizes in each round, so that changes in the machine's speed affect all of them. The first round is a
      * warm-up and is not counted.
      */
-    private void measure(List<TrialResult> trials, Interruption interruption) throws InterruptedException {
+    private void measure(List<CrowdTrial.Result> trials, Interruption interruption) throws InterruptedException {
         try (var line = ProgressLine.open()) {
             for (int round = 0; round <= repeat; round++) {
                 for (int robots : sizes) {

@@ -27,45 +27,45 @@ final class CrowdReport {
              robots   one core          (from .. to)     by the wall     robot and tick   world  services   kB per robot  states
             """;
 
-    private final List<TrialResult> trials;
+    private final List<CrowdTrial.Result> trials;
 
-    CrowdReport(List<TrialResult> trials) {
+    CrowdReport(List<CrowdTrial.Result> trials) {
         this.trials = List.copyOf(trials);
     }
 
     List<Row> medians() {
         return trials.stream()
-                .map(TrialResult::robots)
+                .map(CrowdTrial.Result::robots)
                 .distinct()
                 .map(this::row)
                 .toList();
     }
 
     private Row row(int robots) {
-        List<TrialResult> rounds =
+        List<CrowdTrial.Result> rounds =
                 trials.stream().filter(trial -> trial.robots() == robots).toList();
-        var speeds = of(rounds, TrialResult::timesRealTimeOfOneCore);
-        var micros = of(rounds, TrialResult::micros);
+        var speeds = of(rounds, CrowdTrial.Result::timesRealTimeOfOneCore);
+        var micros = of(rounds, CrowdTrial.Result::micros);
         return new Row(
                 robots,
                 speeds.median(),
                 speeds.least(),
                 speeds.most(),
-                median(rounds, TrialResult::timesRealTime),
+                median(rounds, CrowdTrial.Result::timesRealTime),
                 micros.median(),
                 micros.lowerQuartile(),
                 micros.upperQuartile(),
-                median(rounds, TrialResult::worldMicros),
-                median(rounds, TrialResult::servicesMicros),
-                median(rounds, TrialResult::retainedKilobytesPerRobot),
-                median(rounds, TrialResult::states));
+                median(rounds, CrowdTrial.Result::worldMicros),
+                median(rounds, CrowdTrial.Result::servicesMicros),
+                median(rounds, CrowdTrial.Result::retainedKilobytesPerRobot),
+                median(rounds, CrowdTrial.Result::states));
     }
 
-    private static SampleStatistics of(List<TrialResult> rounds, ToDoubleFunction<TrialResult> figure) {
+    private static SampleStatistics of(List<CrowdTrial.Result> rounds, ToDoubleFunction<CrowdTrial.Result> figure) {
         return SampleStatistics.of(rounds.stream().mapToDouble(figure).toArray());
     }
 
-    private static double median(List<TrialResult> rounds, ToDoubleFunction<TrialResult> figure) {
+    private static double median(List<CrowdTrial.Result> rounds, ToDoubleFunction<CrowdTrial.Result> figure) {
         return of(rounds, figure).median();
     }
 
@@ -93,7 +93,7 @@ final class CrowdReport {
     String csv() {
         var text = new StringBuilder(
                 "robots,ticks,wall_seconds,processor_seconds,times_real_time_of_one_core,times_real_time_by_the_wall,micros_per_robot_tick,world_micros,services_micros,retained_bytes,states\n");
-        for (TrialResult trial : trials) {
+        for (CrowdTrial.Result trial : trials) {
             text.append(String.format(
                     Locale.ROOT,
                     "%d,%d,%.6f,%.6f,%.4f,%.4f,%.4f,%.4f,%.4f,%d,%d%n",

@@ -23,6 +23,9 @@ public final class CrowdTable {
      */
     public static final double HOLD_SECONDS = 5;
 
+    /** The largest number of different services. */
+    public static final int MOST_SERVICES = 100;
+
     private CrowdTable() {}
 
     /**

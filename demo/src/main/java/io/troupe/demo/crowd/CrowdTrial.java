@@ -32,6 +32,57 @@ final class CrowdTrial {
      */
     record Settings(int robots, int colours, int services, double seconds, long seed) {}
 
+    /**
+     * The measured cost.
+     *
+     * @param wallNanos from the first measured tick to the last
+     * @param processorNanos of all threads, including compiler and garbage collector
+     * @param worldNanos processor time of the thread that advances the world
+     * @param servicesNanos processor time of the actor space's thread: frames, Player clients, services, arbitrator
+     * @param retainedBytes heap retained by the whole crowd: world, connections, actors
+     * @param states number of states that started in the measured ticks
+     */
+    record Result(
+            int robots,
+            long ticks,
+            long intervalMicros,
+            long wallNanos,
+            long processorNanos,
+            long worldNanos,
+            long servicesNanos,
+            long retainedBytes,
+            int states) {
+        /** By the wall clock. */
+        double timesRealTime() {
+            return ticks * intervalMicros * 1000.0 / wallNanos;
+        }
+
+        /** By the processor time of all threads: the speed on one core without other programs. */
+        double timesRealTimeOfOneCore() {
+            return ticks * intervalMicros * 1000.0 / processorNanos;
+        }
+
+        double micros() {
+            return perRobotAndTick(processorNanos);
+        }
+
+        double worldMicros() {
+            return perRobotAndTick(worldNanos);
+        }
+
+        double servicesMicros() {
+            return perRobotAndTick(servicesNanos);
+        }
+
+        private double perRobotAndTick(long nanos) {
+            return nanos / 1000.0 / robots / ticks;
+        }
+
+        double retainedKilobytesPerRobot() {
+            return retainedBytes / 1000.0 / robots;
+        }
+    }
+
     private static final int WARM_UP_TICKS = 20;
     /** Minimum wall-clock time: a few robots simulate ten seconds too fast to be measured. */
     private static final long LEAST_WALL_NANOS = 500_000_000;
@@ -66,7 +117,7 @@ final class CrowdTrial {
     }
 
     /** @param progress called with the completed share, from 0 to 1 */
-    TrialResult run(DoubleConsumer progress) throws InterruptedException {
+    Result run(DoubleConsumer progress) throws InterruptedException {
         long before = UsedHeap.bytes();
         var scenario = CrowdWorld.scenario(settings.robots(), settings.colours());
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(settings.seed()))) {
@@ -78,13 +129,13 @@ final class CrowdTrial {
                 for (int tick = 0; tick < WARM_UP_TICKS; tick++) {
                     simulation.tick();
                 }
-                TrialResult timed = measure(simulation, running, watch, progress);
+                Result timed = measure(simulation, running, watch, progress);
                 return withRetained(timed, UsedHeap.bytes() - before);
             }
         }
     }
 
-    private TrialResult measure(Simulation simulation, SubsumptionRun running, Watch watch, DoubleConsumer progress) {
+    private Result measure(Simulation simulation, SubsumptionRun running, Watch watch, DoubleConsumer progress) {
         long intervalMicros = simulation.world().spec().intervalMillis() * 1000L;
         long leastTicks = StrictMath.max(1, StrictMath.round(settings.seconds() * 1e6 / intervalMicros));
         long services = THREADS.getThreadCpuTime(watch.servicesThread);
@@ -101,7 +152,7 @@ final class CrowdTrial {
             wallNanos = System.nanoTime() - begin;
             progress.accept(Math.min((double) ticks / leastTicks, (double) wallNanos / LEAST_WALL_NANOS));
         }
-        return new TrialResult(
+        return new Result(
                 settings.robots(),
                 ticks,
                 intervalMicros,
@@ -113,8 +164,8 @@ final class CrowdTrial {
                 watch.states - states);
     }
 
-    private static TrialResult withRetained(TrialResult trial, long bytes) {
-        return new TrialResult(
+    private static Result withRetained(Result trial, long bytes) {
+        return new Result(
                 trial.robots(),
                 trial.ticks(),
                 trial.intervalMicros(),

@@ -3,6 +3,7 @@ package io.troupe.demo.evaluate;
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.WorldLoader;
@@ -38,6 +39,7 @@ public final class EvaluateCommand implements Callable<Integer> {
     private static final int MOST_CORES = 64;
     private static final int MOST_REPETITIONS = 1000;
     private static final int REPETITIONS = 15;
+    private static final int MOST_SECONDS = 1_000_000;
     private static final int SECONDS = 300;
     private static final int REAL_SECONDS = 60;
     private static final int MOST_WARM_UPS = 100;
@@ -169,23 +171,18 @@ public final class EvaluateCommand implements Callable<Integer> {
     }
 
     private Evaluation.Settings settings() {
-        check(loops >= 2 && loops <= MOST_LOOPS, "--loops is " + loops + ", expected a number from 2 to " + MOST_LOOPS);
+        OptionRange.check(spec, "--loops", loops, 2, MOST_LOOPS);
         for (int count : cores) {
-            check(
-                    count >= 1 && count <= MOST_CORES,
-                    "--cores is " + count + ", expected numbers from 1 to " + MOST_CORES);
+            if (count < 1 || count > MOST_CORES) {
+                throw new ParameterException(
+                        spec.commandLine(), "--cores is " + count + ", expected numbers from 1 to " + MOST_CORES);
+            }
         }
         int times = repetitions == null ? (realTime ? 1 : REPETITIONS) : repetitions;
-        check(
-                times >= 1 && times <= MOST_REPETITIONS,
-                "--repetitions is " + times + ", expected a number from 1 to " + MOST_REPETITIONS);
-        check(
-                warmUps >= 0 && warmUps <= MOST_WARM_UPS,
-                "--warm-up is " + warmUps + ", expected a number from 0 to " + MOST_WARM_UPS);
+        OptionRange.check(spec, "--repetitions", times, 1, MOST_REPETITIONS);
+        OptionRange.check(spec, "--warm-up", warmUps, 0, MOST_WARM_UPS);
         double changing = seconds == null ? (realTime ? REAL_SECONDS : SECONDS) : seconds;
-        check(
-                changing > 0 && changing <= 1e6,
-                "--seconds is " + changing + ", expected a number above 0 and up to 1000000");
+        OptionRange.checkSeconds(spec, changing, MOST_SECONDS);
         return new Evaluation.Settings(
                 world,
                 loops,
@@ -197,12 +194,6 @@ public final class EvaluateCommand implements Callable<Integer> {
                 reconnect,
                 realTime,
                 out.resolve("evaluation.log"));
-    }
-
-    private void check(boolean fine, String complaint) {
-        if (!fine) {
-            throw new ParameterException(spec.commandLine(), complaint);
-        }
     }
 
     /** Creates the output directory and the log before the measurement, so that errors appear early. */

@@ -1,5 +1,6 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.sim.Pace;
@@ -39,12 +40,7 @@ record PaperWorld(Scenario scenario, int port) {
             throw new WorldFileException(
                     file + " has " + robots + " robots, expected " + ROBOTS + " for the services of the paper");
         }
-        int port = scenario.devices().stream()
-                .filter(device -> device.interfaceName().equals("position2d"))
-                .findFirst()
-                .orElseThrow(() -> new WorldFileException(file + " offers no position2d"))
-                .port();
-        return new PaperWorld(scenario, port);
+        return new PaperWorld(scenario, WorldLoader.robotPort(scenario, file));
     }
 
     /**

@@ -1,7 +1,9 @@
 package io.troupe.demo.terminal;
 
+import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.sim.worldfile.WorldFileException;
 import io.troupe.sim.worldfile.WorldFileWarning;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -33,5 +35,19 @@ public final class WorldLoader {
         Scenario scenario = lenient ? ScenarioReader.readLeniently(file, print) : ScenarioReader.read(file, print);
         err.flush();
         return scenario;
+    }
+
+    /**
+     * The port on which a world offers its robots: that of its first position2d.
+     *
+     * @param file names the world in the error message
+     * @throws WorldFileException if the world offers no position2d
+     */
+    public static int robotPort(Scenario scenario, Path file) {
+        return scenario.devices().stream()
+                .filter(device -> device.interfaceName().equals("position2d"))
+                .mapToInt(DeviceBinding::port)
+                .findFirst()
+                .orElseThrow(() -> new WorldFileException(file + " offers no position2d"));
     }
 }

@@ -1,5 +1,6 @@
 package io.troupe.demo.verify;
 
+import io.troupe.demo.verify.ReadingStudy.Statement;
 import io.troupe.petri.Marking;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.ReachabilityGraph.Edge;

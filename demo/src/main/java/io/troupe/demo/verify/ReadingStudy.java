@@ -24,6 +24,21 @@ record ReadingStudy(
         NetStudy middlewareAndService,
         List<EmptySiphonVerdict> programs,
         List<Statement> statements) {
+    /**
+     * A statement of the paper and our result.
+     *
+     * @param section section of the paper
+     * @param claim the paper's statement, abridged
+     * @param ours our result
+     * @param holds whether our result confirms the statement
+     * @param details supporting lines, for example a trace in words
+     */
+    record Statement(String section, String claim, String ours, boolean holds, List<String> details) {
+        Statement {
+            details = List.copyOf(details);
+        }
+    }
+
     // a second on an idle machine; a verdict must not depend on other programs on the machine
     private static final Duration PROGRAM_LIMIT = Duration.ofMinutes(10);
 

@@ -4,6 +4,7 @@ import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
+import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.petri.PaperNets.Reading;
@@ -75,10 +76,7 @@ public final class VerifyCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        if (robots < 1 || robots > MAX_ROBOTS) {
-            throw new ParameterException(
-                    spec.commandLine(), "--robots is " + robots + ", expected a number from 1 to " + MAX_ROBOTS);
-        }
+        OptionRange.check(spec, "--robots", robots, 1, MAX_ROBOTS);
         if (!(seconds > 0 && seconds <= MAX_SECONDS)) {
             throw new ParameterException(
                     spec.commandLine(),

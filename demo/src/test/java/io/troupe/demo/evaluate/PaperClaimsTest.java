@@ -11,6 +11,7 @@ import io.troupe.services.subsumption.Mode;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** Each verdict is tested in both directions. */
 class PaperClaimsTest {
@@ -138,8 +139,8 @@ class PaperClaimsTest {
     }
 
     @Test
-    void incompleteRepetitions_decideNothing() {
-        var settings = SyntheticMeasurements.settings(Path.of("out"));
+    void incompleteRepetitions_decideNothing(@TempDir Path directory) {
+        var settings = SyntheticMeasurements.settings(directory);
         var all = SyntheticMeasurements.confirmingThePaper().measurements();
         var two = Evaluation.Outcome.of(settings, 2, all);
         assertThat(two.settings().repetitions()).isEqualTo(2);

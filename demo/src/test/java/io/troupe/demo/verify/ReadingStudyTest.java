@@ -2,6 +2,7 @@ package io.troupe.demo.verify;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.demo.verify.ReadingStudy.Statement;
 import io.troupe.petri.PaperNets.Reading;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -36,8 +37,8 @@ class ReadingStudyTest {
     @Test
     void siphons_otherReadingsWithTheSameNumber_areNamed() {
         assertThat(statement(A, "44 minimal siphons").ours()).startsWith("44 minimal siphons");
-        assertThat(OtherReadings.all())
-                .extracting(OtherReadings::minimalSiphons)
+        assertThat(UncorrectedStatements.OtherReading.all())
+                .extracting(UncorrectedStatements.OtherReading::minimalSiphons)
                 .isEqualTo(List.of(44, 44, 44, 44, 32, 40, 36));
     }
 

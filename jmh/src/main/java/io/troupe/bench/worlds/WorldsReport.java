@@ -1,6 +1,5 @@
 package io.troupe.bench.worlds;
 
-import io.troupe.common.measure.SampleStatistics;
 import java.util.Locale;
 
 /** Formats the results as a table in Markdown. */
@@ -30,14 +29,10 @@ record WorldsReport(int rounds, int turnMillis, long seed, WorldsResults results
                 "| %,d | %s | %s | %s | %,d | %s |%n",
                 robots,
                 kind.label(),
-                cell(results.factor(robots, kind)),
-                cell(results.ratio(robots, kind)),
+                results.factor(robots, kind).text(WorldsReport::number),
+                results.ratio(robots, kind).text(WorldsReport::number),
                 Math.round(results.bytesPerStep(robots, kind).median()),
                 retained == null ? "" : format("%,d", Math.round(retained)));
-    }
-
-    private static String cell(SampleStatistics of) {
-        return number(of.median()) + " (" + number(of.lowerQuartile()) + ".." + number(of.upperQuartile()) + ")";
     }
 
     static String number(double value) {

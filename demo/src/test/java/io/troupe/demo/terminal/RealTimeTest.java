@@ -1,0 +1,18 @@
+package io.troupe.demo.terminal;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import org.junit.jupiter.api.Test;
+
+class RealTimeTest {
+    @Test
+    void await_endsNoEarlierThanTheSimulatedTime_fromTheBeginning() {
+        long began = System.nanoTime();
+        var realTime = new RealTime();
+        realTime.await(1_000);
+        assertThat(System.nanoTime() - began).isGreaterThanOrEqualTo(1_000_000);
+        realTime.await(3_000);
+        assertThat(System.nanoTime() - began).isGreaterThanOrEqualTo(3_000_000);
+        realTime.await(0); // already over
+    }
+}
