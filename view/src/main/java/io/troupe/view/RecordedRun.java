@@ -71,6 +71,10 @@ public final class RecordedRun {
         public static final Settings DEFAULT =
                 new Settings(Mode.PROMISE, 1, 300, false, false, SynchronousRound.ONE_SERVICE_A_READING);
 
+        long endMicros() {
+            return StrictMath.round(seconds * 1e6);
+        }
+
         public Settings withMode(Mode newMode) {
             return new Settings(newMode, seed, seconds, realTime, reconnects, round);
         }
@@ -192,10 +196,10 @@ public final class RecordedRun {
 
     /** Runs until the end time, or until the listener requests to stop. The caller closes the log. */
     public RunResult run(RunLog log, Listener listener) throws InterruptedException {
-        long endMicros = StrictMath.round(settings.seconds() * 1e6);
+        long endMicros = settings.endMicros();
         var world = WorldSettings.DEFAULT.withSeed(settings.seed()).withJitter(JITTER_M, JITTER_RAD);
         try (var simulation = Simulation.open(scenario, world)) {
-            log.write(header(endMicros));
+            log.begin(scenario.world(), settings);
             var recorder = new RunRecorder(scenario.world(), table, log, listener::stateStarted);
             var services = new SubsumptionRun.Settings(
                             settings.mode(), "localhost", port, table, simulation.clock(), recorder, recorder)
@@ -219,17 +223,6 @@ public final class RecordedRun {
                 throw failure;
             }
         }
-    }
-
-    private Json header(long endMicros) {
-        return RunLog.header()
-                .put("world", scenario.world().name())
-                .put("robots", scenario.world().robots().size())
-                .put("seed", settings.seed())
-                .put("mode", settings.mode())
-                .put("reconnect", settings.reconnects())
-                .put("seconds", new Json.Fragment(Json.seconds(endMicros)))
-                .put("interval", new Json.Fragment(Json.seconds(scenario.world().intervalMillis() * 1000L)));
     }
 
     private static void awaitRealTime(long deadlineNanos) {
