@@ -1,8 +1,5 @@
 package io.troupe.view;
 
-import io.troupe.demo.terminal.Plural;
-import io.troupe.demo.terminal.RealTime;
-import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
@@ -76,6 +73,10 @@ public final class RecordedRun {
         public static final Settings DEFAULT =
                 new Settings(Mode.PROMISE, 1, 300, false, false, SynchronousRound.ONE_SERVICE_A_READING);
 
+        long endMicros() {
+            return StrictMath.round(seconds * 1e6);
+        }
+
         public Settings withMode(Mode newMode) {
             return new Settings(newMode, seed, seconds, realTime, reconnects, round);
         }
@@ -140,7 +141,8 @@ public final class RecordedRun {
             throw new WorldFileException(scenario.world().file() + " has " + RunResult.count(robots.size(), "robot")
                     + ", expected " + expected + " as the table of services has");
         }
-        int port = WorldLoader.robotPort(scenario, scenario.world().file());
+        int port = scenario.robotPort()
+                .orElseThrow(() -> new WorldFileException(scenario.world().file() + " offers no position2d"));
         Set<Binding> offered = scenario.devices().stream()
                 .filter(device -> device.port() == port)
                 .map(device -> new Binding(device.interfaceName(), device.index(), device.model()))
@@ -193,10 +195,10 @@ public final class RecordedRun {
 
     /** Runs until the end time, or until the listener requests to stop. The caller closes the log. */
     public RunResult run(RunLog log, Listener listener) throws InterruptedException {
-        long endMicros = StrictMath.round(settings.seconds() * 1e6);
+        long endMicros = settings.endMicros();
         var world = WorldSettings.DEFAULT.withSeed(settings.seed()).withJitter(JITTER_M, JITTER_RAD);
         try (var simulation = Simulation.open(scenario, world)) {
-            log.write(header(endMicros));
+            log.begin(scenario.world(), settings);
             var recorder = new RunRecorder(scenario.world(), table, log, listener::stateStarted);
             var services = new SubsumptionRun.Settings(
                             settings.mode(), "localhost", port, table, simulation.clock(), recorder, recorder)
@@ -204,25 +206,14 @@ public final class RecordedRun {
                     .withRound(settings.round());
             try (var running = SubsumptionRun.start(services)) {
                 recorder.start(simulation.latest());
-<<<<<<< HEAD:view/src/main/java/io/troupe/view/RecordedRun.java
-                long origin = System.nanoTime();
+                var realTime = new RealTime();
                 while (simulation.timeMicros() < endMicros && !listener.isStopRequested()) {
                     Snapshot snapshot = simulation.tick();
                     running.check();
                     recorder.record(snapshot);
                     listener.ticked(snapshot.timeMicros());
                     if (settings.realTime()) {
-                        awaitRealTime(origin + snapshot.timeMicros() * 1000);
-=======
-                var realTime = new RealTime();
-                while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
-                    Snapshot snapshot = simulation.tick();
-                    running.check();
-                    recorder.record(snapshot);
-                    progress.show(snapshot.timeMicros() / 1e6);
-                    if (realtime) {
                         realTime.await(snapshot.timeMicros());
->>>>>>> 8bf86d64ba6088916d51b40dcd1fe0b7e8cff3aa:demo/src/main/java/io/troupe/demo/PaperRun.java
                     }
                 }
                 return recorder.finish(simulation.timeMicros() < endMicros);
@@ -231,16 +222,5 @@ public final class RecordedRun {
                 throw failure;
             }
         }
-    }
-
-    private Json header(long endMicros) {
-        return RunLog.header()
-                .put("world", scenario.world().name())
-                .put("robots", scenario.world().robots().size())
-                .put("seed", settings.seed())
-                .put("mode", settings.mode())
-                .put("reconnect", settings.reconnects())
-                .put("seconds", new Json.Fragment(Json.seconds(endMicros)))
-                .put("interval", new Json.Fragment(Json.seconds(scenario.world().intervalMillis() * 1000L)));
     }
 }

@@ -1,5 +1,6 @@
 package io.troupe.view;
 
+import io.troupe.sim.model.WorldSpec;
 import java.io.BufferedWriter;
 import java.io.IOException;
 import java.nio.file.FileSystemException;
@@ -46,12 +47,23 @@ public final class RunLog implements AutoCloseable {
         }
     }
 
-    /** The first line of the file. */
-    static Json header() {
-        return Json.line(0, "header")
+    /**
+     * Writes the first line of the file. {@link RecordedRun} calls it; with a {@link RunRecorder} the caller does.
+     *
+     * @param settings of the run, as far as they hold for it
+     */
+    public void begin(WorldSpec world, RecordedRun.Settings settings) {
+        write(Json.line(0, "header")
                 .put("format", FORMAT)
                 .put("version", VERSION)
-                .put("program", PROGRAM);
+                .put("program", PROGRAM)
+                .put("world", world.name())
+                .put("robots", world.robots().size())
+                .put("seed", settings.seed())
+                .put("mode", settings.mode())
+                .put("reconnect", settings.reconnects())
+                .put("seconds", new Json.Fragment(Json.seconds(settings.endMicros())))
+                .put("interval", new Json.Fragment(Json.seconds(world.intervalMillis() * 1000L))));
     }
 
     void write(Json line) {

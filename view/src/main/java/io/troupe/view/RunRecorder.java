@@ -23,6 +23,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> For a run whose loop is the caller's; {@link RecordedRun} has the loop of the main job.
  *
  * {@snippet :
+ * log.begin(scenario.world(), described);
  * var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
  * var settings = new SubsumptionRun.Settings(
  *         Mode.CALLBACK, "localhost", 6665, table, simulation.clock(), recorder, recorder);
@@ -62,7 +63,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
     private long received;
     private long tooLate;
     private int statesLogged;
-    private Snapshot last;
+    private @Nullable Snapshot last;
 
     /**
      * Creates the recorder of one run.
@@ -112,7 +113,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
 
     @Override
     public void stateStarted(State state, @Nullable Integer seenBy) {
-        states.add(new StateChange(last == null ? 0 : last.timeMicros(), state, seenBy));
+        states.add(new StateChange(timeMicros(), state, seenBy));
     }
 
     // ---- called by the run loop
@@ -145,8 +146,8 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
      * @param cutShort whether the run was interrupted before its end time
      */
     public RunResult finish(boolean cutShort) {
-        var result = new RunResult(
-                last.timeMicros(), table, List.copyOf(states), robots, new Messages(sent, received, tooLate));
+        var result =
+                new RunResult(timeMicros(), table, List.copyOf(states), robots, new Messages(sent, received, tooLate));
         Json summary = result.toJson();
         log.write(cutShort ? summary.put("cutShort", "interrupted") : summary);
         return result;
@@ -154,7 +155,11 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
 
     /** Writes to the log that the run ended with an error. */
     public void fail() {
-        log.write(Json.line(last == null ? 0 : last.timeMicros(), "cutShort").put("cutShort", "failed"));
+        log.write(Json.line(timeMicros(), "cutShort").put("cutShort", "failed"));
+    }
+
+    private long timeMicros() {
+        return last == null ? 0 : last.timeMicros();
     }
 
     private void logStates() {
@@ -179,7 +184,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
         for (RobotRecord robot : robots) {
             if (robot.servicesInCharge().size() != 1) {
                 robot.countChargeFault();
-                log.write(Json.line(last.timeMicros(), "charge")
+                log.write(Json.line(timeMicros(), "charge")
                         .put("robot", robot.index() + 1)
                         .put("services", Json.texts(robot.servicesInCharge())));
             }

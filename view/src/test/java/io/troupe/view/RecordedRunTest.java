@@ -70,8 +70,10 @@ class RecordedRunTest {
     void loopOfTheCaller_isRecordedTheSameWay() throws Exception {
         Scenario scenario = ScenarioReader.read(WORLD);
         SubsumptionTable table = SubsumptionTable.ofThePaper();
+        var described = settings(1, 2).withMode(Mode.CALLBACK);
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
                 var log = new RunLog(out.resolve("own.jsonl"))) {
+            log.begin(scenario.world(), described);
             var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
             var settings = new SubsumptionRun.Settings(
                     Mode.CALLBACK, "localhost", 6665, table, simulation.clock(), recorder, recorder);
@@ -92,8 +94,11 @@ class RecordedRunTest {
             assertThat(result.states()).hasSize(1);
         }
         assertThat(Files.readAllLines(out.resolve("own.jsonl")))
-                .as("one state, two robots at 21 times, one summary")
-                .hasSize(1 + 2 * 21 + 1);
+                .as("header, one state, two robots at 21 times, summary")
+                .hasSize(1 + 1 + 2 * 21 + 1)
+                .first()
+                .asString()
+                .contains("\"mode\":\"callback\"", "\"seconds\":2.0");
     }
 
     @Test

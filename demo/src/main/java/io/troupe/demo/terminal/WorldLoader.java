@@ -44,10 +44,6 @@ public final class WorldLoader {
      * @throws WorldFileException if the world offers no position2d
      */
     public static int robotPort(Scenario scenario, Path file) {
-        return scenario.devices().stream()
-                .filter(device -> device.interfaceName().equals("position2d"))
-                .mapToInt(DeviceBinding::port)
-                .findFirst()
-                .orElseThrow(() -> new WorldFileException(file + " offers no position2d"));
+        return scenario.robotPort().orElseThrow(() -> new WorldFileException(file + " offers no position2d"));
     }
 }
