@@ -61,11 +61,11 @@ public abstract class Message extends Node {
 
     /** The arguments of a call, or none if the node is no call. */
     public static @Nullable Object[] argumentsOf(Node call) {
-        return switch (call) {
-            case Message message -> message.arguments();
-            case Request<?> request -> request.arguments();
-            default -> new Object[0];
-        };
+        // no switch: linking it could fail in a caller with little stack left
+        if (call instanceof Message message) {
+            return message.arguments();
+        }
+        return call instanceof Request<?> request ? request.arguments() : new Object[0];
     }
 
     @Override
