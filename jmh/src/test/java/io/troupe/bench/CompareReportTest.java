@@ -94,7 +94,7 @@ class CompareReportTest {
         var row = Pattern.compile("\\| (\\S+) \\| (\\S+) \\| " + spread + " \\| " + spread + " \\|.*");
         var labels = Stream.of(Workload.values()).map(Workload::label).toList();
         var bars = new EnumMap<Workload, Map<String, CompareDrawing.Bar>>(Workload.class);
-        for (String line : Files.readAllLines(Path.of("..", "docs", "benchmarks.md"))) {
+        for (String line : Files.readAllLines(Path.of("..", "docs", "benchmarks-method.md"))) {
             var found = row.matcher(line);
             if (found.matches() && labels.contains(found.group(1))) {
                 bars.computeIfAbsent(Workload.named(found.group(1)), workload -> new LinkedHashMap<>())

@@ -65,7 +65,7 @@ class WorldsReportTest {
     void drawingInTheDocumentation_isThatOfTheTableThere() throws IOException {
         var row = Pattern.compile("\\| ([\\d,]+) \\| (\\S+) \\| ([\\d,.]+) \\(([\\d,.]+?)\\.\\.([\\d,.]+)\\) \\|.*");
         var factors = new TreeMap<Integer, Map<WorldKind, Quartiles>>();
-        for (String line : Files.readAllLines(Path.of("..", "docs", "benchmarks.md"))) {
+        for (String line : Files.readAllLines(Path.of("..", "docs", "benchmarks-method.md"))) {
             var found = row.matcher(line);
             if (found.matches() && WorldKind.labels().contains(found.group(2))) {
                 factors.computeIfAbsent((int) number(found.group(1)), robots -> new EnumMap<>(WorldKind.class))
