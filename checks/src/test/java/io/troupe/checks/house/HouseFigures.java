@@ -2,15 +2,17 @@ package io.troupe.checks.house;
 
 import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
+import com.sun.source.tree.MethodTree;
 import com.sun.source.util.JavacTask;
+import com.sun.source.util.TreeScanner;
 import java.io.IOException;
-import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -18,22 +20,26 @@ import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.TreeSet;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Predicate;
+import java.util.function.ToIntFunction;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import javax.lang.model.element.Modifier;
 import javax.tools.ToolProvider;
 
 /**
- * Measures a tree of Java sources: files and lines, types with one user, names that exist twice, comment lines over 120
- * columns, and how often comments avoid the technical noun.
+ * Measures trees of Java sources: files and lines, public types, types with one user, names that exist twice, comment
+ * lines over 120 columns, how often comments avoid the technical noun, and tests.
  *
- * <p>Needs nothing but a JDK of release 21 or later, so that it can be run on any checkout, of this project or another;
+ * <p>Needs nothing but a JDK of release 21 or later, so that it can be run on any checkout, of this project or another.
+ * It prints Markdown: a table with a column for each folder, and a table of the modules of each folder.
  * {@code --places} lists what was counted:
  *
  * <pre>{@code
- * java checks/src/test/java/io/troupe/checks/house/HouseFigures.java [FOLDER] [--places]
+ * java checks/src/test/java/io/troupe/checks/house/HouseFigures.java [FOLDER ..] [--places]
  * }</pre>
  */
 final class HouseFigures {
@@ -46,6 +52,10 @@ final class HouseFigures {
      */
     static final Map<Pattern, String> HOUSE_WORDS = houseWords();
 
+    /** Annotations of JUnit and jqwik that make a method a test, by their simple names. */
+    private static final Set<String> TEST_ANNOTATIONS =
+            Set.of("Test", "ParameterizedTest", "RepeatedTest", "TestFactory", "TestTemplate", "Property", "Example");
+
     private final List<SourceFile> main;
     private final List<SourceFile> test;
 
@@ -55,17 +65,34 @@ final class HouseFigures {
     }
 
     public static void main(String[] args) throws IOException {
-        boolean places = List.of(args).contains("--places");
-        var folder = Stream.of(args).filter(each -> !each.equals("--places")).findFirst();
-        var sources = read(Path.of(folder.orElse(".")).toRealPath());
-        var figures = new HouseFigures(sources);
-        figures.print(System.out);
-        if (places) {
-            longCommentLines(sources).forEach(each -> System.out.println(each + ": long comment line"));
-            houseWordsIn(sources).forEach(System.out::println);
-            figures.typesWithOneUser().forEach((type, user) -> System.out.println(type + " is used by " + user));
-            figures.namesThatExistTwice().forEach((name, where) -> System.out.println(name + " is in " + where));
+        List<String> folders = new ArrayList<>(List.of(args));
+        boolean places = folders.remove("--places");
+        if (folders.isEmpty()) {
+            folders.add(".");
         }
+        List<HouseFigures> trees = new ArrayList<>();
+        for (String folder : folders) {
+            trees.add(new HouseFigures(read(Path.of(folder).toRealPath())));
+        }
+        var figures = trees.stream().map(HouseFigures::figures).toList();
+        System.out.println(row("figure", folders));
+        System.out.println("|---|" + "--:|".repeat(folders.size()));
+        for (String name : figures.getFirst().keySet()) {
+            System.out.println(
+                    row(name, figures.stream().map(each -> each.get(name)).toList()));
+        }
+        for (int i = 0; i < trees.size(); i++) {
+            System.out.println("\n" + folders.get(i) + "\n");
+            trees.get(i).modules().forEach(System.out::println);
+            if (places) {
+                System.out.println();
+                trees.get(i).places().forEach(System.out::println);
+            }
+        }
+    }
+
+    private static String row(String name, List<String> cells) {
+        return "| " + name + " | " + String.join(" | ", cells) + " |";
     }
 
     /** Reads every Java file below {@code src} folders of the modules in {@code root}. */
@@ -127,9 +154,7 @@ final class HouseFigures {
         List<String> places = new ArrayList<>();
         for (SourceFile file : sources) {
             for (Comment comment : file.comments()) {
-                if (comment.lastColumn() > COMMENT_COLUMNS) {
-                    places.add(file.path() + ":" + comment.firstLine());
-                }
+                comment.linesOver(COMMENT_COLUMNS).forEach(line -> places.add(file.path() + ":" + line));
             }
         }
         return places;
@@ -140,7 +165,8 @@ final class HouseFigures {
         List<String> places = new ArrayList<>();
         for (SourceFile file : sources) {
             for (Comment comment : file.comments()) {
-                HOUSE_WORDS.forEach((pattern, better) -> pattern.matcher(comment.words())
+                String words = comment.words();
+                HOUSE_WORDS.forEach((pattern, better) -> pattern.matcher(words)
                         .results()
                         .forEach(hit -> places.add(file.path() + ":" + comment.firstLine() + ": \"" + hit.group()
                                 + "\", better: " + better)));
@@ -186,55 +212,113 @@ final class HouseFigures {
 
     // ---- the report
 
-    private void print(PrintStream out) {
-        var lines = main.stream().mapToInt(SourceFile::lines).sorted().toArray();
-        out.printf(
-                Locale.ROOT,
-                "main files %d, lines %d, a file: median %d, 90th percentile %d, largest %d%n",
-                lines.length,
-                sum(main),
-                lines[lines.length / 2],
-                lines[lines.length * 9 / 10],
-                lines[lines.length - 1]);
-        out.printf(Locale.ROOT, "test files %d, lines %d%n", test.size(), sum(test));
-        out.printf(Locale.ROOT, "types with one user %d%n", typesWithOneUser().size());
-        var twice = namesThatExistTwice();
-        out.printf(Locale.ROOT, "names that exist twice %d %s%n", twice.size(), twice.keySet());
-        for (var sources : List.of(main, test)) {
-            String name = sources == main ? "main" : "test";
-            long words = sources.stream()
-                    .flatMap(each -> each.comments().stream())
-                    .mapToLong(each -> each.words().split("\\s+").length)
-                    .sum();
-            int hits = houseWordsIn(sources).size();
-            out.printf(
-                    Locale.ROOT,
-                    "comments of %s code: %d words, %d lines over %d columns, house words %d, of 1,000 words %.2f%n",
-                    name,
-                    words,
-                    longCommentLines(sources).size(),
-                    COMMENT_COLUMNS,
-                    hits,
-                    words == 0 ? 0.0 : 1000.0 * hits / words);
-        }
-        out.println("module              main files   lines  median  public types");
-        main.stream()
-                .collect(Collectors.groupingBy(SourceFile::module, TreeMap::new, Collectors.toList()))
-                .forEach((module, files) -> out.printf(
-                        Locale.ROOT,
-                        "%-19s %10d %7d %7d %13d%n",
-                        module,
-                        files.size(),
-                        sum(files),
-                        files.stream().mapToInt(SourceFile::lines).sorted().toArray()[files.size() / 2],
-                        files.stream()
-                                .flatMap(each -> each.types().stream())
-                                .filter(TopLevelType::isPublic)
-                                .count()));
+    /** The figures of the whole tree by their names, in the order of the report. */
+    Map<String, String> figures() {
+        Map<String, String> figures = new LinkedHashMap<>();
+        int[] lines = main.stream().mapToInt(SourceFile::lines).sorted().toArray();
+        figures.put("main files", number(lines.length));
+        figures.put("lines of them", number(sum(main, SourceFile::lines)));
+        figures.put("lines with code, neither blank nor comment alone", number(sum(main, SourceFile::codeLines)));
+        figures.put(
+                "lines of a file: median, 90th percentile, largest",
+                lines.length == 0
+                        ? "-"
+                        : number(lines[lines.length / 2])
+                                + ", "
+                                + number(lines[lines.length * 9 / 10])
+                                + ", "
+                                + number(lines[lines.length - 1]));
+        figures.put("public types", number(publicTypes(main)));
+        figures.put("public types in packages called `internal`", number(publicTypes(internal(main))));
+        figures.put("types with one user", number(typesWithOneUser().size()));
+        figures.put("names that exist twice", number(namesThatExistTwice().size()));
+        figures.put(
+                "comment lines over " + COMMENT_COLUMNS + " columns: main, test",
+                number(longCommentLines(main).size()) + ", "
+                        + number(longCommentLines(test).size()));
+        figures.put("words of comments: main, test", number(words(main)) + ", " + number(words(test)));
+        figures.put(
+                "house words per 1,000 words of comments: main, test",
+                houseWordRate(main) + ", " + houseWordRate(test));
+        figures.put("test files", number(test.size()));
+        figures.put("lines of test code", number(sum(test, SourceFile::lines)));
+        figures.put("test methods", number(sum(test, SourceFile::testMethods)));
+        return figures;
     }
 
-    private static int sum(Collection<SourceFile> files) {
-        return files.stream().mapToInt(SourceFile::lines).sum();
+    /** A table with a line for each module. */
+    List<String> modules() {
+        Map<String, List<SourceFile>> byModule = Stream.concat(main.stream(), test.stream())
+                .collect(Collectors.groupingBy(SourceFile::module, TreeMap::new, Collectors.toList()));
+        List<String> rows = new ArrayList<>();
+        rows.add("| module | main files | lines | median | public types | of them internal | test files | lines "
+                + "| test methods |");
+        rows.add("|---|" + "--:|".repeat(8));
+        byModule.forEach((module, files) -> {
+            var mains = files.stream().filter(SourceFile::isMain).toList();
+            var tests = files.stream().filter(each -> !each.isMain()).toList();
+            int[] lines = mains.stream().mapToInt(SourceFile::lines).sorted().toArray();
+            rows.add(row(
+                    module,
+                    List.of(
+                            number(mains.size()),
+                            number(sum(mains, SourceFile::lines)),
+                            number(lines.length == 0 ? 0 : lines[lines.length / 2]),
+                            number(publicTypes(mains)),
+                            number(publicTypes(internal(mains))),
+                            number(tests.size()),
+                            number(sum(tests, SourceFile::lines)),
+                            number(sum(tests, SourceFile::testMethods)))));
+        });
+        return rows;
+    }
+
+    /** Where each thing is that the figures count. */
+    private List<String> places() {
+        List<String> places = new ArrayList<>();
+        for (var sources : List.of(main, test)) {
+            longCommentLines(sources).forEach(each -> places.add(each + ": long comment line"));
+            places.addAll(houseWordsIn(sources));
+        }
+        typesWithOneUser().forEach((type, user) -> places.add(type + " is used by " + user));
+        namesThatExistTwice().forEach((name, where) -> places.add(name + " is in " + where));
+        return places;
+    }
+
+    private static List<SourceFile> internal(Collection<SourceFile> files) {
+        return files.stream()
+                .filter(each -> List.of(each.packageName().split("\\.")).contains("internal"))
+                .toList();
+    }
+
+    private static long publicTypes(Collection<SourceFile> files) {
+        return files.stream()
+                .flatMap(each -> each.types().stream())
+                .filter(TopLevelType::isPublic)
+                .count();
+    }
+
+    private static long words(Collection<SourceFile> files) {
+        return files.stream()
+                .flatMap(each -> each.comments().stream())
+                .mapToLong(each -> each.words().split("\\s+").length)
+                .sum();
+    }
+
+    private static String houseWordRate(Collection<SourceFile> files) {
+        long words = words(files);
+        return String.format(
+                Locale.ROOT,
+                "%.2f",
+                words == 0 ? 0 : 1000.0 * houseWordsIn(files).size() / words);
+    }
+
+    private static String number(long value) {
+        return String.format(Locale.ROOT, "%,d", value);
+    }
+
+    private static int sum(Collection<SourceFile> files, ToIntFunction<SourceFile> figure) {
+        return files.stream().mapToInt(figure).sum();
     }
 
     private static Map<Pattern, String> houseWords() {
@@ -265,9 +349,18 @@ final class HouseFigures {
     /**
      * A comment with its delimiters.
      *
-     * @param lastColumn of its longest line
+     * @param column of its first character, from 0
      */
-    record Comment(int firstLine, int lastColumn, String text) {
+    record Comment(int firstLine, int column, String text) {
+        /** The numbers of those of its lines that end behind a column. */
+        List<Integer> linesOver(int columns) {
+            var lines = (" ".repeat(column) + text).lines().map(String::length).toList();
+            return IntStream.range(0, lines.size())
+                    .filter(i -> lines.get(i) > columns)
+                    .mapToObj(i -> firstLine + i)
+                    .toList();
+        }
+
         /** The text without delimiters, tags and code. */
         String words() {
             return text.replaceAll("(?m)^\\s*(?:/\\*\\*?|\\*/?|//+)|\\*/", " ")
@@ -280,6 +373,8 @@ final class HouseFigures {
      * A source file.
      *
      * @param path relative to the folder that was read
+     * @param codeLines lines with something else than comments
+     * @param testMethods methods with an annotation of a test framework, in nested classes too
      * @param types top-level types in order
      * @param names every identifier in its code, imports left out
      */
@@ -287,6 +382,8 @@ final class HouseFigures {
             Path path,
             String packageName,
             int lines,
+            int codeLines,
+            int testMethods,
             List<TopLevelType> types,
             List<Comment> comments,
             Set<String> names) {
@@ -318,7 +415,8 @@ final class HouseFigures {
 
         private static SourceFile of(Path path, String text, CompilationUnitTree unit) {
             List<Comment> comments = new ArrayList<>();
-            String code = IMPORT.matcher(withoutComments(text, comments)).replaceAll("");
+            String all = withoutComments(text, comments);
+            String code = IMPORT.matcher(all).replaceAll("");
             Set<String> names = new HashSet<>();
             IDENTIFIER.matcher(code).results().forEach(each -> names.add(each.group()));
             List<TopLevelType> types = new ArrayList<>();
@@ -329,10 +427,33 @@ final class HouseFigures {
                 }
             }
             String packageName = String.valueOf(unit.getPackageName());
-            return new SourceFile(path, packageName, (int) text.lines().count(), types, comments, names);
+            return new SourceFile(
+                    path,
+                    packageName,
+                    (int) text.lines().count(),
+                    (int) all.lines().filter(each -> !each.isBlank()).count(),
+                    testMethods(unit),
+                    types,
+                    comments,
+                    names);
         }
 
-        /** The code alone, each comment replaced by a space and each literal by an empty one. */
+        private static int testMethods(CompilationUnitTree unit) {
+            var count = new AtomicInteger();
+            new TreeScanner<Void, AtomicInteger>() {
+                @Override
+                public Void visitMethod(MethodTree method, AtomicInteger tests) {
+                    boolean isTest = method.getModifiers().getAnnotations().stream()
+                            .anyMatch(each -> TEST_ANNOTATIONS.contains(
+                                    each.getAnnotationType().toString().replaceFirst(".*\\.", "")));
+                    tests.addAndGet(isTest ? 1 : 0);
+                    return super.visitMethod(method, tests);
+                }
+            }.scan(unit, count);
+            return count.get();
+        }
+
+        /** The code alone, each comment replaced by a space and each literal by an empty one on each of its lines. */
         static String withoutComments(String text, List<Comment> comments) {
             Predicate<String> isComment = piece -> piece.startsWith("//") || piece.startsWith("/*");
             var code = new StringBuilder();
@@ -342,20 +463,18 @@ final class HouseFigures {
                 end = endOfPiece(text, i);
                 String piece = text.substring(i, end);
                 if (isComment.test(piece)) {
-                    int column = i - text.lastIndexOf('\n', i) - 1;
-                    int longest = (" ".repeat(column) + piece)
-                            .lines()
-                            .mapToInt(String::length)
-                            .max()
-                            .orElse(0);
-                    comments.add(new Comment(line, longest, piece));
+                    comments.add(new Comment(line, i - text.lastIndexOf('\n', i) - 1, piece));
                     code.append(' ');
                 } else {
-                    code.append(piece.length() == 1 ? piece : "\"\"");
+                    code.append(piece.length() == 1 ? piece : "\"\"" + "\n\"\"".repeat(lineEnds(piece)));
                 }
-                line += (int) piece.chars().filter(each -> each == '\n').count();
+                line += lineEnds(piece);
             }
             return code.toString();
+        }
+
+        private static int lineEnds(String piece) {
+            return (int) piece.chars().filter(each -> each == '\n').count();
         }
 
         /** Where the comment, the literal or the character that begins at {@code start} ends. */

@@ -13,6 +13,7 @@ import java.util.List;
 import java.util.Set;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** The limits that the sources keep; {@link HouseFigures} finds what breaks them. */
 class HouseTest {
@@ -53,6 +54,55 @@ class HouseTest {
     }
 
     @Test
+    void figures_countPublicAndInternalTypes_codeLines_andTestMethods(@TempDir Path folder) throws IOException {
+        write(folder.resolve("m/src/main/java/p/A.java"), """
+                package p;
+
+                /** One. */
+                public class A { // two
+                    String s = \"""
+                            a text
+                            \""";
+                }
+                """);
+        write(folder.resolve("m/src/main/java/p/internal/B.java"), "package p.internal;\npublic interface B {}\n");
+        write(folder.resolve("m/src/test/java/p/ATest.java"), """
+                package p;
+                class ATest {
+                    @Test void one() {}
+                    @Nested class Inner { @org.junit.jupiter.api.RepeatedTest(2) void two() {} }
+                    void helper() {}
+                }
+                """);
+        var house = new HouseFigures(HouseFigures.read(folder));
+        assertThat(house.figures())
+                .containsEntry("main files", "2")
+                .containsEntry("lines of them", "10")
+                .containsEntry("lines with code, neither blank nor comment alone", "8")
+                .containsEntry("public types", "2")
+                .containsEntry("public types in packages called `internal`", "1")
+                .containsEntry("lines of test code", "6")
+                .containsEntry("test methods", "2");
+        assertThat(house.modules()).hasSize(3).last().isEqualTo("| m | 2 | 10 | 8 | 2 | 1 | 1 | 6 | 2 |");
+    }
+
+    /** The page is filled in by hand, from what the script prints. */
+    @Test
+    void pageAboutTheSources_hasTheFiguresThatTheScriptPrints() throws IOException {
+        var rows = Files.readAllLines(Repository.root().resolve("docs/house.md")).stream()
+                .filter(line -> line.startsWith("| "))
+                .map(line -> line.split(" \\| ")[0].substring(2))
+                .toList();
+        assertThat(rows)
+                .containsSubsequence(new HouseFigures(List.of()).figures().keySet());
+    }
+
+    private static void write(Path file, String text) throws IOException {
+        Files.createDirectories(file.getParent());
+        Files.writeString(file, text);
+    }
+
+    @Test
     void finder_readsMarkdownProse_butNotCode() {
         String text = """
                 # Says
@@ -83,14 +133,16 @@ class HouseTest {
         String rest = SourceFile.withoutComments(code, comments);
         assertThat(comments).extracting(Comment::firstLine).containsExactly(1, 1, 4);
         assertThat(comments).extracting(Comment::words).element(0).isEqualTo("One.");
-        assertThat(comments.getLast().lastColumn()).isEqualTo(124);
+        assertThat(comments.getLast().linesOver(123)).containsExactly(5);
+        assertThat(comments.getLast().linesOver(124)).isEmpty();
         assertThat(rest).doesNotContain("no", "two", "three").contains("int a", "String s");
     }
 
     @Test
     void finder_findsHouseWords_butNotInCode() {
-        var comment = new Comment(7, 60, "/** Whoever listens is told; {@code nobody()} is a name. */");
-        var file = new SourceFile(Path.of("a/src/main/java/A.java"), "a", 9, List.of(), List.of(comment), Set.of());
+        var comment = new Comment(7, 0, "/** Whoever listens is told; {@code nobody()} is a name. */");
+        var file =
+                new SourceFile(Path.of("a/src/main/java/A.java"), "a", 9, 8, 0, List.of(), List.of(comment), Set.of());
         assertThat(HouseFigures.houseWordsIn(List.of(file)))
                 .hasSize(2)
                 .anyMatch(each -> each.startsWith("a/src/main/java/A.java:7: \"Whoever\", better: "))

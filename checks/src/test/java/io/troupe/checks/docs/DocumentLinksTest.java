@@ -1,0 +1,162 @@
+package io.troupe.checks.docs;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.checks.Repository;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * Every relative link of a Markdown page leads to a file or folder of the repository, and every anchor to a heading, as
+ * GitHub computes it. So a page that names a source is corrected with the commit that renames the source.
+ */
+class DocumentLinksTest {
+    private static final Pattern FENCE = Pattern.compile("(?ms)^ *```.*?^ *```$");
+    private static final Pattern CODE = Pattern.compile("`[^`\n]*`");
+    private static final Pattern LINK =
+            Pattern.compile("\\]\\(([^()\\s]+)(?: \"[^\"]*\")?\\)|(?:src|href)=\"([^\"]+)\"");
+    private static final Pattern ADDRESS = Pattern.compile("[a-z]+:.*");
+    private static final Pattern HEADING = Pattern.compile("(?m)^#{1,6} +(.*?) *$");
+    private static final Pattern LINE = Pattern.compile("L(\\d+)(?:-L(\\d+))?");
+
+    @TempDir
+    Path folder;
+
+    @Test
+    void relativeLinks_ofAllPages_leadToFilesAndHeadingsThatExist() throws IOException {
+        List<String> broken = new ArrayList<>();
+        int links = 0;
+        for (Path page : Repository.markdownPages()) {
+            links += links(Files.readString(page)).size();
+            broken.addAll(brokenLinks(Repository.root(), page));
+        }
+        assertThat(links).as("links").isGreaterThan(100);
+        assertThat(broken).as("links that lead nowhere").isEmpty();
+    }
+
+    /** The walks of this page lead through the code step by step. */
+    @Test
+    void architecture_linksToManySources_ofAllPublishedModules() throws IOException {
+        var sources = links(Files.readString(Repository.root().resolve("docs/architecture.md"))).stream()
+                .filter(link -> link.endsWith(".java"))
+                .toList();
+        assertThat(sources).hasSizeGreaterThan(25);
+        assertThat(List.of("actor-core", "actor-service", "playerlike-sim", "services", "verification", "demo"))
+                .allSatisfy(module -> assertThat(sources).anyMatch(link -> link.startsWith("../" + module + "/")));
+    }
+
+    /** The drawing names every module of the build, and every package of the libraries. */
+    @Test
+    void drawingOfTheRooms_namesAllModulesAndPackages() throws IOException {
+        String drawing = Files.readString(Repository.root().resolve("docs/figures/rooms.svg"));
+        assertThat(Repository.modules())
+                .hasSizeGreaterThan(8)
+                .allSatisfy(module -> assertThat(drawing).containsPattern("[>\\s]" + module.getFileName() + "[,<]"));
+        var packages = Repository.javaSources().stream()
+                .filter(source -> source.endsWith("package-info.java"))
+                .map(source -> source.getParent().toString().replace('\\', '/'))
+                .filter(source -> source.contains("/src/main/java/"))
+                .filter(source -> !source.matches(".*/(?:demo|jmh|stress|structures)/.*"))
+                .map(source -> source.substring(source.indexOf("/java/") + "/java/".length())
+                        .replace('/', '.'))
+                .toList();
+        assertThat(packages)
+                .hasSizeGreaterThan(20)
+                .allSatisfy(name -> assertThat(drawing).contains(">" + name + "<"));
+    }
+
+    @Test
+    void brokenLinks_areNamed_butNotThoseInCode() throws IOException {
+        Files.createDirectories(folder.resolve("docs"));
+        Files.writeString(folder.resolve("docs/A.java"), "one\ntwo\n");
+        Files.writeString(
+                folder.resolve("other.md"), "# What `it` is: a page\n\n## Twice\n\n## Twice\n\n```\n# no\n```\n");
+        Path page = folder.resolve("docs/page.md");
+        Files.writeString(page, """
+                [a](A.java) [b](A.java#L2) [c](../other.md#what-it-is-a-page) [d](../other.md#twice-1) [e](#here) [f](.)
+                ![g](https://example.org/x.svg) `[h](none.md)`
+
+                ```
+                [i](none.md)
+                ```
+
+                # Here
+                """);
+        assertThat(brokenLinks(folder, page)).isEmpty();
+
+        Files.writeString(page, """
+                [a](B.java) [b](A.java#L3) [c](../other.md#no) [d](../other.md#twice-2) [e](#there) [f](../../x.md)
+                <img src="no.svg">
+                """);
+        assertThat(brokenLinks(folder, page))
+                .containsExactly(
+                        "docs/page.md: B.java",
+                        "docs/page.md: A.java#L3",
+                        "docs/page.md: ../other.md#no",
+                        "docs/page.md: ../other.md#twice-2",
+                        "docs/page.md: #there",
+                        "docs/page.md: ../../x.md",
+                        "docs/page.md: no.svg");
+    }
+
+    private static List<String> brokenLinks(Path root, Path page) throws IOException {
+        List<String> broken = new ArrayList<>();
+        for (String link : links(Files.readString(page))) {
+            int hash = link.indexOf('#');
+            String path = hash < 0 ? link : link.substring(0, hash);
+            String anchor = hash < 0 ? "" : link.substring(hash + 1);
+            Path target = path.isEmpty() ? page : page.resolveSibling(path).normalize();
+            if (!target.startsWith(root) || !Files.exists(target) || !anchor.isEmpty() && !hasAnchor(target, anchor)) {
+                broken.add(root.relativize(page).toString().replace('\\', '/') + ": " + link);
+            }
+        }
+        return broken;
+    }
+
+    /** The links and pictures of a page that are no addresses, in order. */
+    private static List<String> links(String markdown) {
+        String prose = CODE.matcher(FENCE.matcher(markdown).replaceAll("")).replaceAll("");
+        return LINK.matcher(prose)
+                .results()
+                .map(match -> match.group(1) == null ? match.group(2) : match.group(1))
+                .filter(link -> !ADDRESS.matcher(link).matches())
+                .toList();
+    }
+
+    private static boolean hasAnchor(Path target, String anchor) throws IOException {
+        if (target.toString().endsWith(".md")) {
+            return anchors(Files.readString(target)).contains(anchor);
+        }
+        var lines = LINE.matcher(anchor);
+        return lines.matches()
+                && Integer.parseInt(lines.group(lines.group(2) == null ? 1 : 2))
+                        <= Files.readAllLines(target).size();
+    }
+
+    /**
+     * The anchors of the headings: letters, digits, hyphens and underscores in lower case; a number if not the first.
+     */
+    private static Set<String> anchors(String markdown) {
+        Set<String> anchors = new HashSet<>();
+        Map<String, Integer> count = new HashMap<>();
+        HEADING.matcher(FENCE.matcher(markdown).replaceAll("")).results().forEach(match -> {
+            String text =
+                    match.group(1).replaceAll("\\[([^]]*)]\\([^)]*\\)", "$1").toLowerCase(Locale.ROOT);
+            String anchor = text.replaceAll("[^\\p{L}\\p{N} _-]", "").replace(' ', '-');
+            int earlier = count.merge(anchor, 1, Integer::sum) - 1;
+            anchors.add(earlier == 0 ? anchor : anchor + "-" + earlier);
+        });
+        return anchors;
+    }
+}
