@@ -29,9 +29,7 @@ class HabitsTest {
             "io.troupe.actor.HelperThreads.POOL", // threads for bodies, shared by all spaces
             "io.troupe.actor.Watchdog.LOOKS", // the one thread that watches all spaces
             "io.troupe.actor.promise.Home.CURRENT", // the home a thread belongs to, one per thread
-            "io.troupe.actor.promise.DetachedListeners.RUNNING", // listeners that wait for their turn on a foreign thread
-            // without a
-            // home, one per thread
+            "io.troupe.actor.promise.DetachedListeners.RUNNING", // listeners that wait on a thread without a home
             "io.troupe.player.PlayerPorts.OPEN"); // the in-process Player ports
 
     /** The classes that may read the clock or wait for a time. */
