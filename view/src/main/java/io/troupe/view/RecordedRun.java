@@ -1,5 +1,6 @@
 package io.troupe.view;
 
+import io.troupe.actor.time.Clock;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -47,6 +48,7 @@ public final class RecordedRun {
     private static final double JITTER_RAD = StrictMath.toRadians(2);
 
     private static final int SONARS = 8;
+    private static final Clock MACHINE = Clock.system();
 
     private final Scenario scenario;
     private final int port;
@@ -207,7 +209,7 @@ public final class RecordedRun {
                     .withRound(settings.round());
             try (var running = SubsumptionRun.start(services)) {
                 recorder.start(simulation.latest());
-                long origin = System.nanoTime();
+                long origin = MACHINE.nanos();
                 while (simulation.timeMicros() < endMicros && !listener.isStopRequested()) {
                     Snapshot snapshot = simulation.tick();
                     running.check();
@@ -226,7 +228,7 @@ public final class RecordedRun {
     }
 
     private static void awaitRealTime(long deadlineNanos) {
-        for (long left = deadlineNanos - System.nanoTime(); left > 0; left = deadlineNanos - System.nanoTime()) {
+        for (long left = deadlineNanos - MACHINE.nanos(); left > 0; left = deadlineNanos - MACHINE.nanos()) {
             LockSupport.parkNanos(left);
         }
     }
