@@ -1,5 +1,6 @@
 package io.troupe.view;
 
+import io.troupe.actor.time.Clock;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;

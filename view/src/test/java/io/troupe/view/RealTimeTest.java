@@ -1,4 +1,4 @@
-package io.troupe.demo.terminal;
+package io.troupe.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
