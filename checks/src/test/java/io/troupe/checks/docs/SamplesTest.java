@@ -78,16 +78,18 @@ class SamplesTest {
     private static final Set<String> WITHOUT_A_SAMPLE = Set.of(
             "ActorException", "ActorStoppedException", "ActorTypeException", "MailboxFullException", "Clock", "Home");
 
-    @Test
-    void typesOfActorCore_haveASample() throws IOException {
-        Path folder = Repository.root().resolve("actor-core/src/main/java");
+    @ParameterizedTest
+    @ValueSource(strings = {"actor-core", "actor-service"})
+    void types_haveASample_orSayHowUsersMeetThem(String module) throws IOException {
+        Path folder = Repository.root().resolve(module).resolve("src/main/java");
         var types = PublicTypes.in(folder);
         assertThat(types)
                 .filteredOn(type -> !type.isForTheLibraryOnly())
                 .filteredOn(type ->
                         WITHOUT_A_SAMPLE.stream().noneMatch(name -> type.name().endsWith("." + name)))
                 .hasSizeGreaterThan(20)
-                .allSatisfy(type -> assertThat(type.javadoc()).as(type.name()).contains("{@snippet"));
+                .allSatisfy(type ->
+                        assertThat(type.javadoc()).as(type.name()).containsAnyOf("{@snippet", "Users meet it as "));
     }
 
     @Test
