@@ -24,7 +24,7 @@ class LifecycleTest {
         test.close();
     }
 
-    /** Runs are numbered. Starts and stops answer as the test says. */
+    /** Runs are numbered. The test sets what starts and stops return. */
     private final class Scripted extends Lifecycle<Integer> {
         Supplier<Promise<@Nullable Void>> start = Promise::done;
         Supplier<Promise<@Nullable Void>> stop = Promise::done;
