@@ -8,6 +8,13 @@ import io.troupe.actor.promise.Promise;
 /**
  * A connection to a service through an actor interface: each call goes to the current provider of the service.
  *
+ * {@snippet :
+ * var compass = services.connect(Compass.class, Need.ofService("captain", "compass"));
+ * compass.actor().heading().then(degrees -> show(degrees));
+ *
+ * compass.close();
+ * }
+ *
  * <p><b>Role.</b> Created by {@link ActorServices#connect}; closed by the code that created it.
  *
  * <p><b>Threads.</b> Any thread may call the actor. Answers and callbacks arrive on the caller's space, as for any

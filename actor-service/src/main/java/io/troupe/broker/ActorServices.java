@@ -15,6 +15,15 @@ import org.jspecify.annotations.Nullable;
  * Actors as services: actors of this process are registered at a broker, and clients call them through the broker by
  * their own interfaces.
  *
+ * {@snippet :
+ * var space = ActorSpace.create(SpaceSettings.named("ship"));
+ * var broker = Broker.open(space, BrokerSettings.DEFAULT);
+ * var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+ * services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+ * var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter")).actor();
+ * show(greeter.greet("Ada").get(Duration.ofSeconds(10)));
+ * }
+ *
  * <p><b>Role.</b> Create one per broker and process. Actors that are published here can be called through
  * {@link #connect} of the same object. An actor can be publisher and subscriber at the same time.
  *

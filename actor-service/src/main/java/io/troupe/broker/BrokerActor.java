@@ -20,21 +20,21 @@ import org.jspecify.annotations.Nullable;
 class BrokerActor extends Actor {
     private final ProviderRegistry registry = new ProviderRegistry();
     private final EventPublisher events;
-    private final Supervisor supervisor;
+    private final BrokerContext context;
     private final ConnectedClients clients;
     private @Nullable Promise<List<ServiceRecord>> shutDown;
 
     BrokerActor(ActorSpace space, BrokerSettings settings) {
         var timeouts = new Timeouts(this::after);
         this.events = new EventPublisher(settings.observer(), space);
-        this.supervisor = new Supervisor(settings, timeouts, events, new ToClients());
+        this.context = new BrokerContext(settings, timeouts, events, new ToClients());
         this.clients = new ConnectedClients(this::choose, timeouts, settings, events);
     }
 
     public Promise<ServiceRecord> register(
             String service, List<String> capabilities, Address address, Provider provider) {
         checkOpen();
-        var registration = new Registration(service, capabilities, address, provider, supervisor);
+        var registration = new Registration(service, capabilities, address, provider, context);
         registry.add(registration);
         events.publish(new BrokerEvent.Registered(registration.toRecord()));
         clients.retry(registration::meets);
@@ -59,7 +59,7 @@ class BrokerActor extends Actor {
         Registration before = registry.known(old);
         before.checkNotBeingReplaced();
         registry.checkFree(address, old);
-        var by = new Registration(service, capabilities, address, provider, supervisor);
+        var by = new Registration(service, capabilities, address, provider, context);
         registry.reserve(by);
         before.setBeingReplaced(true);
         var done = new Deferred<ServiceRecord>();
@@ -131,7 +131,7 @@ class BrokerActor extends Actor {
             Consumer<Registration> found,
             Consumer<MissingServiceException> none) {
         var best = registry.best(need, each -> !tried.containsKey(each) && (evenFailed || !each.hasFailed()));
-        if (supervisor.isClosing()) {
+        if (context.isClosing()) {
             none.accept(ProviderRegistry.closing(need));
             return;
         }
@@ -159,7 +159,7 @@ class BrokerActor extends Actor {
     }
 
     /** Passes starts and failures of providers on to the clients. */
-    private final class ToClients implements Supervisor.Listener {
+    private final class ToClients implements BrokerContext.Listener {
         @Override
         public List<Registration> predecessors(Registration registration) {
             return registry.predecessors(registration);
@@ -189,9 +189,9 @@ class BrokerActor extends Actor {
         if (shutDown == null) {
             var done = new Deferred<List<ServiceRecord>>();
             shutDown = done;
-            supervisor.beginClosing();
+            context.beginClosing();
             clients.endAll().handle((notified, error) -> {
-                stopLast(supervisor.begun(), done);
+                stopLast(context.begun(), done);
                 return null;
             });
         }
@@ -201,7 +201,7 @@ class BrokerActor extends Actor {
     /** Stops the providers of the list one by one, the last first. */
     private void stopLast(List<Registration> rest, Deferred<List<ServiceRecord>> done) {
         if (rest.isEmpty()) {
-            done.resolve(supervisor.begun().stream().map(Registration::toRecord).toList());
+            done.resolve(context.begun().stream().map(Registration::toRecord).toList());
         } else {
             rest.getLast().stop().handle((stopped, error) -> {
                 stopLast(rest.subList(0, rest.size() - 1), done);
@@ -211,13 +211,13 @@ class BrokerActor extends Actor {
     }
 
     private void checkOpen() {
-        if (supervisor.isClosing()) {
+        if (context.isClosing()) {
             throw new IllegalStateException("the broker is closed");
         }
     }
 
     @Override
     protected void stopped() {
-        supervisor.begun().forEach(registration -> events.publish(new BrokerEvent.Abandoned(registration.toRecord())));
+        context.begun().forEach(registration -> events.publish(new BrokerEvent.Abandoned(registration.toRecord())));
     }
 }

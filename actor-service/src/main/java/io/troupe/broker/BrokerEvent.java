@@ -2,7 +2,17 @@ package io.troupe.broker;
 
 import org.jspecify.annotations.Nullable;
 
-/** An event at a broker. */
+/**
+ * An event at a broker.
+ *
+ * {@snippet :
+ * BrokerObserver observer = event -> {
+ *     if (event instanceof BrokerEvent.FailedOver change) {
+ *         show(change.from().provider() + " > " + change.to().provider());
+ *     }
+ * };
+ * }
+ */
 public sealed interface BrokerEvent {
     record Registered(ServiceRecord provider) implements BrokerEvent {}
 

@@ -6,6 +6,12 @@ import org.jspecify.annotations.Nullable;
 /**
  * Observes all events of a broker.
  *
+ * {@snippet :
+ * BrokerObserver observer = events::add;
+ *
+ * Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
+ * }
+ *
  * <p><b>Threads.</b> Called on the broker's space; for events about calls through an actor connection, on the
  * connection's space. Exceptions are reported to that space's error handler and have no other effect.
  */

@@ -6,6 +6,13 @@ import java.util.Objects;
 /**
  * Time limits and health checks of a broker; immutable.
  *
+ * {@snippet :
+ * var settings = BrokerSettings.DEFAULT
+ *         .withChecks(Duration.ofMillis(500), Duration.ofMillis(200), 2)
+ *         .withLimits(Duration.ofSeconds(20), Duration.ofSeconds(5), Duration.ofSeconds(1))
+ *         .withObserver(observer);
+ * }
+ *
  * @param checkEvery the time from the answer to a health check, or its limit, to the next check
  * @param checkLimit the time limit of a health check
  * @param missedChecks after this many consecutive checks without an answer, a suspect provider has failed

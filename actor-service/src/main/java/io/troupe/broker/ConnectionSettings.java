@@ -5,6 +5,11 @@ import java.time.Duration;
 /**
  * Time limits of calls through a connection; immutable.
  *
+ * {@snippet :
+ * var patient = ConnectionSettings.DEFAULT.withWaitLimit(Duration.ofSeconds(20)).withoutAnswerLimit();
+ * var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"), patient).actor();
+ * }
+ *
  * @param waitLimit the longest time that a request is queued while there is no provider
  * @param answerLimit the longest time that a provider may take for a request; zero = as long as the provider runs
  * @param oneWayLimit the longest time that a one-way call is queued while there is no provider; short, because a

@@ -1,6 +1,10 @@
 package io.troupe.broker;
 
-/** The health of a provider. */
+/**
+ * The health of a provider.
+ *
+ * <p>Users meet it as {@link ServiceRecord#health}.
+ */
 public enum Health {
     /** Registered, and not started yet. */
     NOT_STARTED,

@@ -5,6 +5,11 @@ import org.jspecify.annotations.Nullable;
 /**
  * A client's requirement: the service it looks up, by name, by capability, or by both.
  *
+ * {@snippet :
+ * broker.find(Need.ofCapability("finder", "colour")).then(cameras -> show(cameras.size()));
+ * broker.require(Need.ofService("finder", "camera")).then(camera -> show(camera.provider()));
+ * }
+ *
  * @param by the name of the client, for messages
  */
 public record Need(

@@ -7,6 +7,22 @@ import org.jspecify.annotations.Nullable;
 /**
  * A provider of a service, as the broker runs it: a component's interface, or an actor.
  *
+ * {@snippet :
+ * public Promise<@Nullable Void> start() {
+ *     shown.add("camera starts");
+ *     return Promise.done();
+ * }
+ *
+ * public Promise<@Nullable Void> stop() {
+ *     shown.add("camera stops");
+ *     return Promise.done();
+ * }
+ *
+ * public Promise<@Nullable Void> check() {
+ *     return Promise.done();
+ * }
+ * }
+ *
  * <p><b>Threads.</b> Called on the broker's space; may answer from any thread. The broker limits the time of each call.
  *
  * <p><b>Order.</b> A start begins after the answer to the previous stop, or after its limit. The broker calls stop for

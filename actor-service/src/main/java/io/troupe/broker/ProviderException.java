@@ -2,7 +2,11 @@ package io.troupe.broker;
 
 import org.jspecify.annotations.Nullable;
 
-/** A provider failed to start, stop or pass a check. The message names the provider, the call and the problem. */
+/**
+ * A provider failed to start, stop or pass a check. The message names the provider, the call and the problem.
+ *
+ * <p>Users meet it as the error of {@link Broker#replace} and {@link Broker#withdraw}, and in {@link BrokerEvent}s.
+ */
 public final class ProviderException extends RuntimeException {
     private static final long serialVersionUID = 1L;
 

@@ -38,7 +38,7 @@ final class Registration extends Lifecycle<Registration.Run> {
     final List<String> capabilities;
     final Address address;
     final Provider provider;
-    private final Supervisor supervisor;
+    private final BrokerContext context;
     private Run latest = new Run();
 
     /** Counts starts, failures and stops: a late answer to a stop counts only if there was none since. */
@@ -69,12 +69,12 @@ final class Registration extends Lifecycle<Registration.Run> {
     /** Set when it was withdrawn or replaced; fulfilled when it has stopped, or the limit of its stop is over. */
     private @Nullable Promise<@Nullable Void> gone;
 
-    Registration(String service, List<String> capabilities, Address address, Provider provider, Supervisor supervisor) {
+    Registration(String service, List<String> capabilities, Address address, Provider provider, BrokerContext context) {
         this.service = service;
         this.capabilities = capabilities;
         this.address = address;
         this.provider = provider;
-        this.supervisor = supervisor;
+        this.context = context;
     }
 
     // ---- what others see
@@ -179,7 +179,7 @@ final class Registration extends Lifecycle<Registration.Run> {
 
     @Override
     protected @Nullable Promise<?> waitsFor() {
-        List<Registration> before = supervisor.listener.predecessors(this);
+        List<Registration> before = context.listener.predecessors(this);
         if (!before.isEmpty()) {
             before.forEach(Registration::stopNow);
             return Promise.allSettled(before.stream()
@@ -191,7 +191,7 @@ final class Registration extends Lifecycle<Registration.Run> {
 
     @Override
     protected @Nullable Throwable refusal() {
-        return supervisor.isClosing()
+        return context.isClosing()
                 ? new ProviderException(this + " was not started: the broker is being closed", null)
                 : null;
     }
@@ -207,9 +207,9 @@ final class Registration extends Lifecycle<Registration.Run> {
 
     @Override
     protected Promise<@Nullable Void> startRun(Run run) {
-        return supervisor.timeouts.call(
+        return context.timeouts.call(
                 provider::start,
-                supervisor.settings.startLimit(),
+                context.settings.startLimit(),
                 this + " did not start",
                 error -> startedLate(run, error));
     }
@@ -217,17 +217,17 @@ final class Registration extends Lifecycle<Registration.Run> {
     @Override
     protected void changed(State now, State before) {
         switch (now) {
-            case STARTING -> supervisor.events.publish(new BrokerEvent.Starting(toRecord()));
+            case STARTING -> context.events.publish(new BrokerEvent.Starting(toRecord()));
             case RUNNING -> hasStarted(latest);
             case FAILED -> {
                 if (before == State.RUNNING) {
-                    supervisor.listener.onFailed(this);
+                    context.listener.onFailed(this);
                 }
             }
             case STOPPED -> {
                 if (before == State.STOPPING) {
                     setMayRun(false);
-                    supervisor.events.publish(new BrokerEvent.Stopped(toRecord()));
+                    context.events.publish(new BrokerEvent.Stopped(toRecord()));
                 }
             }
             case NOT_STARTED, STOPPING -> {}
@@ -237,7 +237,7 @@ final class Registration extends Lifecycle<Registration.Run> {
     private void hasStarted(Run run) {
         why = null;
         startedLate = false; // both starts led to one running provider: stopping this run stops it
-        supervisor.events.publish(new BrokerEvent.Started(toRecord()));
+        context.events.publish(new BrokerEvent.Started(toRecord()));
         whenEnded().handle((ended, error) -> {
             if (isRunning(run)) {
                 setMayRun(false);
@@ -249,9 +249,9 @@ final class Registration extends Lifecycle<Registration.Run> {
         // reset only after a long run: one good check is not enough for a provider that keeps failing
         if (restartPause != null) {
             run.restartPauseEnd =
-                    supervisor.timeouts.after(supervisor.settings.longestRestartPause(), () -> restartPause = null);
+                    context.timeouts.after(context.settings.longestRestartPause(), () -> restartPause = null);
         }
-        supervisor.listener.onStarted(this);
+        context.listener.onStarted(this);
     }
 
     private Promise<?> whenEnded() {
@@ -268,7 +268,7 @@ final class Registration extends Lifecycle<Registration.Run> {
      */
     @Override
     protected void startedLate(Run run, @Nullable Throwable error) {
-        supervisor.events.publish(new BrokerEvent.Late(toString(), "start", error));
+        context.events.publish(new BrokerEvent.Late(toString(), "start", error));
         if (error == null && !isRunning()) {
             startedLate = true;
             setMayRun(true);
@@ -284,19 +284,18 @@ final class Registration extends Lifecycle<Registration.Run> {
     // ---- health checks
 
     private void checkLater(Run run) {
-        if (!supervisor.isClosing()) {
-            run.nextCheck = supervisor.timeouts.after(supervisor.settings.checkEvery(), () -> check(run));
+        if (!context.isClosing()) {
+            run.nextCheck = context.timeouts.after(context.settings.checkEvery(), () -> check(run));
         }
     }
 
     private void check(Run run) {
-        supervisor
-                .timeouts
+        context.timeouts
                 .call(
                         provider::check,
-                        supervisor.settings.checkLimit(),
+                        context.settings.checkLimit(),
                         this + " did not answer the question for its health",
-                        error -> supervisor.events.publish(new BrokerEvent.Late(toString(), "check", error)))
+                        error -> context.events.publish(new BrokerEvent.Late(toString(), "check", error)))
                 .handle((well, error) -> {
                     if (isRunning(run)) {
                         checked(run, error);
@@ -310,12 +309,12 @@ final class Registration extends Lifecycle<Registration.Run> {
             boolean wasSuspect = run.missedChecks > 0;
             run.missedChecks = 0;
             if (wasSuspect) {
-                supervisor.events.publish(new BrokerEvent.Recovered(toRecord()));
+                context.events.publish(new BrokerEvent.Recovered(toRecord()));
             }
             checkLater(run);
-        } else if (isOverdue(error) && run.missedChecks + 1 < supervisor.settings.missedChecks()) {
+        } else if (isOverdue(error) && run.missedChecks + 1 < context.settings.missedChecks()) {
             if (++run.missedChecks == 1) {
-                supervisor.events.publish(new BrokerEvent.Suspect(toRecord(), error));
+                context.events.publish(new BrokerEvent.Suspect(toRecord(), error));
             }
             checkLater(run);
         } else {
@@ -341,19 +340,19 @@ final class Registration extends Lifecycle<Registration.Run> {
     protected Throwable failed(@Nullable Run run, State during, Throwable error) {
         why = error;
         if (during == State.STARTING) {
-            supervisor.events.publish(new BrokerEvent.StartFailed(toRecord(), error));
+            context.events.publish(new BrokerEvent.StartFailed(toRecord(), error));
             if (!startedLate && !isOverdue(error)) {
                 setMayRun(false);
             }
             return error;
         }
         if (during == State.STOPPING) {
-            supervisor.events.publish(new BrokerEvent.StopFailed(toRecord(), error));
+            context.events.publish(new BrokerEvent.StopFailed(toRecord(), error));
             return new ProviderException(this + " has not stopped: " + Reasons.of(error), error);
         }
         changes++;
         cancelTimers();
-        supervisor.events.publish(new BrokerEvent.Failed(toRecord(), error));
+        context.events.publish(new BrokerEvent.Failed(toRecord(), error));
         return error;
     }
 
@@ -365,7 +364,7 @@ final class Registration extends Lifecycle<Registration.Run> {
     @Override
     protected void stopFailed(Throwable error) {
         if (state() != State.STOPPING) {
-            supervisor.events.publish(new BrokerEvent.StopFailed(toRecord(), error));
+            context.events.publish(new BrokerEvent.StopFailed(toRecord(), error));
         }
     }
 
@@ -412,13 +411,12 @@ final class Registration extends Lifecycle<Registration.Run> {
     private void stopAll(Consumer<@Nullable Throwable> over) {
         startedLate = false;
         int asked = changes;
-        supervisor
-                .timeouts
-                .call(provider::stop, supervisor.settings.stopLimit(), this + " did not stop", error -> {
+        context.timeouts
+                .call(provider::stop, context.settings.stopLimit(), this + " did not stop", error -> {
                     if (error == null && changes == asked && !isStarting()) {
                         setMayRun(false);
                     }
-                    supervisor.events.publish(new BrokerEvent.Late(toString(), "stop", error));
+                    context.events.publish(new BrokerEvent.Late(toString(), "stop", error));
                 })
                 .handle((stopped, error) -> {
                     if (startedLate) {
@@ -432,19 +430,19 @@ final class Registration extends Lifecycle<Registration.Run> {
 
     private void setMayRun(boolean may) {
         mayRun = may;
-        supervisor.setMayRun(this, may);
+        context.setMayRun(this, may);
     }
 
     // ---- restart
 
     /** Restarts it after a pause, if it has failed and a connection waits for it; the pauses increase. */
     void considerRestart() {
-        if (supervisor.settings.restartPause().isZero() || nextRestart != null || !isRestartWanted()) {
+        if (context.settings.restartPause().isZero() || nextRestart != null || !isRestartWanted()) {
             return;
         }
         Duration pause = nextRestartPause();
         restartPause = pause;
-        nextRestart = supervisor.timeouts.after(pause, () -> {
+        nextRestart = context.timeouts.after(pause, () -> {
             nextRestart = null;
             if (isRestartWanted()) {
                 start().handle((started, error) -> {
@@ -456,15 +454,15 @@ final class Registration extends Lifecycle<Registration.Run> {
     }
 
     private boolean isRestartWanted() {
-        return hasFailed() && !supervisor.isClosing() && supervisor.listener.isWanted(this);
+        return hasFailed() && !context.isClosing() && context.listener.isWanted(this);
     }
 
     private Duration nextRestartPause() {
         if (restartPause == null) {
-            return supervisor.settings.restartPause();
+            return context.settings.restartPause();
         }
         Duration twice = restartPause.multipliedBy(2);
-        Duration longest = supervisor.settings.longestRestartPause();
+        Duration longest = context.settings.longestRestartPause();
         return twice.compareTo(longest) < 0 ? twice : longest;
     }
 }

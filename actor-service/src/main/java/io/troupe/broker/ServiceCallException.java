@@ -5,6 +5,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * A call through an {@link ActorConnection} that was not answered. The message names the caller, the method, the
  * provider and the reason. Answers of the provider, including its errors, are passed to the caller unchanged.
+ *
+ * <p>Users meet it as the error of a call through {@link ActorConnection#actor}.
  */
 public final class ServiceCallException extends RuntimeException {
     private static final long serialVersionUID = 1L;

@@ -3,6 +3,12 @@ package io.troupe.bus;
 /**
  * The address of a port on a bus: the node (the process) and the name of the port on that node.
  *
+ * {@snippet :
+ * var heating = new Address("house", "heating");
+ * var limit = Duration.ofSeconds(1);
+ * display.ask(heating, HEAT, new Setpoint(21), limit).then(accepted -> show(accepted.heats()));
+ * }
+ *
  * <p><b>Units and shapes.</b> Written {@code node/name}; neither part is blank or contains a slash.
  */
 public record Address(String node, String name) {

@@ -3,6 +3,8 @@ package io.troupe.bus;
 /**
  * A message on the bus. Nothing else crosses it.
  *
+ * <p>Users meet it as the argument of {@link BusObserver#passed}, and in a {@link Loss}.
+ *
  * <p><b>Role.</b> A bus between processes encodes exactly these records. They contain only names, numbers and records
  * of values.
  *

@@ -3,6 +3,10 @@ package io.troupe.bus;
 /**
  * Message counts of one node of a bus since it was opened.
  *
+ * {@snippet :
+ * show(bus.metrics().dropped());
+ * }
+ *
  * <p><b>Units and shapes.</b> When no message is queued and no request is pending, {@code queued = delivered + failed +
  * dropped + discarded}, and {@code asked = answered + refused + timedOut}, unless a requester has cancelled.
  *

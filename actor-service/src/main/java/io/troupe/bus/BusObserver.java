@@ -3,6 +3,10 @@ package io.troupe.bus;
 /**
  * Observes the messages and losses of one node of a bus.
  *
+ * {@snippet :
+ * var settings = BusSettings.on(space).withCapacity(2).withObserver(loss -> show(loss));
+ * }
+ *
  * <p><b>Threads.</b> Called on the thread that sends, delivers or detects the event; it must not block. <b>Errors.</b>
  * Its exceptions are logged and do not affect the bus.
  */

@@ -16,6 +16,16 @@ import org.jspecify.annotations.Nullable;
 /**
  * The access of one component to the bus.
  *
+ * {@snippet :
+ * display.subscribe(OUTSIDE, (temperature, from) -> show(from + ": " + temperature.celsius()));
+ * sensor.publish(OUTSIDE, new Temperature(-3));
+ *
+ * bus.attach("heating").answer(HEAT, setpoint -> Promise.of(new Accepted(setpoint.celsius() > 15)));
+ * var heating = new Address("house", "heating");
+ * var limit = Duration.ofSeconds(1);
+ * display.ask(heating, HEAT, new Setpoint(21), limit).then(accepted -> show(accepted.heats()));
+ * }
+ *
  * <p><b>Threads.</b> Methods may be called from any thread. A subscriber or a request handler runs on the actor space
  * on which it was registered.
  *

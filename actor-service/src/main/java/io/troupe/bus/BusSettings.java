@@ -6,6 +6,11 @@ import java.util.Objects;
 /**
  * Settings of a node of a bus; immutable.
  *
+ * {@snippet :
+ * var settings = BusSettings.on(space).withCapacity(2).withObserver(loss -> show(loss));
+ * Bus bus = Bus.inProcess("house", settings);
+ * }
+ *
  * @param space runs the subscribers, request handlers and time limits of code that registers or asks from outside every
  *     actor space; the bus does not close it
  * @param capacity the most messages queued for one subscriber or one request handler, and the most requests that a

@@ -2,6 +2,8 @@ package io.troupe.bus;
 
 /**
  * A message that was not delivered, or a reply that was no longer awaited. Each is reported once to the bus's observer.
+ *
+ * <p>Users meet it as the argument of {@link BusObserver#lost}.
  */
 public sealed interface Loss {
     /**

@@ -5,6 +5,15 @@ import java.util.Objects;
 /**
  * A named operation: requests of one type, answered by replies of another.
  *
+ * {@snippet :
+ * record Setpoint(double celsius) {}
+ *
+ * record Accepted(boolean heats) {}
+ *
+ * static final Operation<Setpoint, Accepted> HEAT =
+ *         new Operation<>("heat", Setpoint.class, Accepted.class, Operation.Kind.CONTROL);
+ * }
+ *
  * <p><b>Units and shapes.</b> Both types are records of values that can leave a process; the constructor rejects any
  * other type and names the component that is at fault. The rules for values of a {@link BusTopic} apply to requests and
  * replies as well.

@@ -3,6 +3,8 @@ package io.troupe.bus;
 /**
  * The failure of a request handler in a form that can leave its process: the class name and message of the error, not
  * the error itself.
+ *
+ * <p>Users meet it as the error of {@link BusPort#ask}.
  */
 public final class RemoteFailure extends RuntimeException {
     private static final long serialVersionUID = 1L;

@@ -3,7 +3,9 @@ package io.troupe.broker;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Address;
@@ -14,8 +16,8 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /**
- * Compiles and runs the samples of docs/guide/07-actors-as-services.md and about the broker of
- * docs/guide/08-bus-and-broker.md.
+ * Compiles and runs the samples of docs/guide/07-actors-as-services.md, about the broker of
+ * docs/guide/08-bus-and-broker.md, and of the API pages of the broker.
  */
 class BrokerGuideTest {
     /** A component that only records its calls. */
@@ -236,6 +238,48 @@ class BrokerGuideTest {
             greeter.greet("Ada").then(text -> show(text));
             test.crank();
             assertThat(shown).containsExactly("hello Ada", "good morning Ada");
+            test.get(broker.shutDown());
+            test.crank();
+        }
+    }
+
+    @Test
+    void fiveLines_publishAnActor_andCallItByItsName() throws Exception {
+        var space = ActorSpace.create(SpaceSettings.named("ship"));
+        var broker = Broker.open(space, BrokerSettings.DEFAULT);
+        var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+        services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+        var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"))
+                .actor();
+        show(greeter.greet("Ada").get(Duration.ofSeconds(10)));
+
+        assertThat(shown).containsExactly("hello Ada");
+        broker.shutDown().get(Duration.ofSeconds(10));
+        space.close();
+    }
+
+    @Test
+    void observer_isNotifiedOfAFailover() {
+        try (var test = new TestSpace()) {
+            var space = test.space();
+            BrokerObserver observer = event -> {
+                if (event instanceof BrokerEvent.FailedOver change) {
+                    show(change.from().provider() + " > " + change.to().provider());
+                }
+            };
+            var settings = BrokerSettings.DEFAULT
+                    .withChecks(Duration.ofMillis(500), Duration.ofMillis(200), 2)
+                    .withLimits(Duration.ofSeconds(20), Duration.ofSeconds(5), Duration.ofSeconds(1))
+                    .withObserver(observer);
+            Broker broker = Broker.open(space, settings);
+            var services = new ActorServices(broker, "ship", space, observer);
+            services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+            services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hi " + name));
+            var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"));
+            test.get(greeter.whenReady());
+            test.get(broker.withdraw(new Address("ship", "greeter")));
+            assertThat(shown).containsExactly("ship/greeter > ship/greeter-2");
+            greeter.close();
             test.get(broker.shutDown());
             test.crank();
         }

@@ -76,13 +76,14 @@ class SamplesTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"actor-core"})
-    void typesOfALibrary_haveASample(String module) throws IOException {
+    @ValueSource(strings = {"actor-core", "actor-service"})
+    void types_haveASample_orSayHowUsersMeetThem(String module) throws IOException {
         Path folder = Repository.root().resolve(module).resolve("src/main/java");
         assertThat(PublicTypes.in(folder))
                 .filteredOn(type -> !type.isForTheLibraryOnly())
                 .hasSizeGreaterThan(20)
-                .allSatisfy(type -> assertThat(type.javadoc()).as(type.name()).contains("{@snippet"));
+                .allSatisfy(type ->
+                        assertThat(type.javadoc()).as(type.name()).containsAnyOf("{@snippet", "Users meet it as "));
     }
 
     /** The client and its interfaces that work; the package documentation gives the reason for the others. */

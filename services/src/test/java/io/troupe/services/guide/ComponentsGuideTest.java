@@ -39,9 +39,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/**
- * Runs the samples about components, the bus and applications in docs/guide/08-bus-and-broker.md and 09-components.md.
- */
+/** Runs the samples about components and applications in docs/guide/09-components.md. */
 class ComponentsGuideTest {
     private final TestSpace test = new TestSpace();
     private final Bus bus = Bus.inProcess("house", BusSettings.on(test.space()));

@@ -5,7 +5,7 @@ import java.util.List;
 import java.util.Set;
 
 /** What the registrations of one broker share. Used on the broker's space. */
-final class Supervisor {
+final class BrokerContext {
     /** What starts and failures mean for the clients and the other registrations of the broker. */
     interface Listener {
         /** Withdrawn or replaced providers that have to stop before this one is started. */
@@ -26,7 +26,7 @@ final class Supervisor {
     private final Set<Registration> begun = new LinkedHashSet<>(); // those that may run, in the order of their starts
     private boolean closing;
 
-    Supervisor(BrokerSettings settings, Timeouts timeouts, EventPublisher events, Listener listener) {
+    BrokerContext(BrokerSettings settings, Timeouts timeouts, EventPublisher events, Listener listener) {
         this.settings = settings;
         this.timeouts = timeouts;
         this.events = events;
