@@ -54,11 +54,13 @@ final class AppRun {
     private static final Duration STOP_LIMIT = Duration.ofSeconds(20);
 
     private final Path file;
+    private final ComponentKinds kinds;
     private final Scenario scenario;
     private final AppReport report;
 
-    AppRun(Path file, Scenario scenario, AppReport report) {
+    AppRun(Path file, ComponentKinds kinds, Scenario scenario, AppReport report) {
         this.file = file;
+        this.kinds = kinds;
         this.scenario = scenario;
         this.report = report;
     }
@@ -81,7 +83,7 @@ final class AppRun {
             if (tcp != null) {
                 values.put("tcp", String.valueOf(tcp.port()));
             }
-            var plan = ApplicationReader.parse(declaration, file, ComponentKinds.standard(), values);
+            var plan = ApplicationReader.parse(declaration, file, kinds, values);
             report.watch(simulation.latest(), simulation::timeMicros);
             Application application = start(space, plan);
             try {
