@@ -17,8 +17,8 @@ import java.util.function.IntFunction;
  * ended looks like one that waits for readings: a request to stop it is answered at once. A colour always leads to
  * another state, as in the paper's table. Closing a world or an actor space is no call and not part of the model.
  *
- * <p><b>Source.</b> The classes {@code Simulation}, {@code RobotServicesActor} and {@code Arbitrator}.
- * ADR 0003 defines when an actor space has answered a reading.
+ * <p><b>Source.</b> The classes {@code Simulation}, {@code RobotServicesActor} and {@code Arbitrator}. ADR 0003 defines
+ * when an actor space has answered a reading.
  */
 final class TroupeWiring {
     private TroupeWiring() {}
