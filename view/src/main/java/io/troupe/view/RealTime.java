@@ -10,7 +10,9 @@ public final class RealTime {
     /** Waits until as much real time has passed as simulated time. */
     public void await(long simulatedMicros) {
         long deadlineNanos = originNanos + simulatedMicros * 1000;
-        for (long left = deadlineNanos - Clock.system().nanos(); left > 0; left = deadlineNanos - Clock.system().nanos()) {
+        for (long left = deadlineNanos - Clock.system().nanos();
+                left > 0;
+                left = deadlineNanos - Clock.system().nanos()) {
             LockSupport.parkNanos(left);
         }
     }

@@ -1,5 +1,6 @@
 package io.troupe.demo.app;
 
+import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.WorldLoader;
@@ -54,6 +55,9 @@ public final class AppCommand implements Callable<Integer> {
     @Mixin
     private WorldLoader loader;
 
+    @Mixin
+    private ServiceJars jars;
+
     @Option(names = "--realtime", description = "no faster than real time")
     private boolean realtime;
 
@@ -74,8 +78,11 @@ public final class AppCommand implements Callable<Integer> {
         }
         FileProblems.checkInput(spec, file, "the file of a declaration");
         Scenario scenario = loader.read(world);
-        try (var interruption = Interruption.open()) {
-            new AppRun(file, scenario, new AppReport(terminal)).run(seconds, realtime, interruption::isRequested);
+        try (var opened = jars;
+                var interruption = Interruption.open()) {
+            var kinds = ComponentKinds.standard(opened.catalogue(file));
+            new AppRun(file, kinds, scenario, new AppReport(terminal))
+                    .run(seconds, realtime, interruption::isRequested);
             return interruption.isRequested() ? Interruption.STATUS : 0;
         }
     }

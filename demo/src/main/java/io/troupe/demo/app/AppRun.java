@@ -6,7 +6,6 @@ import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
-import io.troupe.view.RealTime;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
@@ -19,6 +18,7 @@ import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Scenario;
+import io.troupe.view.RealTime;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -53,11 +53,13 @@ final class AppRun {
     private static final Duration STOP_LIMIT = Duration.ofSeconds(20);
 
     private final Path file;
+    private final ComponentKinds kinds;
     private final Scenario scenario;
     private final AppReport report;
 
-    AppRun(Path file, Scenario scenario, AppReport report) {
+    AppRun(Path file, ComponentKinds kinds, Scenario scenario, AppReport report) {
         this.file = file;
+        this.kinds = kinds;
         this.scenario = scenario;
         this.report = report;
     }
@@ -80,7 +82,7 @@ final class AppRun {
             if (tcp != null) {
                 values.put("tcp", String.valueOf(tcp.port()));
             }
-            var plan = ApplicationReader.parse(declaration, file, ComponentKinds.standard(), values);
+            var plan = ApplicationReader.parse(declaration, file, kinds, values);
             report.watch(simulation.latest(), simulation::timeMicros);
             Application application = start(space, plan);
             try {

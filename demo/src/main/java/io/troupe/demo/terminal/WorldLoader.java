@@ -1,6 +1,5 @@
 package io.troupe.demo.terminal;
 
-import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.ScenarioReader;
 import io.troupe.sim.worldfile.WorldFileException;

@@ -30,7 +30,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6.
  */
-public class RobotServicesActor extends Actor implements RobotServices {
+public final class RobotServicesActor extends Actor implements RobotServices {
     /**
      * Where the robots are, and which table they use.
      *

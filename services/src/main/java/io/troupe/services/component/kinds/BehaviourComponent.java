@@ -20,6 +20,7 @@ import io.troupe.services.component.kinds.RobotTopics.LaserReading;
 import io.troupe.services.component.kinds.RobotTopics.PositionReading;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
 import io.troupe.services.robot.ControlCycle;
+import io.troupe.services.subsumption.Service;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
@@ -53,6 +54,16 @@ public final class BehaviourComponent {
     public static Component<?, ?> of(
             String name, String service, List<String> capabilities, Supplier<? extends Behaviour> law) {
         return of(name, service, capabilities, Set.of(), law);
+    }
+
+    /**
+     * Makes a component of a service that a table can name, so that the same behaviour drives a robot of
+     * {@link io.troupe.services.subsumption.SubsumptionRun} or of an application. The component provides a service of
+     * its name with the capability {@code drives}. It gets blobs, and laser scans if the service uses the laser.
+     */
+    public static Component<?, ?> of(String name, Service service) {
+        Set<Sense> senses = service.usesLaser() ? Set.of(Sense.BLOBS, Sense.LASER) : Set.of(Sense.BLOBS);
+        return of(name, name, List.of("drives"), senses, service.behaviour());
     }
 
     /**

@@ -6,6 +6,9 @@ import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.component.Component;
 import io.troupe.services.component.kinds.ComponentKind.Parameter;
+import io.troupe.services.subsumption.ServiceCatalogue;
+import io.troupe.services.subsumption.SubsumptionTableException;
+import io.troupe.services.subsumption.SubsumptionTableReader;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
@@ -23,9 +26,20 @@ public final class ComponentKinds {
         this.kinds = List.copyOf(kinds);
     }
 
-    /** The kinds that Troupe provides. */
+    /** The kinds that Troupe provides, with the standard services of tables. */
     public static ComponentKinds standard() {
-        return new ComponentKinds(List.of(player(), wallFollower(), spaceWanderer(), colourFinder(), process()));
+        return standard(ServiceCatalogue.standard());
+    }
+
+    /**
+     * The kinds that Troupe provides.
+     *
+     * @param services those that the kind {@code behaviour} can name, for example with those of a
+     *     {@link io.troupe.services.subsumption.ServiceJar}
+     */
+    public static ComponentKinds standard(ServiceCatalogue services) {
+        return new ComponentKinds(
+                List.of(player(), wallFollower(), spaceWanderer(), behaviour(services), colourFinder(), process()));
     }
 
     /**
@@ -97,6 +111,22 @@ public final class ComponentKinds {
                 List.of(),
                 (name, arguments) -> BehaviourComponent.of(
                         name, "spaceWanderer", List.of("drives", "wanders"), SpaceWanderer::behaviour));
+    }
+
+    private static ComponentKind behaviour(ServiceCatalogue services) {
+        return new ComponentKind(
+                "behaviour",
+                "drives as a service of a table file does; it gets blobs, and laser scans if the service uses them",
+                List.of(new Parameter("of", "\"the service\" as a table file declares it, such as avoid", "")),
+                (name, arguments) -> {
+                    try {
+                        return BehaviourComponent.of(
+                                name, SubsumptionTableReader.service("it = " + arguments.text("of"), services));
+                    } catch (SubsumptionTableException mistake) {
+                        throw new ArgumentException(
+                                "of", "of is " + arguments.text("of") + ": " + mistake.getMessage());
+                    }
+                });
     }
 
     private static ComponentKind colourFinder() {

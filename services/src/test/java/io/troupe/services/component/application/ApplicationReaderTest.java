@@ -135,7 +135,7 @@ class ApplicationReaderTest {
     void catalogue_describesItsKinds() {
         assertThat(ComponentKinds.standard().all())
                 .extracting(kind -> kind.name())
-                .isEqualTo(List.of("player", "wallFollower", "spaceWanderer", "colourFinder", "process"));
+                .isEqualTo(List.of("player", "wallFollower", "spaceWanderer", "behaviour", "colourFinder", "process"));
         assertThat(ComponentKinds.standard().find("process").orElseThrow().describe())
                 .contains("run=", "has to be given");
     }

@@ -22,6 +22,7 @@ import io.troupe.services.component.kinds.RobotTopics.BlobsReading;
 import io.troupe.services.component.kinds.RobotTopics.LaserReading;
 import io.troupe.services.component.kinds.RobotTopics.PositionReading;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
+import io.troupe.services.subsumption.Service;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -117,6 +118,18 @@ class BehaviourComponentTest {
                 BehaviourComponent.of("c", "driving", List.of(), Set.of(Sense.BLOBS), () -> senses -> Optional.empty());
         assertThat(looking.subscribes())
                 .containsExactly(RobotTopics.position("c"), RobotTopics.sonar("c"), RobotTopics.blobs("c"));
+    }
+
+    @Test
+    void serviceOfATable_isAComponentWithTheSensesThatItUses() {
+        var looking = new Service("looking", false, () -> senses -> Optional.empty());
+        var component = BehaviourComponent.of("c", looking);
+        assertThat(component.service()).isEqualTo("c");
+        assertThat(component.capabilities()).containsExactly("drives");
+        assertThat(component.subscribes())
+                .containsExactly(RobotTopics.position("c"), RobotTopics.sonar("c"), RobotTopics.blobs("c"));
+        assertThat(BehaviourComponent.of("c", looking.withLaser()).subscribes())
+                .endsWith(RobotTopics.blobs("c"), RobotTopics.laser("c"));
     }
 
     @Test
