@@ -2,12 +2,14 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerClient;
 import io.troupe.services.subsumption.ServiceKinds;
 import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -15,6 +17,7 @@ import java.util.List;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.BeforeEach;
@@ -74,8 +77,9 @@ class ServicesJarTest {
         return Main.execute(new PrintWriter(out), new PrintWriter(err), arguments);
     }
 
-    private static String home(Class<?> type) throws Exception {
-        return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI())
+    private static String home(Class<?> type) {
+        return Path.of(URI.create(
+                        type.getProtectionDomain().getCodeSource().getLocation().toString()))
                 .toString();
     }
 
@@ -93,7 +97,9 @@ class ServicesJarTest {
         Path classes = Files.createDirectories(directory.resolve("classes"));
         var compiler = ToolProvider.getSystemJavaCompiler();
         try (var files = compiler.getStandardFileManager(null, null, null)) {
-            String path = home(ServiceKinds.class) + File.pathSeparator + home(PlayerClient.class);
+            String path = Stream.of(ServiceKinds.class, PlayerClient.class, NamedColours.class)
+                    .map(ServicesJarTest::home)
+                    .collect(Collectors.joining(File.pathSeparator));
             var options = List.of("-cp", path, "-d", classes.toString());
             var units = files.getJavaFileObjectsFromFiles(sources);
             assertThat(compiler.getTask(null, files, null, options, null, units).call())
