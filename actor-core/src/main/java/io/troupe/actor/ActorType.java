@@ -178,7 +178,7 @@ abstract class ActorType {
             }
             if (problem != null) {
                 throw new ActorTypeException(type.getName()
-                        + " cannot be an actor type: its proxy needs package " + Actor.class.getPackageName()
+                        + " cannot be an actor type: its proxy needs package " + Message.class.getPackageName()
                         + ", and its class loader " + type.getClassLoader() + " " + problem);
             }
             if (!type.getModule().canRead(home)) {

@@ -1,5 +1,7 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.loop.DetachedNodes;
+
 /**
  * The thread of a space that is not cranked by hand. It holds references to the rings of its space.
  *
@@ -7,11 +9,12 @@ package io.troupe.actor;
  * address for the next entry depends on a long chain of loads through the current message. From the thread the chain is
  * short, and the same for all messages.
  */
-final class SpaceThread extends Thread {
+final class SpaceThread extends Thread implements DetachedNodes.Keeper {
     private final SpaceHome space;
     private final NodeRing callbacks;
     private final NodeRing messages;
     private final SpaceLoop loop;
+    private final DetachedNodes detachedNodes = new DetachedNodes();
 
     SpaceThread(SpaceHome space, NodeRing callbacks, NodeRing messages, SpaceLoop loop) {
         super(null, null, space.toString(), 0, false);
@@ -32,6 +35,11 @@ final class SpaceThread extends Thread {
 
     NodeRing messages() {
         return messages;
+    }
+
+    @Override
+    public DetachedNodes detachedNodes() {
+        return detachedNodes;
     }
 
     @Override

@@ -108,6 +108,21 @@ class SequentialTest {
     }
 
     @Test
+    void body_thatWaitsInAListenerOfAFuture_isResumed_andOthersAreServed() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("future"))) {
+            Promise<String> answer = space.sequential(() -> {
+                var first = new Deferred<String>();
+                var second = new Deferred<String>();
+                var both = first.toCompletableFuture().thenApply(text -> text + second.await());
+                space.execute(() -> second.resolve("late")); // runs while the body waits in the listener
+                first.resolve("soon, ");
+                return both.join();
+            });
+            assertThat(answer.get(Duration.ofSeconds(60))).isEqualTo("soon, late");
+        }
+    }
+
+    @Test
     void body_thatThrows_rejectsItsPromise() {
         Promise<Integer> answer = test.space().sequential(() -> {
             Promise.done().await();

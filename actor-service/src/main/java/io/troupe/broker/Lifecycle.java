@@ -181,10 +181,13 @@ public abstract class Lifecycle<R> {
 
     private void startPending() {
         Deferred<@Nullable Void> start = pendingStart;
-        if (start == null || stops > 0) {
+        if (start == null) {
+            return;
+        }
+        Promise<?> others = waitsFor(); // also during a stop: the others are stopped at once
+        if (stops > 0) {
             return; // called again when the last stop has completed
         }
-        Promise<?> others = waitsFor();
         if (others != null) {
             others.handle((ended, error) -> {
                 if (start == pendingStart) {
@@ -229,8 +232,8 @@ public abstract class Lifecycle<R> {
                 fail(error);
             } else {
                 state = State.RUNNING;
+                start.resolve(null); // first: a run that fails in changed() has started all the same
                 changed(State.RUNNING, State.STARTING);
-                start.resolve(null);
             }
             return null;
         });

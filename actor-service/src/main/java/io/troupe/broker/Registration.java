@@ -272,11 +272,13 @@ final class Registration extends Lifecycle<Registration.Run> {
         if (error == null && !isRunning()) {
             startedLate = true;
             setMayRun(true);
+            if (!isStarting()) {
+                changes++; // an answer to an earlier stop does not count for this start
+            }
             if (inProgress() == null) {
-                changes++;
-                stopAgain(run);
+                stopAgain(latest);
             } else if (isStarting() && state() != State.STARTING && !isStopping()) {
-                mustStop(run); // it waits for another provider
+                mustStop(latest); // it waits for another provider
             }
         }
     }

@@ -102,6 +102,23 @@ class LateStartTest {
     }
 
     @Test
+    void answeredWhileItIsBeingStopped_aLateAnswerToThatStopDoesNotCount() {
+        var bench = bench();
+        var a = bench.offer("player", "a");
+        a.start = a::hang;
+        a.stop = a::hang;
+        bench.broker.require(Need.ofService("robot 1", "player")).handle((record, error) -> null);
+        bench.seconds(10);
+        a.unanswered.removeFirst().resolve(null); // the start: it runs now
+        bench.seconds(10); // the first stop is overdue; it is stopped once more
+        a.unanswered.removeFirst().resolve(null); // the first stop, which may have been executed before the start
+        bench.seconds(10); // the second stop is overdue, too: it may still run
+        a.stop = Promise::done;
+        assertThat(bench.test.get(bench.broker.shutDown())).isEmpty();
+        assertThat(bench.diary).containsExactly("start a", "stop a", "stop a", "stop a");
+    }
+
+    @Test
     void answeredAfterShutDown_isStopped() {
         var bench = bench();
         var a = overdue(bench);

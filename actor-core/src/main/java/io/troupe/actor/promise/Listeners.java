@@ -19,18 +19,17 @@ import org.jspecify.annotations.Nullable;
  * settles their promise: one after the other, never nested, so a chain of them may have any length.
  */
 final class Listeners {
-    /** The listeners that wait for their turn on a thread that is no home's; present while it runs one. */
+    /** The listeners that wait for their turn on a thread that keeps none; present while it runs one. */
     private static final ThreadLocal<@Nullable DetachedNodes> DETACHED = new ThreadLocal<>();
 
     private Listeners() {}
 
-    /**
-     * Runs a listener without a home, after those that the calling thread is already running. The thread of a home
-     * keeps its queue; any other thread gets one for each outermost listener, so that nothing stays behind in it.
-     */
+    /** Runs a listener without a home, after those that the calling thread is already running. */
     static void runDetached(Node listener) {
-        Home here = Home.current();
-        DetachedNodes nodes = here != null ? here.detachedNodes() : DETACHED.get();
+        DetachedNodes nodes = DetachedNodes.kept();
+        if (nodes == null) {
+            nodes = DETACHED.get();
+        }
         if (nodes != null) {
             nodes.run(listener);
             return;

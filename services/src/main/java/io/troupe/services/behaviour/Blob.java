@@ -38,10 +38,12 @@ public record Blob(
     /**
      * Converts the data of a Player blobfinder, in the same order.
      *
-     * <p><b>Cost.</b> The blobs are converted when the list is first read: most behaviours do not look at them.
+     * <p><b>Cost.</b> The blobs are converted when the list is first read: most behaviours do not look at them. They
+     * must not be changed before that; the client makes new ones for each image.
      */
     public static List<Blob> of(PlayerBlobfinderData image) {
-        return image.getBlobs_count() == 0 ? List.of() : new ConvertedBlobs(image);
+        var seen = image.getBlobs();
+        return seen.length == 0 ? List.of() : new ConvertedBlobs(seen, image.getWidth(), image.getHeight());
     }
 
     /** An immutable copy of a list; of a list that {@link #of} has returned, the same one, still unread. */
@@ -69,17 +71,21 @@ public record Blob(
 
     /** The blobs of an image; converted at the first access, by any thread. */
     private static final class ConvertedBlobs extends AbstractList<Blob> implements RandomAccess {
-        private final PlayerBlobfinderData image;
+        private final PlayerBlobfinderBlob[] seen;
+        private final int imageWidthPx;
+        private final int imageHeightPx;
         private @Nullable List<Blob> blobs; // an immutable list, so a race leads to a second, equal one at most
 
-        ConvertedBlobs(PlayerBlobfinderData image) {
-            this.image = image;
+        ConvertedBlobs(PlayerBlobfinderBlob[] seen, int imageWidthPx, int imageHeightPx) {
+            this.seen = seen;
+            this.imageWidthPx = imageWidthPx;
+            this.imageHeightPx = imageHeightPx;
         }
 
         private List<Blob> blobs() {
             List<Blob> converted = blobs;
             if (converted == null) {
-                converted = Stream.of(image.getBlobs()).map(this::converted).toList();
+                converted = Stream.of(seen).map(this::converted).toList();
                 blobs = converted;
             }
             return converted;
@@ -93,8 +99,8 @@ public record Blob(
                     blob.getRight(),
                     blob.getTop(),
                     blob.getBottom(),
-                    image.getWidth(),
-                    image.getHeight(),
+                    imageWidthPx,
+                    imageHeightPx,
                     blob.getRange());
         }
 

@@ -156,6 +156,19 @@ class ComponentInterfaceTest {
     }
 
     @Test
+    void failureOnTheFirstBufferedValue_isAFailureOfARunningComponent() {
+        var slow = ScriptedComponent.later();
+        script.invoke = () -> slow;
+        var provider = open(script.component());
+        var started = provider.start();
+        publish(13);
+        test.run(() -> slow.resolve(null));
+        test.get(started.thenApply(runs -> true)); // it did start
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
+        assertThat(notes.take()).anySatisfy(note -> assertThat(note).contains("has failed"));
+    }
+
+    @Test
     void fullBuffer_losesTheOldest_countsIt_andTells() {
         var slow = ScriptedComponent.later();
         script.invoke = () -> slow;

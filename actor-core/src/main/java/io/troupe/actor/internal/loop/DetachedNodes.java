@@ -1,25 +1,50 @@
 package io.troupe.actor.internal.loop;
 
 import java.util.ArrayDeque;
+import org.jspecify.annotations.Nullable;
 
-/** Runs the nodes without a home of one thread: one after the other, never nested. Used by that thread only. */
+/**
+ * Runs nodes without a home on one thread: one after the other, never nested. Used by that thread only. The thread of a
+ * space keeps one; on other threads it exists only while it runs, so that nothing of this library stays behind there.
+ */
 public final class DetachedNodes {
+    /** A thread that keeps its detached nodes: an event loop. */
+    public interface Keeper {
+        DetachedNodes detachedNodes();
+    }
+
     private final ArrayDeque<Node> waiting = new ArrayDeque<>(4);
     private boolean running;
 
-    /** Runs a node, and those that it adds; at once, or after the one that is running. */
+    /** Those of the calling thread if it keeps them, or null. */
+    public static @Nullable DetachedNodes kept() {
+        return Thread.currentThread() instanceof Keeper keeper ? keeper.detachedNodes() : null;
+    }
+
+    /**
+     * Runs a node, and those that it adds; at once, or after the one that is running. An error of a node does not keep
+     * the others from running; the first one is thrown at the end.
+     */
     public void run(Node node) {
         if (running) {
             waiting.add(node);
             return;
         }
         running = true;
+        Error first = null;
         try {
             for (Node each = node; each != null; each = waiting.poll()) {
-                runOne(each);
+                try {
+                    runOne(each);
+                } catch (Error error) {
+                    first = first == null ? error : first;
+                }
             }
         } finally {
             running = false;
+        }
+        if (first != null) {
+            throw first;
         }
     }
 

@@ -16,7 +16,6 @@ public abstract class Home {
 
     private final Owner outsider;
     private final Owner self;
-    private final DetachedNodes detachedNodes = new DetachedNodes();
     private CurrentOwner turn;
     private @Nullable Holder holder;
 
@@ -40,11 +39,6 @@ public abstract class Home {
     /** What users have of this home, or null if there is no such object. */
     public final @Nullable Holder holder() {
         return holder;
-    }
-
-    /** The nodes without a home that this home's thread runs. */
-    public final DetachedNodes detachedNodes() {
-        return detachedNodes;
     }
 
     // ---- the thread

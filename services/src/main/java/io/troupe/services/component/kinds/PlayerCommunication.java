@@ -41,9 +41,14 @@ final class PlayerCommunication implements ComponentCommunication<SetSpeed, Read
                 settings.robots().stream()
                         .map(number -> new RobotConnection.Devices(number - 1, settings.camera(), settings.laser()))
                         .toList());
+        try {
+            connected.readOnSpace();
+        } catch (RuntimeException refused) {
+            connected.close();
+            throw refused;
+        }
         connection = connected;
         connected.robots().forEach(robot -> robots.put(robot.index(), new Robot(robot, signals)));
-        connected.readOnSpace();
         awaitData(connected, signals);
         return Promise.done();
     }
