@@ -3,6 +3,7 @@ package io.troupe.broker;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Timer;
+import io.troupe.broker.internal.Lifecycle;
 import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.List;
@@ -194,6 +195,11 @@ final class Registration extends Lifecycle<Registration.Run> {
         return context.isClosing()
                 ? new ProviderException(this + " was not started: the broker is being closed", null)
                 : null;
+    }
+
+    @Override
+    protected Throwable interrupted() {
+        return new ProviderException(this + " was stopped while it was being started", null);
     }
 
     @Override
@@ -389,7 +395,7 @@ final class Registration extends Lifecycle<Registration.Run> {
         if (!isRunning()) {
             mustStop(latest); // an earlier stop has failed
         }
-        return stop("");
+        return endRun();
     }
 
     /**

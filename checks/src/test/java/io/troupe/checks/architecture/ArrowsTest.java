@@ -25,7 +25,7 @@ class ArrowsTest {
     private static final String ACTOR = "io.troupe.actor";
     private static final String COMMON = "io.troupe.common..";
     private static final String BUS = "io.troupe.bus";
-    private static final String BROKER = "io.troupe.broker";
+    private static final String BROKER = "io.troupe.broker..";
 
     @ParameterizedTest
     @CsvSource({

@@ -4,8 +4,8 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import io.troupe.broker.Lifecycle;
 import io.troupe.broker.ProviderException;
+import io.troupe.broker.internal.Lifecycle;
 import io.troupe.bus.Address;
 import java.util.Objects;
 import java.util.function.Supplier;
@@ -86,7 +86,7 @@ final class ComponentLifecycle<I, O> extends Lifecycle<ComponentLifecycle<I, O>.
 
     Promise<@Nullable Void> terminate() {
         rejectPendingStart(new ProviderException(owner + " was terminated while it waited to be invoked"));
-        return stop(owner + " was terminated while it was being invoked");
+        return endRun();
     }
 
     /** Terminates the current run; no other run starts after it. */
@@ -136,6 +136,11 @@ final class ComponentLifecycle<I, O> extends Lifecycle<ComponentLifecycle<I, O>.
         failure = null;
         latest = null;
         return new Run(communication.get());
+    }
+
+    @Override
+    protected Throwable interrupted() {
+        return new ProviderException(owner + " was terminated while it was being invoked");
     }
 
     @Override

@@ -1,11 +1,11 @@
-package io.troupe.broker;
+package io.troupe.broker.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
-import io.troupe.broker.Lifecycle.State;
+import io.troupe.broker.internal.Lifecycle.State;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Supplier;
@@ -32,11 +32,16 @@ class LifecycleTest {
         private int runs;
 
         Promise<@Nullable Void> stop() {
-            return stop("interrupted");
+            return endRun();
         }
 
         void failNow() {
             fail(new IllegalStateException("burnt out"));
+        }
+
+        @Override
+        protected Throwable interrupted() {
+            return new IllegalStateException("interrupted");
         }
 
         @Override

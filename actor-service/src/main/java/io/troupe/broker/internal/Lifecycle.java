@@ -1,4 +1,4 @@
-package io.troupe.broker;
+package io.troupe.broker.internal;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
@@ -10,8 +10,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The state machine "start, run, fail, stop": one current run, and no run begins before the earlier ones have been
- * stopped. Public, but internal to this library: users meet it as the {@link Health} of a provider and as the state of
- * a component.
+ * stopped. Users meet it as the health of a provider and as the state of a component.
  *
  * <p><b>Role.</b> The broker has one for each registered provider, a component's interface has one for its component.
  * This class keeps the books: which run is the current one, which earlier runs may still run, and which callers wait.
@@ -19,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> One actor space.
  *
- * <p><b>Order.</b> The methods of the subclass may call {@link #start} and {@link #stop}. They are therefore called
+ * <p><b>Order.</b> The methods of the subclass may call {@link #start} and {@link #endRun}. They are therefore called
  * after the fields have been updated, and the fields are read again after each of them. A start during a start shares
  * it. A start during a stop waits for it. A run that fails is stopped, because a part of it may still run. A run that
  * started too late is given to {@link #startedLate}, which has it stopped again.
@@ -114,6 +113,9 @@ public abstract class Lifecycle<R> {
      * up: then the next run may begin beside them.
      */
     protected abstract @Nullable Throwable blocked(Throwable whyUnstopped);
+
+    /** Returns the error for callers that wait for a start which a stop interrupts. */
+    protected abstract Throwable interrupted();
 
     // ---- state
 
@@ -256,12 +258,8 @@ public abstract class Lifecycle<R> {
         waiting.reject(error);
     }
 
-    /**
-     * Ends the current run, and stops earlier runs again whose stop has failed.
-     *
-     * @param interrupted the message for callers that wait for a start
-     */
-    protected final Promise<@Nullable Void> stop(String interrupted) {
+    /** Ends the current run, and stops earlier runs again whose stop has failed. */
+    protected final Promise<@Nullable Void> endRun() {
         if (state == State.STOPPING) {
             return change;
         }
@@ -279,7 +277,7 @@ public abstract class Lifecycle<R> {
         change = stopped;
         state = State.STOPPING;
         if (before == State.STARTING) {
-            start.reject(new ProviderException(interrupted));
+            start.reject(interrupted());
         }
         changed(State.STOPPING, before);
         stopUnstopped();
