@@ -1,8 +1,8 @@
 package io.troupe.demo;
 
+import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.OutputFiles;
-import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;

@@ -218,7 +218,7 @@ class ServicesJarTest {
         assertThat(troupe("app", file, "--world", WORLD)).isEqualTo(Main.USAGE);
         assertThat(err.toString())
                 .startsWith("troupe: " + file + ":3:")
-                .contains("of is chase(gap 0.8): ", "there is no kind of service called 'chase'");
+                .contains("of is chase(gap 0.8): service:1:1: there is no kind of service called 'chase'");
     }
 
     @Test

@@ -1,5 +1,6 @@
 package io.troupe.view;
 
+import io.troupe.common.text.Plural;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.view.RunResult.StateChange;
 import java.util.List;
@@ -159,8 +160,8 @@ public record ModeComparison(Map<Mode, RunResult> results) {
         String messages = String.format(
                 Locale.ROOT,
                 "%s with colours for %s",
-                RunResult.count(result.messages().sent(), "message"),
-                RunResult.count(result.states().size() - 1, "state change"));
+                Plural.of(result.messages().sent(), "message"),
+                Plural.of(result.states().size() - 1, "state change"));
         var apart = firstTickApart(mode);
         if (mode == Mode.PROMISE) {
             return messages + ".";

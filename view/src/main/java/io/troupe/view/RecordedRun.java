@@ -1,5 +1,6 @@
 package io.troupe.view;
 
+import io.troupe.common.text.Plural;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -134,7 +135,7 @@ public final class RecordedRun {
         int expected = table.robots();
         List<RobotSpec> robots = scenario.world().robots();
         if (robots.size() != expected) {
-            throw new WorldFileException(scenario.world().file() + " has " + RunResult.count(robots.size(), "robot")
+            throw new WorldFileException(scenario.world().file() + " has " + Plural.of(robots.size(), "robot")
                     + ", expected " + expected + " as the table of services has");
         }
         int port = scenario.robotPort()
@@ -150,8 +151,7 @@ public final class RecordedRun {
                 throw new WorldFileException(
                         robot.where(),
                         "robot '" + robot.name() + "' has "
-                                + RunResult.count(
-                                        sonar == null ? 0 : sonar.mounts().size(), "sonar") + " and "
+                                + Plural.of(sonar == null ? 0 : sonar.mounts().size(), "sonar") + " and "
                                 + (robot.blobfinder() == null ? "no" : "a")
                                 + " blobfinder, expected " + SONARS
                                 + " sonars or more and a blobfinder for the services");
@@ -202,14 +202,14 @@ public final class RecordedRun {
                     .withRound(settings.round());
             try (var running = SubsumptionRun.start(services)) {
                 recorder.start(simulation.latest());
-                var realTime = new RealTime();
+                var pacer = new WallClockPacer();
                 while (simulation.timeMicros() < endMicros && !listener.isStopRequested()) {
                     Snapshot snapshot = simulation.tick();
                     running.check();
                     recorder.record(snapshot);
                     listener.ticked(snapshot.timeMicros());
                     if (settings.realTime()) {
-                        realTime.await(snapshot.timeMicros());
+                        pacer.await(snapshot.timeMicros());
                     }
                 }
                 return recorder.finish(simulation.timeMicros() < endMicros);

@@ -80,7 +80,8 @@ public final class RunLog implements AutoCloseable {
 
     /** The error with the name of the file; that of a full disk has none. */
     private IOException named(IOException e) {
-        return e instanceof FileSystemException ? e : new IOException(file + ": " + e.getMessage(), e);
+        String reason = e.getMessage() == null ? e.toString() : e.getMessage();
+        return e instanceof FileSystemException ? e : new IOException(file + ": " + reason, e);
     }
 
     /**

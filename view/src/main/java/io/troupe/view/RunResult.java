@@ -1,5 +1,6 @@
 package io.troupe.view;
 
+import io.troupe.common.text.Plural;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -81,7 +82,7 @@ public record RunResult(
                     "state %d (%s): %s, %.1f s",
                     state.number(),
                     table.colourName(state.colour()),
-                    count(visits(state), "time"),
+                    Plural.of(visits(state), "time"),
                     secondsIn(state));
         }
         return text.toString();
@@ -164,7 +165,7 @@ public record RunResult(
                 Locale.ROOT,
                 "colours sent by colour finders: %d in %s%s; %d received, %d of them too late",
                 messages.sent(),
-                count(changes, "state change"),
+                Plural.of(changes, "state change"),
                 each,
                 messages.received(),
                 messages.tooLate());
@@ -189,11 +190,6 @@ public record RunResult(
 
     private static void line(StringBuilder text, String format, Object... values) {
         text.append(String.format(Locale.ROOT, format, values)).append(System.lineSeparator());
-    }
-
-    /** "1 robot", "2 robots"; only for nouns with a plural in s. */
-    static String count(long number, String noun) {
-        return number + " " + noun + (number == 1 ? "" : "s");
     }
 
     /**

@@ -6,6 +6,7 @@ import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.view.RunResult.StateChange;
+import java.nio.file.Path;
 import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -23,7 +24,7 @@ class RunResultTest {
                 service %s = avoid colours
                 state blue : * = spaceWanderer
                 state sun : * = %s
-                """.formatted(robots, LONG_NAME, LONG_NAME), "a.table", ServiceCatalogue.standard());
+                """.formatted(robots, LONG_NAME, LONG_NAME), Path.of("a.table"), ServiceCatalogue.standard());
         var states = List.of(
                 new StateChange(0, table.states().get(0), null),
                 new StateChange(700_000, table.states().get(1), 0));
@@ -45,7 +46,7 @@ class RunResultTest {
     void columns_standBelowEachOther_howeverLongTheNameOfAColourIs() {
         SubsumptionTable table = SubsumptionTableReader.parse(
                 "robots 2\nstate blue : * = spaceWanderer\nstate #CAFF70 : spaceWanderer, wallFollower\n",
-                "a.table",
+                Path.of("a.table"),
                 ServiceCatalogue.standard());
         assertThat(List.of(
                         new StateChange(0, table.states().get(0), null).describe(table),

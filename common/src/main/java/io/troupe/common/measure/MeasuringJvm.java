@@ -38,7 +38,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Requests come from one thread at a time. {@link #end} and {@link #close} may be called by any.
  *
  * <p><b>Errors.</b> {@link IOException} if the JVM cannot be started, ends, answers too late, or has a different number
- * of processors than its settings, and if the request failed there; then the next request may succeed.
+ * of processors than its settings, and if the request failed there; then the next request may succeed. A JVM that
+ * answers too late is killed, so that its late answer is not taken for the next one's: all later requests fail.
  */
 public final class MeasuringJvm implements AutoCloseable {
     /** First word of an answer: the numbers of lines and of processors follow. */
@@ -67,7 +68,7 @@ public final class MeasuringJvm implements AutoCloseable {
      * @param options of the JVM
      * @param processors the number that the JVM is configured to have; null for those of the machine
      * @param log the file to which its standard error is appended; null for the standard error of this program
-     * @param limit the longest time for an answer; null for no limit
+     * @param limit the longest time for an answer, after which the JVM is killed; null for no limit
      */
     public record Settings(
             Class<?> main,
@@ -151,6 +152,7 @@ public final class MeasuringJvm implements AutoCloseable {
         try {
             return answer.get(limit.toMillis(), TimeUnit.MILLISECONDS);
         } catch (TimeoutException late) {
+            process.destroyForcibly();
             throw new IOException(
                     title + ": " + settings.name() + " did not answer in " + limit.toSeconds() + " s"
                             + settings.seeLog(),
@@ -218,13 +220,14 @@ public final class MeasuringJvm implements AutoCloseable {
     @Override
     public void close() {
         process.destroy();
+        boolean ended = false;
         try {
-            if (!process.waitFor(SECONDS_TO_END, TimeUnit.SECONDS)) {
-                process.destroyForcibly();
-            }
+            ended = process.waitFor(SECONDS_TO_END, TimeUnit.SECONDS);
         } catch (InterruptedException interrupted) {
-            process.destroyForcibly();
             Thread.currentThread().interrupt();
+        }
+        if (!ended) {
+            process.destroyForcibly().onExit().join(); // not interruptible: a killed process ends
         }
         requests.close();
     }

@@ -18,15 +18,12 @@ import java.util.TreeMap;
  * know those of the paper and others that are easy to distinguish ({@link #names}).
  */
 public final class NamedColours {
-    /** State 1, the default. */
     public static final int BLUE = 0x0000FF;
-    /** State 2. */
     public static final int RED = 0xFF0000;
-    /** State 3. */
+    /** Green of X11; CSS calls it lime. */
     public static final int GREEN = 0x00FF00;
-    /** Robot 1. */
+
     public static final int ORANGE = 0xFFA500;
-    /** Robot 2, and the walls. */
     public static final int BLACK = 0x000000;
 
     /** The largest valid colour. */

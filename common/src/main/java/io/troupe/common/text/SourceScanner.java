@@ -78,7 +78,11 @@ public final class SourceScanner {
         return taken;
     }
 
-    /** Reads a number of characters, at most as many as there are. */
+    /**
+     * Reads characters of any kind, also line ends.
+     *
+     * @param length 0 to the number of characters that are left; the caller ensures it, and it is not checked
+     */
     public void skip(int length) {
         int end = offset + length;
         for (int newline = text.indexOf('\n', offset, end);

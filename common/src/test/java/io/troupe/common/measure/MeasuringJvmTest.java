@@ -110,6 +110,19 @@ class MeasuringJvmTest {
         assertThatThrownBy(() -> jvm.ask("again")).isInstanceOf(IOException.class);
     }
 
+    /** A late answer would be taken for the answer to the next request. */
+    @Test
+    void jvmThatAnswersTooLate_isKilled() throws Exception {
+        try (var jvm = child().withLimit(Duration.ofMillis(1)).start()) {
+            List<ProcessHandle> children = ProcessHandle.current().children().toList();
+            assertThat(children).isNotEmpty();
+            assertThatThrownBy(() -> jvm.ask("hang")).isInstanceOf(IOException.class);
+            for (ProcessHandle child : children) {
+                child.onExit().get();
+            }
+        }
+    }
+
     @Test
     void end_killsAJvmThatAnswersARequest() throws IOException {
         try (var jvm = child().start()) {

@@ -18,7 +18,7 @@ import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Scenario;
-import io.troupe.view.RealTime;
+import io.troupe.view.WallClockPacer;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -151,12 +151,12 @@ final class AppRun {
     }
 
     private void move(Simulation simulation, long endMicros, boolean realtime, BooleanSupplier stop) {
-        var realTime = new RealTime();
+        var pacer = new WallClockPacer();
         while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
             var snapshot = simulation.tick();
             report.moved(snapshot);
             if (realtime) {
-                realTime.await(snapshot.timeMicros());
+                pacer.await(snapshot.timeMicros());
             }
         }
     }

@@ -1,12 +1,12 @@
 package io.troupe.demo.crowd;
 
 import io.troupe.common.measure.ProgressLine;
+import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
-import io.troupe.demo.terminal.Plural;
 import io.troupe.sim.worldfile.CrowdWorld;
 import java.io.IOException;
 import java.io.PrintWriter;

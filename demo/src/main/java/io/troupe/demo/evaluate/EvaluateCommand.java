@@ -1,11 +1,11 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.common.measure.ProgressLine;
+import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
-import io.troupe.demo.terminal.Plural;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;

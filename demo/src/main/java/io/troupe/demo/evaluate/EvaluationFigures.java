@@ -2,11 +2,11 @@ package io.troupe.demo.evaluate;
 
 import io.troupe.common.measure.SampleStatistics;
 import io.troupe.common.svg.Svg;
+import io.troupe.common.text.Plural;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.demo.svg.Chart;
 import io.troupe.demo.svg.Chart.Anchor;
-import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Mode;
 import java.io.IOException;
 import java.nio.file.Path;

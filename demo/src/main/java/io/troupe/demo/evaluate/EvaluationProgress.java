@@ -2,7 +2,7 @@ package io.troupe.demo.evaluate;
 
 import io.troupe.actor.time.Clock;
 import io.troupe.common.measure.ProgressLine;
-import io.troupe.demo.terminal.Plural;
+import io.troupe.common.text.Plural;
 import java.util.Locale;
 
 /** Shows the progress of an evaluation and the estimated remaining time on the last line of a terminal. */

@@ -1,9 +1,9 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.common.measure.SampleStatistics;
+import io.troupe.common.text.Plural;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
-import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Mode;
 import java.util.List;
 import java.util.Locale;

@@ -5,9 +5,9 @@ import static io.troupe.services.subsumption.Mode.PROMISE;
 import static io.troupe.services.subsumption.Mode.SYNC;
 
 import io.troupe.common.measure.SampleStatistics;
+import io.troupe.common.text.Plural;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
-import io.troupe.demo.terminal.Plural;
 import io.troupe.services.subsumption.Mode;
 import java.util.Arrays;
 import java.util.List;

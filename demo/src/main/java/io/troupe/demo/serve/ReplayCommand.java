@@ -1,10 +1,10 @@
 package io.troupe.demo.serve;
 
 import io.troupe.common.measure.ProgressLine;
+import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
-import io.troupe.demo.terminal.Plural;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.Replay;
 import io.troupe.sim.Snapshot;

@@ -1,6 +1,6 @@
 package io.troupe.demo.verify;
 
-import io.troupe.demo.terminal.Plural;
+import io.troupe.common.text.Plural;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.wiring.PaperWiring;
 import io.troupe.petri.wiring.Wiring;

@@ -11,6 +11,7 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableException;
 import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.worldfile.CrowdWorld;
+import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -64,11 +65,13 @@ class CrowdTableTest {
         String states = "\nstate blue : * = spaceWanderer\nstate red : * = spaceWanderer";
 
         var table = SubsumptionTableReader.parse(
-                "robots " + CrowdWorld.MOST_ROBOTS + states, "largest", ServiceCatalogue.standard());
+                "robots " + CrowdWorld.MOST_ROBOTS + states, Path.of("largest"), ServiceCatalogue.standard());
 
         assertThat(table.robots()).isEqualTo(CrowdWorld.MOST_ROBOTS);
         assertThatThrownBy(() -> SubsumptionTableReader.parse(
-                        "robots " + (CrowdWorld.MOST_ROBOTS + 1) + states, "larger", ServiceCatalogue.standard()))
+                        "robots " + (CrowdWorld.MOST_ROBOTS + 1) + states,
+                        Path.of("larger"),
+                        ServiceCatalogue.standard()))
                 .isInstanceOf(SubsumptionTableException.class)
                 .hasMessageContaining("a number of robots, 1 to " + CrowdWorld.MOST_ROBOTS);
     }

@@ -153,11 +153,11 @@ class SubsumptionGuideTest {
     @Test
     void fileOfTheGuide_isRead_andItsMistakeIsTold() {
         var catalogue = ServiceCatalogue.standard();
-        var table = SubsumptionTableReader.parse(FIFTY, "my.table", catalogue);
+        var table = SubsumptionTableReader.parse(FIFTY, Path.of("my.table"), catalogue);
         assertThat(table.robots()).isEqualTo(50);
         assertThat(table.colourName(0xC8A2C8)).isEqualTo("lilac");
         String wrong = FIFTY.replace("* = spaceWanderer, 3..5 = wallFollower", "spaceWandrer");
-        assertThatThrownBy(() -> SubsumptionTableReader.parse(wrong, "my.table", catalogue))
+        assertThatThrownBy(() -> SubsumptionTableReader.parse(wrong, Path.of("my.table"), catalogue))
                 .hasMessage(
                         "my.table:6:14: there is no service called 'spaceWandrer', expected one of: patrol, wallFollower, spaceWanderer, goToGoal, avoid (did you mean 'spaceWanderer'?)");
     }

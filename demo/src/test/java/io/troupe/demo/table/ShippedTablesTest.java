@@ -108,7 +108,7 @@ class ShippedTablesTest {
                 service there = goToGoal(-1.4, 2.1; within 0.1)
                 service round = goToGoal(3.3, -1; -0.2, -4; within 0.1)
                 state blue : avoid > round, avoid > there
-                """, "goals", ServiceCatalogue.standard());
+                """, Path.of("goals"), ServiceCatalogue.standard());
         Recorder recorder = run(table, 90);
         var poses = recorder.end().robots();
         assertThat(distance(poses.get(0).pose(), 0.0, -3.0)).isLessThan(0.2);
@@ -129,7 +129,7 @@ class ShippedTablesTest {
             for (Path file : tables) {
                 SubsumptionTable table = SubsumptionTableReader.read(file);
                 assertThat(SubsumptionTableReader.parse(
-                                SubsumptionTableWriter.write(table), "again", ServiceCatalogue.standard()))
+                                SubsumptionTableWriter.write(table), Path.of("again"), ServiceCatalogue.standard()))
                         .isEqualTo(table);
             }
         }

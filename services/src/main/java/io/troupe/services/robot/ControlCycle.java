@@ -35,6 +35,7 @@ public final class ControlCycle {
      *
      * @return the velocity that the behaviour wants, which the caller passes on
      * @throws RuntimeException if the behaviour does; zero speed has been sent before that
+     * @throws Error likewise
      */
     public Optional<Velocity> step(Senses senses) {
         lastSeconds = senses.timeSeconds();

@@ -115,6 +115,7 @@ public final class PlayerRobot {
      *
      * @param withLaser whether to include the laser scan; a service gets it only if it uses the laser, also if another
      *     service of the robot has subscribed to it
+     * @throws RuntimeException unless {@link #hasData}
      */
     public Senses senses(boolean withLaser) {
         var pose = new RobotPose(position.getX(), position.getY(), position.getYaw());
@@ -139,12 +140,16 @@ public final class PlayerRobot {
 
     /** Receives the readings of a robot one by one, as they are on the wire; times are time stamps in seconds. */
     public interface Subscriber {
+        /** Receives the pose by odometry, and whether the wheels are blocked. */
         void position(double stampSeconds, RobotPose pose, boolean stalled);
 
+        /** Receives all blobs of one image; none if the camera sees no colour. */
         void blobs(double stampSeconds, List<Blob> blobs);
 
+        /** Receives one scan; never called unless the robot has subscribed to its laser. */
         void laser(double stampSeconds, PlayerLaserData scan);
 
+        /** Receives the ranges of the sonar ring in metres, in the order of its sonars. */
         void sonar(double stampSeconds, float[] rangesM);
     }
 
@@ -177,6 +182,7 @@ public final class PlayerRobot {
         }
     }
 
+    /** Commands a velocity, which the robot keeps until the next command or {@link DriverLimits#COMMAND_LIMIT}. */
     public void drive(Velocity velocity) {
         lastCommand = velocity;
         lastCommandSeconds = timeSeconds();

@@ -5,6 +5,7 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.structures.PlayerConstants;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -67,9 +68,9 @@ public final class RobotConnection implements AutoCloseable {
         }
     }
 
-    /** The robots, in the order in which they were given. */
+    /** The robots, in the order in which they were given; unmodifiable. */
     public List<PlayerRobot> robots() {
-        return robots;
+        return Collections.unmodifiableList(robots);
     }
 
     /** Receives data on the current actor space from now on. */

@@ -10,11 +10,13 @@ import org.jspecify.annotations.Nullable;
  * robot by it.
  *
  * <p><b>Role.</b> Implemented by {@link RobotServicesActor}. {@link SubsumptionRun} publishes it at a broker under the
- * name {@value #SERVICE}, and its {@link Arbitrator} calls it through the broker. Arguments and answers are values
- * only, so that the caller may be in another process: the provider finds services and colours in its own table.
+ * name {@value #SERVICE}, and its {@link Arbitrator} calls it through the broker. Arguments and answers are values: the
+ * provider finds services and colours in its own table. The one exception is the callback of {@link #drive(int, String,
+ * Callback)}, which a bus over hosts would have to carry.
  *
  * <p><b>Order.</b> A robot never has two services. A service that is called while the robot's previous one is stopping
- * starts when that one has stopped. A call that is cancelled before it has begun has no effect.
+ * starts when that one has stopped, unless {@link #stop} is called once more before that. A call that is cancelled
+ * before it has begun has no effect.
  *
  * <p><b>Units and shapes.</b> Robots by Player index, from 0. Colours are {@code 0x00RRGGBB}.
  *
@@ -50,7 +52,8 @@ public interface RobotServices {
     void drive(int robot, String service, Callback<ColourReport> reports);
 
     /**
-     * Stops the service of a robot at once, without waiting for the next reading.
+     * Stops the service of a robot at once, without waiting for the next reading. A service that still waits for the
+     * previous one to stop does not start; its call ends as if it had been stopped before it saw a colour.
      *
      * @return fulfilled when the service has stopped and zero speed has been sent; at once if the robot has no service
      */

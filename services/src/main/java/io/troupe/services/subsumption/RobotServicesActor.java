@@ -74,6 +74,7 @@ public final class RobotServicesActor extends Actor implements RobotServices {
     private final ServiceObserver observer;
     private final RobotConnections connections;
     private final Map<Integer, RunningService> running = new HashMap<>(); // by robot
+    private final Map<Integer, Integer> stops = new HashMap<>(); // by robot: how often it was stopped
 
     public RobotServicesActor(Settings settings) {
         this.table = settings.table();
@@ -151,6 +152,7 @@ public final class RobotServicesActor extends Actor implements RobotServices {
 
     @Override
     public Promise<@Nullable Void> stop(int robot) {
+        stops.merge(robot, 1, Integer::sum);
         RunningService service = running.get(robot);
         return service == null ? Promise.done() : service.stop();
     }
@@ -161,9 +163,10 @@ public final class RobotServicesActor extends Actor implements RobotServices {
     }
 
     /**
-     * Starts a service for a robot, as soon as the robot's previous service has stopped.
+     * Starts a service for a robot, as soon as the robot's previous service has stopped. If the robot is stopped once
+     * more before that, the new service does not start.
      *
-     * @return settled when the new service has stopped
+     * @return settled when the new service has stopped, or will not start
      */
     private Promise<@Nullable Void> start(int robot, Service service, ServiceCycle.Finder finder) {
         RunningService previous = running.get(robot);
@@ -174,7 +177,15 @@ public final class RobotServicesActor extends Actor implements RobotServices {
             throw new IllegalStateException("robot " + (robot + 1) + " is in the charge of " + previous.cycle.service()
                     + " and was to get " + service + ": stop the first before");
         }
-        return previous.ended.handle((stopped, error) -> null).thenCompose(free -> start(robot, service, finder));
+        int stopsBefore = stops(robot);
+        return previous.ended
+                .handle((stopped, error) -> null)
+                .thenCompose(free ->
+                        stops(robot) == stopsBefore ? start(robot, service, finder) : Promise.<@Nullable Void>done());
+    }
+
+    private int stops(int robot) {
+        return stops.getOrDefault(robot, 0);
     }
 
     private Promise<@Nullable Void> startNow(int robot, Service service, ServiceCycle.Finder finder) {
@@ -261,7 +272,10 @@ public final class RobotServicesActor extends Actor implements RobotServices {
                 if (takesOver) {
                     notifyStarted();
                 }
-                goesOn = cycle.run(takesOver ? ServiceCycle.Finder.NONE : finder);
+                boolean endsItself = !cycle.run(takesOver ? ServiceCycle.Finder.NONE : finder);
+                if (endsItself) { // otherwise goesOn stays as it is: the cycle may have stopped the service
+                    goesOn = false;
+                }
             }
         }
 

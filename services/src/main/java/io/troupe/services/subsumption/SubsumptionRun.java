@@ -17,6 +17,7 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -77,21 +78,20 @@ public final class SubsumptionRun implements AutoCloseable {
 
     private static final System.Logger LOG = System.getLogger(SubsumptionRun.class.getName());
 
-    /** A service answers when it ends, which may take hours. */
-    private static final ConnectionSettings LIMITS = ConnectionSettings.DEFAULT.withoutAnswerLimit();
+    /**
+     * A service answers when it ends, which may take hours. The calls to all robots of the first state may be queued
+     * before the provider has started.
+     */
+    private static final ConnectionSettings LIMITS =
+            ConnectionSettings.DEFAULT.withoutAnswerLimit().withMostWaiting(Integer.MAX_VALUE);
 
     /**
      * A service that ends is noticed at once, so health checks are only of use on another space; a failure ends the
-     * run, so nothing is restarted. A run ends with its space and does not close the broker before it.
+     * run, so nothing is restarted.
      */
     private static final BrokerSettings BROKER = BrokerSettings.DEFAULT
             .withChecks(Duration.ofDays(1), Duration.ofDays(1), 1)
-            .withoutRestart()
-            .withObserver(event -> {
-                if (!(event instanceof BrokerEvent.Abandoned)) {
-                    BrokerObserver.logging().on(event);
-                }
-            });
+            .withoutRestart();
 
     private final AtomicReference<@Nullable Throwable> failure;
     private final Runnable closing;
@@ -108,11 +108,23 @@ public final class SubsumptionRun implements AutoCloseable {
      * @throws RuntimeException if that fails, for example a {@link io.troupe.player.PlayerException}
      */
     public static SubsumptionRun start(Settings settings) throws InterruptedException {
+        var robots = new RobotServicesActor.Settings(
+                settings.host(), settings.port(), settings.table(), settings.observer(), settings.reconnects());
+        return start(settings, () -> new RobotServicesActor(robots));
+    }
+
+    /**
+     * Starts a run.
+     *
+     * @param provider creates the robot services; not used in synchronous mode
+     */
+    static SubsumptionRun start(Settings settings, Supplier<? extends RobotServices> provider)
+            throws InterruptedException {
         var failure = new AtomicReference<@Nullable Throwable>();
         Consumer<Throwable> failed = error -> failure.compareAndSet(null, error);
         Runnable closing = settings.mode() == Mode.SYNC
                 ? SynchronousLoop.start(settings, failed)::close
-                : ActorRun.start(settings, failed)::close;
+                : ActorRun.start(settings, provider, failed)::close;
         var run = new SubsumptionRun(failure, closing);
         try {
             run.check();
@@ -140,17 +152,31 @@ public final class SubsumptionRun implements AutoCloseable {
         closing.run();
     }
 
-    /** Publishes the robot services at a broker on a space, and connects to them through it. */
-    static RobotServices publishAndConnect(ActorSpace space, RobotServicesActor.Settings settings) {
-        var actors = new ActorServices(Broker.open(space, BROKER), "robots", space, BROKER.observer());
-        actors.publish(
-                space,
-                RobotServices.class,
-                RobotServices.SERVICE,
-                List.of("drives"),
-                () -> new RobotServicesActor(settings));
+    /**
+     * Publishes robot services at a broker on a space, and connects to them through it.
+     *
+     * @param failed receives the cause if the services cannot start or end, or if a one-way call does not reach them:
+     *     such a call has no promise that could be rejected
+     */
+    static RobotServices publishAndConnect(
+            ActorSpace space, Supplier<? extends RobotServices> provider, Consumer<Throwable> failed) {
+        BrokerObserver observer = event -> observe(event, failed);
+        var actors = new ActorServices(Broker.open(space, BROKER.withObserver(observer)), "robots", space, observer);
+        actors.publish(space, RobotServices.class, RobotServices.SERVICE, List.of("drives"), provider);
         return actors.connect(RobotServices.class, Need.ofService("arbitrator", RobotServices.SERVICE), LIMITS)
                 .actor();
+    }
+
+    private static void observe(BrokerEvent event, Consumer<Throwable> failed) {
+        switch (event) {
+            case BrokerEvent.StartFailed(var provider, Throwable why) -> failed.accept(why);
+            case BrokerEvent.Failed(var provider, Throwable why) -> failed.accept(why);
+            case BrokerEvent.Undelivered(var need, var call, Throwable why) -> failed.accept(why);
+            default -> {}
+        }
+        if (!(event instanceof BrokerEvent.Abandoned)) { // a run ends with its space, and does not close the broker
+            BrokerObserver.logging().on(event);
+        }
     }
 
     /**
@@ -171,10 +197,11 @@ public final class SubsumptionRun implements AutoCloseable {
         }
 
         /** Returns when the services of the first state have started, or have failed to start. */
-        static ActorRun start(Settings settings, Consumer<Throwable> failed) throws InterruptedException {
+        static ActorRun start(Settings settings, Supplier<? extends RobotServices> provider, Consumer<Throwable> failed)
+                throws InterruptedException {
             var run = new ActorRun(settings, failed);
             try {
-                run.startActors(settings);
+                run.startActors(settings, provider);
                 return run;
             } catch (RuntimeException | InterruptedException impossible) {
                 run.close();
@@ -182,15 +209,13 @@ public final class SubsumptionRun implements AutoCloseable {
             }
         }
 
-        private void startActors(Settings settings) throws InterruptedException {
-            RobotServices services = publishAndConnect(
-                    space,
-                    new RobotServicesActor.Settings(
-                            settings.host(),
-                            settings.port(),
-                            settings.table(),
-                            settings.observer(),
-                            settings.reconnects()));
+        private void startActors(Settings settings, Supplier<? extends RobotServices> provider)
+                throws InterruptedException {
+            RobotServices services = publishAndConnect(space, provider, why -> {
+                if (!closing) {
+                    report(why);
+                }
+            });
             Arbitrator arbitrator = space.spawn(
                     Arbitrator.class,
                     () -> new Arbitrator(settings.mode(), services, settings.table(), settings.listener()));

@@ -24,6 +24,8 @@ import org.jspecify.annotations.Nullable;
 public final class SubsumptionTable {
     private final List<State> states;
     private final Map<Integer, State> byColour;
+    private final List<Service> services;
+    private final Map<String, Service> byName;
     private final Map<Integer, Integer> priorities;
     private final Map<Integer, String> ignored;
     private final Map<Integer, String> names;
@@ -33,6 +35,12 @@ public final class SubsumptionTable {
     SubsumptionTable(SubsumptionTableBuilder builder) {
         states = builder.states();
         byColour = states.stream().collect(Collectors.toUnmodifiableMap(State::colour, state -> state));
+        services = states.stream()
+                .flatMap(state -> state.services().stream())
+                .distinct()
+                .toList();
+        // a table that has not been checked yet may have two services of one name
+        byName = services.stream().collect(Collectors.toUnmodifiableMap(Service::name, each -> each, (a, b) -> a));
         priorities = builder.priorities();
         ignored = builder.ignored();
         names = builder.names();
@@ -74,10 +82,7 @@ public final class SubsumptionTable {
 
     /** All services of all states, each once, in the order of the table. */
     public List<Service> services() {
-        return states.stream()
-                .flatMap(state -> state.services().stream())
-                .distinct()
-                .toList();
+        return services;
     }
 
     /** Returns the state that a colour leads to. */
@@ -87,9 +92,7 @@ public final class SubsumptionTable {
 
     /** Returns the service with a name, if a state uses it. */
     public Optional<Service> service(String name) {
-        return services().stream()
-                .filter(service -> service.name().equals(name))
-                .findFirst();
+        return Optional.ofNullable(byName.get(name));
     }
 
     /** The priority of a colour; 0 by default. */

@@ -75,16 +75,32 @@ public final class SubsumptionTableReader {
     /**
      * Parses a text.
      *
-     * @param name of the text, for error messages
+     * @param file the text's place in error messages; need not exist
      */
-    public static SubsumptionTable parse(String text, String name, ServiceCatalogue catalogue) {
-        return new TableParser(Path.of(name), catalogue).parse(text);
+    public static SubsumptionTable parse(String text, Path file, ServiceCatalogue catalogue) {
+        return new TableParser(file, catalogue).parse(text);
     }
 
     /** Parses the declaration of a service, such as {@code patrol = goToGoal(1.5, -2; 3, 0) colours}. */
     public static Service service(String declaration, ServiceCatalogue catalogue) {
         var line = new TableLine(Path.of("service"), 1, declaration);
         Service service = new ServiceReader(catalogue).declare(line);
+        line.end();
+        return service;
+    }
+
+    /**
+     * Parses a kind with its arguments, such as {@code goToGoal(1.5, -2; 3, 0)}, for a service outside tables. It has
+     * the name of its kind. {@code colours} and {@code no colours} are errors: only a table switches services by
+     * colours.
+     */
+    public static Service kind(String text, ServiceCatalogue catalogue) {
+        var line = new TableLine(Path.of("service"), 1, text);
+        Service service = new ServiceReader(catalogue).unnamed(line);
+        String next = line.nextWord();
+        if (next.equals("colours") || next.equals("no")) {
+            throw line.unexpected("the end of the line: only the services of tables look for colours");
+        }
         line.end();
         return service;
     }
@@ -375,18 +391,11 @@ public final class SubsumptionTableReader {
             }
             line.expect("=", "after the name of a service");
             int kindAt = line.position();
-            String kindName = line.word("a kind of service");
-            Kind kind = catalogue.kind(kindName);
-            if (kind == null) {
-                throw line.problem(
-                        kindAt,
-                        "there is no kind of service called '" + kindName + "'"
-                                + Suggestions.expected("one of", kindName, catalogue.names()));
-            }
-            if (catalogue.kind(name) != null && !name.equals(kindName)) {
+            Kind kind = kind(line);
+            if (catalogue.kind(name) != null && !name.equals(kind.name())) {
                 throw line.problem(
                         at,
-                        "a service of the kind " + kindName + " is called " + name
+                        "a service of the kind " + kind.name() + " is called " + name
                                 + ", which is another kind, expected another name");
             }
             var arguments = new ServiceArguments(line);
@@ -394,6 +403,30 @@ public final class SubsumptionTableReader {
             var service = new Service(name, findsColours, kind.usesLaser(), define(line, kindAt, kind, arguments));
             declared.put(name, service);
             return service;
+        }
+
+        /** {@code KIND} or {@code KIND(ARGUMENTS)}. */
+        Service unnamed(TableLine line) {
+            int at = line.position();
+            Kind kind = kind(line);
+            return new Service(
+                    kind.name(),
+                    kind.findsColours(),
+                    kind.usesLaser(),
+                    define(line, at, kind, new ServiceArguments(line)));
+        }
+
+        private Kind kind(TableLine line) {
+            int at = line.position();
+            String name = line.word("a kind of service");
+            Kind kind = catalogue.kind(name);
+            if (kind == null) {
+                throw line.problem(
+                        at,
+                        "there is no kind of service called '" + name + "'"
+                                + Suggestions.expected("one of", name, catalogue.names()));
+            }
+            return kind;
         }
 
         private static boolean skipsNoColours(TableLine line) {

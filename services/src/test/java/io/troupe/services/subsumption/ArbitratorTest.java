@@ -6,6 +6,7 @@ import io.troupe.actor.testkit.TestSpace;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.services.behaviour.Velocity;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -24,10 +25,14 @@ class ArbitratorTest {
     private final List<String> states = new ArrayList<>();
     private Arbitrator arbitrator;
 
+    private static RobotServices published(TestSpace test, RobotServicesActor.Settings settings) {
+        return SubsumptionRun.publishAndConnect(test.space(), () -> new RobotServicesActor(settings), failure -> {});
+    }
+
     @BeforeEach
     void begin() {
-        RobotServices services = SubsumptionRun.publishAndConnect(
-                test.space(),
+        RobotServices services = published(
+                test,
                 RobotServicesActor.Settings.ofThePaper()
                         .withPort(FakeRobots.PORT)
                         .withObserver(charge));
@@ -175,8 +180,8 @@ class ArbitratorTest {
         var book = new RecordingServiceObserver();
         try (var other = new TestSpace();
                 var others = new FakeRobots(other, 2, FakeRobots.PORT + 1)) {
-            RobotServices services = SubsumptionRun.publishAndConnect(
-                    other.space(),
+            RobotServices services = published(
+                    other,
                     RobotServicesActor.Settings.ofThePaper()
                             .withPort(FakeRobots.PORT + 1)
                             .withTable(table)
@@ -206,13 +211,13 @@ class ArbitratorTest {
                         senses -> Optional.of(new Velocity(0, senses.sonar().frontM())));
         var table = SubsumptionTableReader.parse(
                 "robots 1\nstate red : spin\nstate blue : wallFollower\nallow final",
-                "named",
+                Path.of("named"),
                 ServiceCatalogue.standard().with(spin));
         var book = new RecordingServiceObserver();
         try (var other = new TestSpace();
                 var others = new FakeRobots(other, 1, FakeRobots.PORT + 1)) {
-            RobotServices services = SubsumptionRun.publishAndConnect(
-                    other.space(),
+            RobotServices services = published(
+                    other,
                     RobotServicesActor.Settings.ofThePaper()
                             .withPort(FakeRobots.PORT + 1)
                             .withTable(table)

@@ -25,20 +25,23 @@ class CallbackArbitratorTest {
     private final FakeRobots robots = new FakeRobots(test, 2);
     private final RecordingServiceObserver charge = new RecordingServiceObserver();
     private final List<String> events = new ArrayList<>();
+    private final List<Throwable> failures = new ArrayList<>(); // that the broker reports
     private Arbitrator arbitrator;
 
     @BeforeEach
     void begin() {
-        RobotServices services = SubsumptionRun.publishAndConnect(
-                test.space(),
-                RobotServicesActor.Settings.ofThePaper()
-                        .withPort(FakeRobots.PORT)
-                        .withObserver(charge));
+        RobotServices services = published(RobotServicesActor.Settings.ofThePaper()
+                .withPort(FakeRobots.PORT)
+                .withObserver(charge));
         arbitrator = test.spawn(
                 Arbitrator.class,
                 () -> new Arbitrator(Mode.CALLBACK, services, SubsumptionTable.ofThePaper(), new Events()));
         arbitrator.live();
         test.crank();
+    }
+
+    private RobotServices published(RobotServicesActor.Settings settings) {
+        return SubsumptionRun.publishAndConnect(test.space(), () -> new RobotServicesActor(settings), failures::add);
     }
 
     private final class Events implements Arbitrator.StateListener {
@@ -62,6 +65,7 @@ class CallbackArbitratorTest {
     void nothingIsLeft() {
         test.space().stop(arbitrator); // ends the calls that are under way
         test.crank();
+        assertThat(failures).isEmpty();
         test.close();
         robots.close();
         assertThat(robots.connections()).as("connections left open").isZero();
@@ -94,11 +98,9 @@ class CallbackArbitratorTest {
                 .when(NamedColours.BLUE, SW)
                 .when(NamedColours.BLACK, SW)
                 .build();
-        var services = SubsumptionRun.publishAndConnect(
-                test.space(),
-                RobotServicesActor.Settings.ofThePaper()
-                        .withPort(FakeRobots.PORT)
-                        .withTable(table));
+        RobotServices services = published(RobotServicesActor.Settings.ofThePaper()
+                .withPort(FakeRobots.PORT)
+                .withTable(table));
         List<Integer> states = new ArrayList<>();
         Arbitrator callback = test.spawn(
                 Arbitrator.class,

@@ -6,6 +6,7 @@ import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.ColourFinder;
 import io.troupe.services.behaviour.TestBlobs;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -140,12 +141,14 @@ class RandomSubsumptionTableTest {
         for (long seed = 0; seed < TABLES; seed++) {
             SubsumptionTable built = table(seed);
             String text = text();
-            assertThat(SubsumptionTableReader.parse(text, "seed " + seed, ServiceCatalogue.standard()))
+            assertThat(SubsumptionTableReader.parse(text, Path.of("seed " + seed), ServiceCatalogue.standard()))
                     .as(text)
                     .isEqualTo(built)
                     .hasSameHashCodeAs(built);
             assertThat(SubsumptionTableReader.parse(
-                            SubsumptionTableWriter.write(built), "written " + seed, ServiceCatalogue.standard()))
+                            SubsumptionTableWriter.write(built),
+                            Path.of("written " + seed),
+                            ServiceCatalogue.standard()))
                     .isEqualTo(built);
         }
     }

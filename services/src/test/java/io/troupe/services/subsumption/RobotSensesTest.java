@@ -11,6 +11,7 @@ import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.LaserScan;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.Velocity;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
@@ -166,7 +167,7 @@ class RobotSensesTest {
         var catalogue = ServiceCatalogue.standard()
                 .with(new ServiceCatalogue.Kind("look", true, true, arguments -> this::note).withLaser());
         var table = SubsumptionTableReader.parse(
-                "robots 3\nservice far = look\nstate red : far, look, spaceWanderer\n", "t", catalogue);
+                "robots 3\nservice far = look\nstate red : far, look, spaceWanderer\n", Path.of("t"), catalogue);
         assertThat(table.first().services()).extracting(Service::usesLaser).containsExactly(true, true, false);
         assertThat(table.robotsWithLaser()).containsExactly(1, 2);
     }

@@ -235,11 +235,17 @@ class RobotServicesTest {
     }
 
     private RobotServices withTable(SubsumptionTable table) {
-        return test.spawn(
-                RobotServices.class,
-                () -> new RobotServicesActor(RobotServicesActor.Settings.ofThePaper()
-                        .withPort(FakeRobots.PORT)
-                        .withTable(table)));
+        return withTable(table, new ArrayList<>());
+    }
+
+    /** @param actors receives the actor itself, for calls that are no messages */
+    private RobotServices withTable(SubsumptionTable table, List<RobotServicesActor> actors) {
+        return test.spawn(RobotServices.class, () -> {
+            actors.add(new RobotServicesActor(RobotServicesActor.Settings.ofThePaper()
+                    .withPort(FakeRobots.PORT)
+                    .withTable(table)));
+            return actors.getFirst();
+        });
     }
 
     @Test
@@ -281,6 +287,46 @@ class RobotServicesTest {
         assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD, STOP, WANDERER_AHEAD);
         robots.tick(100);
         assertThat(robots.commands(0)).hasSize(4);
+    }
+
+    @Test
+    void stop_alsoStopsAServiceThatStillWaitsForThePreviousOne() {
+        var actors = new ArrayList<RobotServicesActor>();
+        RobotServices own = withTable(SubsumptionTable.ofThePaper(), actors);
+        own.drive(0, Service.WALL_FOLLOWER.name(), NamedColours.BLUE);
+        test.crank();
+        robots.tick(100);
+        var waiting = new ArrayList<Promise<ServiceEnd>>();
+        test.run(
+                () -> { // in one turn, in which the first service cannot end
+                    RobotServicesActor actor = actors.getFirst();
+                    actor.stop(0);
+                    waiting.add(actor.drive(0, Service.SPACE_WANDERER.name(), NamedColours.BLUE));
+                    actor.stop(0);
+                });
+        assertThat(test.get(waiting.getFirst()).colour()).isEmpty();
+        robots.tick(100);
+        assertThat(robots.commands(0)).containsExactly(FOLLOWER_AHEAD, STOP);
+        own.drive(0, Service.SPACE_WANDERER.name(), NamedColours.BLUE);
+        test.crank();
+        assertThat(robots.lastCommand(0)).isEqualTo(WANDERER_AHEAD);
+    }
+
+    @Test
+    void stop_duringACycle_isNotForgotten() {
+        var actors = new ArrayList<RobotServicesActor>();
+        var stopping = new Service("stopping", false, () -> senses -> {
+            actors.getFirst().stop(0);
+            return Optional.empty();
+        });
+        var table = SubsumptionTable.forRobots(1)
+                .when(NamedColours.BLUE, stopping)
+                .allowFinal()
+                .build();
+        Promise<ServiceEnd> end = withTable(table, actors).drive(0, "stopping", NamedColours.BLUE);
+        test.crank();
+        robots.tick(100);
+        assertThat(end.isDone()).isTrue();
     }
 
     @Test

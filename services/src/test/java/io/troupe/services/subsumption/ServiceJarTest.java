@@ -126,7 +126,7 @@ class ServiceJarTest {
         try (var mine = ServiceJar.open(jar(TURN, "Mine"))) {
             var catalogue = mine.addTo(ServiceCatalogue.standard());
             var table = SubsumptionTableReader.parse(
-                    "robots 1\nservice slow = turn(rate 0.25)\nstate red : slow\n", "t", catalogue);
+                    "robots 1\nservice slow = turn(rate 0.25)\nstate red : slow\n", Path.of("t"), catalogue);
             assertThat(firstStep(table)).isEqualTo(new Velocity(0, 0.25));
             assertThat(mine.kinds())
                     .singleElement()
@@ -211,7 +211,8 @@ class ServiceJarTest {
                     + "; return (java.util.function.Supplier<io.troupe.services.behaviour.Behaviour>) o; }));";
             try (var mine = ServiceJar.open(jar(kinds(kind), "Mine"))) {
                 var catalogue = mine.addTo(ServiceCatalogue.standard());
-                assertThatThrownBy(() -> SubsumptionTableReader.parse("robots 1\nstate red : bad\n", "t", catalogue))
+                assertThatThrownBy(() ->
+                                SubsumptionTableReader.parse("robots 1\nstate red : bad\n", Path.of("t"), catalogue))
                         .isInstanceOf(SubsumptionTableException.class)
                         .hasMessageStartingWith("t:2:13: the kind of service bad threw java.")
                         .hasMessageEndingWith(", expected its behaviour");

@@ -3,6 +3,7 @@ package io.troupe.services.subsumption;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.fail;
 
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -98,7 +99,7 @@ class SubsumptionTableFuzzTest {
     }
 
     private static SubsumptionTable parse(String text) {
-        return SubsumptionTableReader.parse(text, "fuzz", ServiceCatalogue.standard());
+        return SubsumptionTableReader.parse(text, Path.of("fuzz"), ServiceCatalogue.standard());
     }
 
     private static String edited(Random random) {

@@ -24,7 +24,7 @@ class SubsumptionTableReaderTest {
     private static final String BLUE = "robots 2\nstate blue : wallFollower, spaceWanderer\n";
 
     private static SubsumptionTable read(String text) {
-        return SubsumptionTableReader.parse(text, "my.table", ServiceCatalogue.standard());
+        return SubsumptionTableReader.parse(text, Path.of("my.table"), ServiceCatalogue.standard());
     }
 
     private static Velocity step(Service service, double xM, double yM) {
@@ -93,7 +93,7 @@ class SubsumptionTableReaderTest {
         });
         var catalogue = ServiceCatalogue.standard().with(spin);
         var table = SubsumptionTableReader.parse(
-                "robots 1\nservice slow = spin(rate 0.25)\nstate red : slow", "own", catalogue);
+                "robots 1\nservice slow = spin(rate 0.25)\nstate red : slow", Path.of("own"), catalogue);
         assertThat(step(table.first().services().getFirst(), 0, 0)).isEqualTo(new Velocity(0, 0.25));
         assertThatThrownBy(() -> catalogue.with(spin)).hasMessageContaining("spin already");
     }
@@ -199,6 +199,29 @@ class SubsumptionTableReaderTest {
         assertThatThrownBy(() -> read(lines.strip().replace("/", "\n")))
                 .isInstanceOf(SubsumptionTableException.class)
                 .hasMessageStartingWith("my.table:" + message);
+    }
+
+    @Test
+    void kind_isAServiceOutsideTables() {
+        Service goal = SubsumptionTableReader.kind("goToGoal(2.50, 0)", ServiceCatalogue.standard());
+        assertThat(goal)
+                .isEqualTo(SubsumptionTableReader.service("goToGoal = goToGoal(2.5, 0)", ServiceCatalogue.standard()));
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "goToGoal(1, 2, again) | service:1:10: '1, 2, again', expected 2 numbers",
+                "avoidd | service:1:1: there is no kind of service called 'avoidd'",
+                "avoid again | service:1:7: 'again', expected the end of the line",
+                "avoid colours | service:1:7: 'colours', expected the end of the line: only the services of tables look for colours",
+                "avoid no colours | service:1:7: 'no', expected the end of the line: only the services of tables look for colours",
+            })
+    void mistakesInAKind_haveTheColumnOfItsText(String text, String message) {
+        assertThatThrownBy(() -> SubsumptionTableReader.kind(text, ServiceCatalogue.standard()))
+                .isInstanceOf(SubsumptionTableException.class)
+                .hasMessageStartingWith(message);
     }
 
     @Test

@@ -112,6 +112,15 @@ class SubsumptionTableTest {
                 .containsExactly(WF, SW);
     }
 
+    /** A caller may look up a service for each robot at each switch. */
+    @Test
+    void services_areCollectedOnce_andFoundByName() {
+        var table = SubsumptionTable.ofThePaper();
+        assertThat(table.services()).isSameAs(table.services()).isUnmodifiable();
+        assertThat(table.service("spaceWanderer")).containsSame(SW);
+        assertThat(table.service("none")).isEmpty();
+    }
+
     @Test
     void layers_areOneServiceWhereverTheyAreMade_andEachOfThemCanDrive() {
         Service avoid = SubsumptionTableReader.service("avoid = avoid", ServiceCatalogue.standard());

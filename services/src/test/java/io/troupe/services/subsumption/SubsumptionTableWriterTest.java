@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.common.text.NamedColours;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -11,7 +12,7 @@ import org.junit.jupiter.api.Test;
 
 class SubsumptionTableWriterTest {
     private static SubsumptionTable read(String text) {
-        return SubsumptionTableReader.parse(text, "written", ServiceCatalogue.standard());
+        return SubsumptionTableReader.parse(text, Path.of("written"), ServiceCatalogue.standard());
     }
 
     @Test

@@ -117,11 +117,11 @@ public final class ComponentKinds {
         return new ComponentKind(
                 "behaviour",
                 "drives as a service of a table file does; it gets blobs, and laser scans if the service uses them",
-                List.of(new Parameter("of", "\"the service\" as a table file declares it, such as avoid", "")),
+                List.of(new Parameter(
+                        "of", "\"a kind of service\" with its arguments, as in a table file, such as avoid", "")),
                 (name, arguments) -> {
                     try {
-                        return BehaviourComponent.of(
-                                name, SubsumptionTableReader.service("it = " + arguments.text("of"), services));
+                        return BehaviourComponent.of(name, SubsumptionTableReader.kind(arguments.text("of"), services));
                     } catch (SubsumptionTableException mistake) {
                         throw new ArgumentException(
                                 "of", "of is " + arguments.text("of") + ": " + mistake.getMessage());

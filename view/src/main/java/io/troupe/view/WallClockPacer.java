@@ -4,7 +4,7 @@ import io.troupe.actor.time.Clock;
 import java.util.concurrent.locks.LockSupport;
 
 /** Slows a simulation down to real time, which begins when this object is created. */
-public final class RealTime {
+public final class WallClockPacer {
     private final long originNanos = Clock.system().nanos();
 
     /** Waits until as much real time has passed as simulated time. */

@@ -1,4 +1,4 @@
-package io.troupe.demo.terminal;
+package io.troupe.common.text;
 
 import java.util.Locale;
 
