@@ -221,13 +221,24 @@ public final class MeasuringJvm implements AutoCloseable {
     public void close() {
         process.destroy();
         boolean ended = false;
+        boolean interrupted = false;
         try {
             ended = process.waitFor(SECONDS_TO_END, TimeUnit.SECONDS);
-        } catch (InterruptedException interrupted) {
-            Thread.currentThread().interrupt();
+        } catch (InterruptedException e) {
+            interrupted = true;
         }
         if (!ended) {
-            process.destroyForcibly().onExit().join(); // not interruptible: a killed process ends
+            process.destroyForcibly();
+        }
+        while (process.isAlive()) { // not for long: it is killed
+            try {
+                process.waitFor();
+            } catch (InterruptedException e) {
+                interrupted = true;
+            }
+        }
+        if (interrupted) {
+            Thread.currentThread().interrupt();
         }
         requests.close();
     }
