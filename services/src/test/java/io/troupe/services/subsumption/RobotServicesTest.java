@@ -234,6 +234,24 @@ class RobotServicesTest {
         assertThat(test.get(end)).isEqualTo(saw(NamedColours.RED));
     }
 
+    @Test
+    void reports_countTheTimeInCharge_alsoWhenTheClockIsSetBack() {
+        List<Double> inCharge = new ArrayList<>();
+        test.run(() -> services.drive(0, Service.SPACE_WANDERER.name(), (report, error) -> {
+            if (report != null) {
+                inCharge.add(report.secondsInCharge());
+            }
+        }));
+        robots.show(0, NamedColours.RED);
+        for (int millis : new int[] {100_000, 100, -60_000, 100}) {
+            robots.tick(millis);
+        }
+        assertThat(inCharge)
+                .hasSize(4)
+                .isSorted()
+                .allSatisfy(seconds -> assertThat(seconds).isBetween(0.0, 0.35));
+    }
+
     private RobotServices withTable(SubsumptionTable table) {
         return withTable(table, new ArrayList<>());
     }
