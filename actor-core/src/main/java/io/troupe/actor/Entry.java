@@ -39,8 +39,9 @@ final class Entry extends Node {
     }
 
     @Override
-    protected void run() {
+    protected @Nullable Node serve() {
         task.run();
+        return null;
     }
 
     @Override

@@ -157,8 +157,8 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
 
         @Override
-        protected void run() {
-            waiting.remove().run();
+        protected @Nullable Node serve() {
+            return waiting.remove().serve();
         }
     }
 
@@ -178,7 +178,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
 
         @Override
-        protected void run() {
+        protected @Nullable Node serve() {
             if (home.hasEnded() && !evenIfClosed) {
                 readerGone = true; // the sender's thread is rejecting what is left in the queues
             } else if (owner == null) {
@@ -186,6 +186,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             } else if (!owner.run("a listener", delivery)) {
                 readerGone = true; // the receiving actor has stopped
             }
+            return null;
         }
     }
 }

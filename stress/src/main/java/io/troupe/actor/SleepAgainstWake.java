@@ -25,10 +25,7 @@ import org.openjdk.jcstress.infra.results.ZZ_Result;
         desc = "Each missed the other: the space parks with a message waiting.")
 @State
 public class SleepAgainstWake {
-    private static final class Letter extends Node {
-        @Override
-        protected void run() {}
-    }
+    private static final class Letter extends Node {}
 
     /** No timer is set here, so all states may share this wheel. */
     private static final TimerWheel NO_TIMERS = new TimerWheel(Clock.system());

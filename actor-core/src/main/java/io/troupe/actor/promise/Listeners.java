@@ -68,8 +68,9 @@ final class Listeners {
         }
 
         @Override
-        protected void run() {
+        protected @Nullable Node serve() {
             action.run();
+            return null;
         }
 
         @Override
@@ -130,8 +131,9 @@ final class Listeners {
         }
 
         @Override
-        protected void run() {
+        protected @Nullable Node serve() {
             settled.countDown();
+            return null;
         }
 
         @Override

@@ -596,9 +596,10 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
 
         @Override
-        protected void run() {
+        protected @Nullable Node serve() {
             home.beginForItself();
             action.run();
+            return null;
         }
     }
 

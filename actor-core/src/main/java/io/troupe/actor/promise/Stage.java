@@ -175,7 +175,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected void run() {
+        protected @Nullable Node serve() {
             var apply = Objects.requireNonNull(function);
             function = null;
             Object outcome = begin();
@@ -184,6 +184,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
             } else if (outcome != null) {
                 settleValueAtHome(apply.apply(sourceValue(outcome)));
             }
+            return null;
         }
     }
 
@@ -197,7 +198,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected void run() {
+        protected @Nullable Node serve() {
             var look = Objects.requireNonNull(listener);
             listener = null;
             Object outcome = begin();
@@ -207,6 +208,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
                 look.accept(sourceValue(outcome));
                 settleAtHome(outcome);
             }
+            return null;
         }
     }
 
@@ -220,7 +222,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected void run() {
+        protected @Nullable Node serve() {
             var apply = Objects.requireNonNull(function);
             function = null;
             Object outcome = begin();
@@ -229,6 +231,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
             } else if (outcome != null) {
                 settleValueAtHome(apply.apply(sourceValue(outcome), null));
             }
+            return null;
         }
     }
 
@@ -245,7 +248,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected void run() {
+        protected @Nullable Node serve() {
             var look = Objects.requireNonNull(listener);
             listener = null;
             Object outcome = begin();
@@ -255,6 +258,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
                 look.accept(sourceValue(outcome), null);
                 settleAtHome(outcome);
             }
+            return null;
         }
 
         private void observe(BiConsumer<? super @Nullable S, ? super @Nullable Throwable> look, Throwable error) {
@@ -285,7 +289,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         @Override
-        protected void run() {
+        protected @Nullable Node serve() {
             var apply = Objects.requireNonNull(function);
             var rescueBy = rescue;
             function = null;
@@ -300,6 +304,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
             } else {
                 followAnswer(rescueBy.apply(rejection.error()));
             }
+            return null;
         }
 
         private void followAnswer(@Nullable Promise<? extends T> answer) {

@@ -24,9 +24,6 @@ import org.openjdk.jcstress.infra.results.II_Result;
 public class TwoOffersAgainstPoll {
     private static final class Letter extends Node {
         int content;
-
-        @Override
-        protected void run() {}
     }
 
     private final NodeQueue queue = new NodeQueue();

@@ -25,9 +25,6 @@ import org.openjdk.jcstress.infra.results.III_Result;
 public class TwoOffersOnePoll {
     private static final class Letter extends Node {
         int content;
-
-        @Override
-        protected void run() {}
     }
 
     private final NodeQueue queue = new NodeQueue();

@@ -50,7 +50,7 @@ public final class DetachedNodes {
 
     private static void runOne(Node node) {
         try {
-            node.run();
+            node.serve(); // a listener, which returns none
         } catch (Throwable thrown) {
             node.threw(thrown);
         }

@@ -16,22 +16,13 @@ public abstract class Node {
     protected Node() {}
 
     /**
-     * Runs this node on its home's thread; the caller passes what it throws to {@link #threw}. Overridden by every node
-     * that is queued as a callback.
-     */
-    protected void run() throws Throwable {
-        throw new IllegalStateException("this is never run: " + this);
-    }
-
-    /**
-     * Runs this as an entry of a queue. If a request's result has exactly one listener, and that listener would run
-     * next anyway, it is returned instead of being queued.
+     * Runs this node on its home's thread; the caller passes what it throws to {@link #threw}. If a request's result
+     * has exactly one listener, and that listener would run next anyway, it is returned instead of being queued.
      *
      * @return the callback that must be run next, before anything else, or null
      */
     protected @Nullable Node serve() throws Throwable {
-        run();
-        return null;
+        throw new IllegalStateException("this is never run: " + this);
     }
 
     /** Handles what {@link #serve} has thrown; rethrows it if this node has no handler. */
