@@ -36,17 +36,10 @@ final class ActorCell extends Recipient {
     private @Nullable Object implementation; // also null while calls are held back
     private @Nullable Object instance;
     private @Nullable Object proxy;
-    private @Nullable FailureCount failures;
-    private @Nullable Throwable endedBy; // the failure that led to the end of the last instance
+    private @Nullable Failures failures; // most actors have none
     private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as are writes of stopped
     private Incarnation life;
-    // calls held back while a restart waits, until all of them have been delivered
-    private @Nullable ArrayDeque<Node> held;
-    private @Nullable Timer restartTimer; // the timer of the pause before a restart
-    private boolean releasing;
-    private boolean stopHeld; // a stop is queued among the held calls
     private boolean starting;
-    private int failedStarts; // in a row
     private boolean begun;
     private boolean stopped;
 
@@ -187,16 +180,16 @@ final class ActorCell extends Recipient {
     private void startInstance() {
         begun = true;
         space.actors().add(this);
-        int failedBefore = failedStarts;
+        int failedBefore = failures == null ? 0 : failures.starts;
         starting = true;
         guard("the start", this::begin);
         starting = false;
         if (instance == null) {
             stop();
-        } else if (failedStarts == failedBefore) {
-            failedStarts = 0;
-            if (held != null) {
-                releaseSoon();
+        } else if (failures != null && failures.starts == failedBefore) {
+            failures.starts = 0;
+            if (failures.held != null) {
+                releaseSoon(failures);
             }
         }
     }
@@ -210,7 +203,7 @@ final class ActorCell extends Recipient {
             throw new ActorException("the factory of " + this + " answered a proxy, expected a new implementation");
         }
         instance = made;
-        implementation = held == null ? made : null;
+        implementation = held() == null ? made : null;
         if (made instanceof Actor actor) {
             actor.join(this);
             actor.started();
@@ -222,9 +215,9 @@ final class ActorCell extends Recipient {
      * the actor may never start again.
      */
     void stopBehindCalls() {
-        if (held != null && instance != null) {
-            stopHeld = true;
-            held.add(new Entry(this::stop));
+        if (failures != null && failures.held != null && instance != null) {
+            failures.stopHeld = true;
+            failures.held.add(new Entry(this::stop));
         } else {
             stop();
         }
@@ -234,8 +227,8 @@ final class ActorCell extends Recipient {
         if (stopped) {
             return;
         }
-        if (restartTimer != null) {
-            restartTimer.cancel();
+        if (failures != null && failures.restartTimer != null) {
+            failures.restartTimer.cancel();
         }
         space.actors().remove(this);
         Deferred<@Nullable Void> watched;
@@ -243,10 +236,10 @@ final class ActorCell extends Recipient {
             stopped = true;
             watched = ended;
         }
-        endLife(whyStopped());
-        if (held != null) {
-            held.forEach(space::enqueueMessage); // to be rejected like all others
-            held = null;
+        endLife(false);
+        if (failures != null && failures.held != null) {
+            failures.held.forEach(space::enqueueMessage); // to be rejected like all others
+            failures.held = null;
         }
         if (watched != null) {
             watched.resolve(null);
@@ -254,7 +247,7 @@ final class ActorCell extends Recipient {
     }
 
     /** Ends the current instance. */
-    private void endLife(String reason) {
+    private void endLife(boolean restarted) {
         if (instance instanceof Actor actor) {
             space.begin(life);
             try {
@@ -266,7 +259,24 @@ final class ActorCell extends Recipient {
         implementation = null;
         instance = null;
         life.end();
-        life.rejectOpenRequests(reason, endedBy);
+        life.rejectOpenRequests(() -> restarted ? "the actor " + this + " was restarted" : whyStopped(), endedBy());
+    }
+
+    /** The failure that led to the end of the last instance, or null. */
+    private @Nullable Throwable endedBy() {
+        return failures == null ? null : failures.endedBy;
+    }
+
+    /** The calls held back while a restart waits, until all of them have been delivered; or null. */
+    private @Nullable ArrayDeque<Node> held() {
+        return failures == null ? null : failures.held;
+    }
+
+    private Failures failures() {
+        if (failures == null) {
+            failures = new Failures(settings.supervision());
+        }
+        return failures;
     }
 
     private String whyStopped() {
@@ -281,22 +291,20 @@ final class ActorCell extends Recipient {
         if (stopped) {
             return;
         }
-        endLife("the actor " + this + " was restarted");
-        endedBy = null;
-        if (failedStarts < 2) {
+        endLife(true);
+        Failures had = failures();
+        had.endedBy = null;
+        if (had.starts < 2) {
             startAgain();
             return;
         }
-        if (held == null) {
-            held = new ArrayDeque<>();
-        }
-        if (stopHeld) {
+        had.hold();
+        if (had.stopHeld) {
             stop();
             return;
         }
-        long pauseNanos =
-                Math.min(LONGEST_PAUSE_NANOS, FIRST_PAUSE_NANOS << Math.min(failedStarts - 2, MOST_DOUBLINGS));
-        restartTimer = space.dispatcher.timers.set(this::startAgain, pauseNanos, 0);
+        long pauseNanos = Math.min(LONGEST_PAUSE_NANOS, FIRST_PAUSE_NANOS << Math.min(had.starts - 2, MOST_DOUBLINGS));
+        had.restartTimer = space.dispatcher.timers.set(this::startAgain, pauseNanos, 0);
     }
 
     private void startAgain() {
@@ -307,32 +315,32 @@ final class ActorCell extends Recipient {
     }
 
     /** Delivers the held calls before those queued in the space, one per entry, so that other actors get their turn. */
-    private void releaseSoon() {
-        if (!releasing) {
-            releasing = true;
-            space.enqueue(Entry.urgent(this::release, this::release));
+    private void releaseSoon(Failures had) {
+        if (!had.releasing) {
+            had.releasing = true;
+            space.enqueue(Entry.urgent(() -> release(had), () -> release(had)));
         }
     }
 
-    private void release() {
-        releasing = false;
-        if (held == null || instance == null) {
+    private void release(Failures had) {
+        had.releasing = false;
+        if (had.held == null || instance == null) {
             return; // it has stopped, or is waiting again
         }
-        Node ticket = held.poll();
+        Node ticket = had.held.poll();
         if (ticket instanceof Entry) { // a stop, see stopBehindCalls()
             stop();
         } else if (ticket != null) {
             deliver(ticket);
         }
-        if (held == null) {
+        if (had.held == null) {
             return;
         }
-        if (held.isEmpty()) {
-            held = null;
+        if (had.held.isEmpty()) {
+            had.held = null;
             implementation = instance;
         } else {
-            releaseSoon();
+            releaseSoon(had);
         }
     }
 
@@ -366,6 +374,7 @@ final class ActorCell extends Recipient {
     /** The slow path: the actor is not running, its mailbox is bounded, or the request is cancelled. */
     private void deliverNext(Node ticket) {
         start();
+        var held = held();
         if (held != null) {
             held.add(ticket);
         } else {
@@ -406,10 +415,11 @@ final class ActorCell extends Recipient {
      */
     private int placeInMailbox(Node call) {
         int place = mailbox == null ? -1 : mailbox.placeOf(call, COUNTED);
-        return place < 0 && held != null ? placeAmongHeld(call) : place;
+        var held = held();
+        return place < 0 && held != null ? placeAmong(held, call) : place;
     }
 
-    private int placeAmongHeld(Node call) {
+    private static int placeAmong(ArrayDeque<Node> held, Node call) {
         int place = 0;
         for (Node each : held) {
             if (each == call) {
@@ -424,7 +434,7 @@ final class ActorCell extends Recipient {
 
     private void reject(Node call) {
         String reason = whyStopped();
-        var error = new ActorStoppedException(call + " was not begun: " + reason, endedBy, false);
+        var error = new ActorStoppedException(call + " was not begun: " + reason, endedBy(), false);
         space.reports().rejectCall(call, this, reason, error);
     }
 
@@ -453,22 +463,19 @@ final class ActorCell extends Recipient {
         if (stopped) {
             return;
         }
+        Failures had = failures();
         if (starting) {
-            failedStarts++;
+            had.starts++;
         }
-        if (failures == null) {
-            failures = new FailureCount(settings.supervision());
-        }
-        Supervision.Directive directive = failures.note(space.settings.clock().nanos());
-        if (failedStarts
-                > settings.supervision().limit()) { // the pauses between failed starts may be longer than the window
+        Supervision.Directive directive = had.note(space.settings.clock().nanos());
+        if (had.starts > settings.supervision().limit()) { // the pauses between them may be longer than the window
             directive = Supervision.Directive.STOP;
         }
-        if (starting && directive != Supervision.Directive.RESUME && held == null) {
-            held = new ArrayDeque<>(); // the call that caused the start is not delivered to this instance
+        if (starting && directive != Supervision.Directive.RESUME) {
+            had.hold(); // the call that caused the start is not delivered to this instance
         }
         if (directive != Supervision.Directive.RESUME || implementation == null) {
-            endedBy = thrown;
+            had.endedBy = thrown;
         }
         switch (directive) {
             case RESUME -> {}
@@ -505,13 +512,27 @@ final class ActorCell extends Recipient {
         return name != null ? name : type.getSimpleName() + "#" + number;
     }
 
-    /** Counts an actor's failures within the window of its supervision. On the space's thread. */
-    private static final class FailureCount {
+    /** What an actor keeps once it has failed. On the space's thread. */
+    private static final class Failures {
         private final Supervision supervision;
-        private final ArrayDeque<Long> recent = new ArrayDeque<>();
+        private final ArrayDeque<Long> recent = new ArrayDeque<>(); // those within the window of its supervision
+        private int starts; // failed starts in a row
+        private @Nullable Throwable endedBy; // the failure that led to the end of the last instance
+        // calls held back while a restart waits, until all of them have been delivered
+        private @Nullable ArrayDeque<Node> held;
+        private boolean stopHeld; // a stop is queued among the held calls
+        private boolean releasing;
+        private @Nullable Timer restartTimer; // the timer of the pause before a restart
 
-        FailureCount(Supervision supervision) {
+        Failures(Supervision supervision) {
             this.supervision = supervision;
+        }
+
+        /** Holds calls back from now on. */
+        void hold() {
+            if (held == null) {
+                held = new ArrayDeque<>();
+            }
         }
 
         /** Counts a failure and returns the directive for it. */

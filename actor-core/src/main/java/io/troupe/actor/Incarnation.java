@@ -5,6 +5,7 @@ import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.time.Timer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -15,23 +16,17 @@ final class Incarnation extends Owner {
     private static final int FEW = 8;
 
     private final ActorCell cell;
-    private @Nullable List<Timer> timers; // most actors have none
-    private int sweepAt = FEW;
+    private @Nullable OwnTimers timers; // most actors have none
 
     Incarnation(ActorCell cell) {
         super(cell.space());
         this.cell = cell;
     }
 
-    /**
-     * Adds a timer that ends with this incarnation. Timers that have run are removed whenever the number has doubled.
-     */
+    /** Adds a timer that ends with this incarnation. */
     void own(Timer timer) {
         if (timers == null) {
-            timers = new ArrayList<>(1);
-        } else if (timers.size() >= sweepAt) {
-            timers.removeIf(each -> !each.isWaiting());
-            sweepAt = Math.max(FEW, 2 * timers.size());
+            timers = new OwnTimers();
         }
         timers.add(timer);
     }
@@ -40,18 +35,19 @@ final class Incarnation extends Owner {
     protected void end() {
         super.end();
         if (timers != null) {
-            timers.forEach(Timer::cancel);
+            timers.waiting.forEach(Timer::cancel);
             timers = null;
         }
         cell.space().sequences().cancelThoseOf(this);
     }
 
     /** Rejects the requests that this incarnation has begun and not answered. */
-    void rejectOpenRequests(String reason, @Nullable Throwable cause) {
+    void rejectOpenRequests(Supplier<String> reason, @Nullable Throwable cause) {
         SpaceHome space = cell.space();
         for (var open : takeOpenRequests()) {
             var request = (Request<?>) open;
-            var error = new ActorStoppedException(request + " was begun and not answered: " + reason, cause, true);
+            String message = request + " was begun and not answered: " + reason.get();
+            var error = new ActorStoppedException(message, cause, true);
             if (request.reject(error) && space.isStopping()) {
                 space.closing.noteOpenRequest(request);
             }
@@ -70,5 +66,19 @@ final class Incarnation extends Owner {
     @Override
     public String toString() {
         return cell.toString();
+    }
+
+    /** Timers that have run are removed whenever the number of timers has doubled. */
+    private static final class OwnTimers {
+        private final List<Timer> waiting = new ArrayList<>(1);
+        private int sweepAt = FEW;
+
+        void add(Timer timer) {
+            if (waiting.size() >= sweepAt) {
+                waiting.removeIf(each -> !each.isWaiting());
+                sweepAt = Math.max(FEW, 2 * waiting.size());
+            }
+            waiting.add(timer);
+        }
     }
 }
