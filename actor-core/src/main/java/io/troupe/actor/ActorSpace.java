@@ -3,6 +3,7 @@ package io.troupe.actor;
 import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.EventLoop;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import java.time.Duration;
@@ -50,7 +51,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single
  * thread.
  */
-public final class ActorSpace extends Home.Holder implements AutoCloseable {
+public final class ActorSpace extends EventLoop implements AutoCloseable {
     private static final Duration CLOSING_TIME = Duration.ofSeconds(10);
 
     private static final class Global {
@@ -65,6 +66,7 @@ public final class ActorSpace extends Home.Holder implements AutoCloseable {
     private ActorSpace(SpaceHome home, boolean closeable) {
         super(home);
         this.home = home;
+        home.facade = this;
         this.closeable = closeable;
         this.promises = new SpacePromises(home);
     }
@@ -111,7 +113,7 @@ public final class ActorSpace extends Home.Holder implements AutoCloseable {
         Objects.requireNonNull(type, "type");
         Objects.requireNonNull(factory, "factory");
         Objects.requireNonNull(actorSettings, "actorSettings");
-        checkOpen("spawn(" + type.getName() + ")");
+        checkOpen("spawn", type.getName());
         var proxies = ActorType.of(type);
         var cell = new ActorCell(home, type, spawned.incrementAndGet(), factory, actorSettings);
         A proxy = proxies.newProxy(cell);
@@ -164,8 +166,9 @@ public final class ActorSpace extends Home.Holder implements AutoCloseable {
         return cell;
     }
 
-    private void checkOpen(String call) {
+    private void checkOpen(String method, String argument) {
         if (home.isClosing() && !home.isCurrent()) {
+            String call = method + "(" + argument + ")";
             throw new ActorStoppedException(call + " came too late: space " + this + " is closed");
         }
     }
@@ -173,7 +176,7 @@ public final class ActorSpace extends Home.Holder implements AutoCloseable {
     /** Runs a task on the space's thread, queued like a message. */
     public void execute(Runnable task) {
         Objects.requireNonNull(task, "task");
-        checkOpen("execute(..)");
+        checkOpen("execute", "..");
         home.enqueueMessage(new Entry(() -> home.runGuarded(task)));
     }
 
@@ -209,7 +212,7 @@ public final class ActorSpace extends Home.Holder implements AutoCloseable {
      */
     public <T extends @Nullable Object> Promise<T> sequential(Callable<? extends T> body) {
         Objects.requireNonNull(body, "body");
-        checkOpen("sequential(..)");
+        checkOpen("sequential", "..");
         return home.sequences().start(body, home.isCurrent() ? home.owner() : home.itself());
     }
 
@@ -242,7 +245,7 @@ public final class ActorSpace extends Home.Holder implements AutoCloseable {
     /** Runs an action on the space's thread as soon as it is idle: no entry in any queue, no timer due. */
     public void onIdle(Runnable action) {
         Objects.requireNonNull(action, "action");
-        checkOpen("onIdle(..)");
+        checkOpen("onIdle", "..");
         home.enqueueMessage(new Entry(() -> home.dispatcher.addIdleAction(action)));
     }
 

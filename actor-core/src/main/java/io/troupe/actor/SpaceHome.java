@@ -25,6 +25,9 @@ final class SpaceHome extends Home {
     private final IdleStrategy idle = new IdleStrategy();
     private @Nullable Thread thread; // the thread that has control now; only that thread finds itself here
 
+    @Nullable
+    ActorSpace facade; // set once, by its constructor
+
     final SpaceSettings settings;
     final Dispatcher dispatcher;
     final Closing closing;
@@ -208,7 +211,7 @@ final class SpaceHome extends Home {
 
     /** The user's side of this home. */
     ActorSpace facade() {
-        return (ActorSpace) Objects.requireNonNull(holder());
+        return Objects.requireNonNull(facade);
     }
 
     ActorList actors() {

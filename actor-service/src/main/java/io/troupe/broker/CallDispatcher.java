@@ -3,6 +3,7 @@ package io.troupe.broker;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
 import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.promise.EventLoop;
 import io.troupe.actor.promise.Promise;
 import java.lang.reflect.Method;
 import java.util.Arrays;
@@ -118,7 +119,7 @@ interface CallDispatcher {
 
         @Override
         protected @Nullable Home home() {
-            return Home.of(home);
+            return EventLoop.homeOf(home);
         }
 
         @Override

@@ -3,6 +3,7 @@ package io.troupe.bus;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.EventLoop;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.BusMessage.Purpose;
 import java.time.Duration;
@@ -256,7 +257,7 @@ final class PendingRequests {
 
             @Override
             protected @Nullable Home home() {
-                return Home.of(home);
+                return EventLoop.homeOf(home);
             }
 
             @Override

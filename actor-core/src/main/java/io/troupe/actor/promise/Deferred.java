@@ -46,8 +46,8 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
      *
      * @param space an {@code ActorSpace}, or null for none
      */
-    public Deferred(Home.@Nullable Holder space) {
-        this(Home.of(space), null);
+    public Deferred(@Nullable EventLoop space) {
+        this(EventLoop.homeOf(space), null);
     }
 
     /**

@@ -17,7 +17,6 @@ public abstract class Home {
     private final Owner outsider;
     private final Owner self;
     private CurrentOwner turn;
-    private @Nullable Holder holder;
 
     @SuppressWarnings("this-escape") // owners only store the reference, and do not use it before the first node runs
     protected Home() {
@@ -29,16 +28,6 @@ public abstract class Home {
     /** The home whose thread is calling, or null. */
     public static @Nullable Home current() {
         return CURRENT.get();
-    }
-
-    /** The home of a space, or null for no space. */
-    public static @Nullable Home of(@Nullable Holder holder) {
-        return holder == null ? null : holder.home;
-    }
-
-    /** What users have of this home, or null if there is no such object. */
-    public final @Nullable Holder holder() {
-        return holder;
     }
 
     // ---- the thread
@@ -162,19 +151,6 @@ public abstract class Home {
             return duration.toNanos();
         } catch (ArithmeticException tooLong) {
             return duration.isNegative() ? Long.MIN_VALUE : Long.MAX_VALUE;
-        }
-    }
-
-    /**
-     * What users have of a home: the base class of {@code ActorSpace}. It has no public members, so that a home's
-     * methods are not among the user's.
-     */
-    public abstract static class Holder {
-        private final Home home;
-
-        protected Holder(Home home) {
-            this.home = home;
-            home.holder = this;
         }
     }
 
