@@ -2,16 +2,21 @@ package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.time.Clock;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.common.text.Suggestions;
+import java.security.SecureRandom;
 import java.time.Duration;
+import java.util.Objects;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
- * The bus of one process: carries messages between components by publish and subscribe, and by request and reply.
+ * A node of a bus: carries messages between components by publish and subscribe, and by request and reply; within one
+ * process, or with an engine between processes.
  *
  * {@snippet :
  * Bus bus = Bus.inProcess("house", BusSettings.on(space));
@@ -21,10 +26,10 @@ import java.util.function.Consumer;
  * sensor.publish(OUTSIDE, new Temperature(-3));
  * }
  *
- * <p><b>Role.</b> Opened by {@link #inProcess}, ended by {@link #close}. No reference crosses the bus: addresses are
- * names, messages are {@link BusMessage} records of values. Lists and maps in a value are copied unless they are
- * immutable, so that users cannot depend on object identity. Kinds of bus differ only in how they send messages to
- * other nodes.
+ * <p><b>Role.</b> Opened by {@link #inProcess} or {@link #open}, ended by {@link #close}. No reference crosses the bus:
+ * addresses are names, messages are {@link BusMessage} records of values. Lists and maps in a value are copied unless
+ * they are immutable, so that users cannot depend on object identity. Kinds of bus differ only in their engine, which
+ * sends messages to other nodes.
  *
  * <p><b>Threads.</b> A subscriber or a request handler runs on the actor space, and on behalf of the actor, that
  * registered it; if it was registered outside every space, on the space of the settings. Messages are entries of the
@@ -47,67 +52,26 @@ import java.util.function.Consumer;
  * <p><b>Source.</b> Paper, sections 2.1.2 and 2.2.3.
  */
 public final class Bus implements AutoCloseable {
-    /**
-     * Sends messages to other nodes; the only part in which kinds of bus differ. Passes incoming messages to
-     * {@link #receive}.
-     *
-     * <p><b>Role.</b> A node that is opened again under the same name numbers its messages from 1 again. A transport
-     * must not deliver to it messages that were sent to, or by, the earlier node of that name. One way is to put the
-     * incarnation of each node into its frames.
-     *
-     * <p><b>Threads.</b> Called from any thread; must not block. <b>Order.</b> Messages of one sender to one node
-     * arrive in the order in which they were sent, or not at all.
-     */
-    interface Transport {
-        /** Returns whether a node of that name is known. */
-        boolean reaches(String node);
-
-        /** Sends a message to one node. */
-        void send(String node, BusMessage message);
-
-        /** Sends a publication to all other nodes. */
-        void broadcast(BusMessage publication);
-
-        /** Called when the node is closed: no message follows. */
-        void close();
-    }
-
-    /** For a bus without other nodes. */
-    private static final Transport NOWHERE = new Transport() {
-        @Override
-        public boolean reaches(String node) {
-            return false;
-        }
-
-        @Override
-        public void send(String node, BusMessage message) {
-            throw new IllegalStateException("there is no way to node " + node);
-        }
-
-        @Override
-        public void broadcast(BusMessage publication) {}
-
-        @Override
-        public void close() {}
-    };
-
     final BusSettings settings;
     final Counters counters = new Counters();
     final ObserverNotifier notifier;
     private final String name;
-    private final Transport transport;
+    private final Clock clock;
+    private final long incarnation = new SecureRandom().nextLong(1, 1L << 53); // exact in every language
+    private final @Nullable RemoteNodes others; // null for a bus inside one process
     private final Directory directory;
     private final PendingRequests pendingRequests = new PendingRequests(this);
     private final RecordCopier copier = new RecordCopier();
     private final AtomicLong numbers = new AtomicLong();
     private final AtomicBoolean closed = new AtomicBoolean();
 
-    Bus(String name, BusSettings settings, Transport transport) {
+    private Bus(String name, BusSettings settings, @Nullable BusEngine engine) {
         this.name = new Address(name, "bus").node(); // validates the name
         this.settings = settings;
+        this.clock = settings.space().clock();
         this.notifier = new ObserverNotifier(settings.observer(), counters);
-        this.transport = transport;
         this.directory = new Directory(name);
+        this.others = engine == null ? null : new RemoteNodes(this, engine, incarnation);
     }
 
     /** A bus inside this process that uses {@link ActorSpace#global()} for code outside every actor space. */
@@ -121,7 +85,29 @@ public final class Bus implements AutoCloseable {
      * @param node the name of this process in addresses
      */
     public static Bus inProcess(String node, BusSettings settings) {
-        return new Bus(node, settings, NOWHERE);
+        return new Bus(node, settings, null);
+    }
+
+    /**
+     * A bus that also reaches other processes.
+     *
+     * @param node the name of this process, which no other process on the bus has
+     * @param engine carries the messages; it is started now, and closed with the bus
+     * @throws BusException if the engine cannot connect, or the name is taken
+     */
+    public static Bus open(String node, BusEngine engine, BusSettings settings) {
+        var bus = new Bus(node, settings, Objects.requireNonNull(engine, "engine"));
+        try {
+            bus.remote().start();
+        } catch (RuntimeException | Error failure) {
+            bus.close();
+            throw failure;
+        }
+        return bus;
+    }
+
+    private RemoteNodes remote() {
+        return Objects.requireNonNull(others);
     }
 
     /** The name of this process on the bus. */
@@ -149,7 +135,9 @@ public final class Bus implements AutoCloseable {
     public void close() {
         if (closed.compareAndSet(false, true)) {
             directory.ports().forEach(port -> port.close("the bus " + name + " is closed"));
-            transport.close();
+            if (others != null) {
+                others.close();
+            }
         }
     }
 
@@ -164,16 +152,27 @@ public final class Bus implements AutoCloseable {
         directory.use(topic);
     }
 
-    void release(BusTopic<?> topic) {
+    void release(BusPort port, BusTopic<?> topic) {
         directory.release(topic);
+        if (others != null) {
+            others.endSeries(port.address(), topic.name());
+        }
     }
 
     void add(TopicSubscription<?> subscription) {
-        directory.add(subscription);
+        directory.add(subscription, topic -> {
+            if (others != null) {
+                others.subscribe(topic);
+            }
+        });
     }
 
     void remove(TopicSubscription<?> subscription) {
-        directory.remove(subscription);
+        directory.remove(subscription, topic -> {
+            if (others != null) {
+                others.unsubscribe(topic);
+            }
+        });
     }
 
     void detach(BusPort port) {
@@ -182,7 +181,29 @@ public final class Bus implements AutoCloseable {
 
     void publish(BusPort from, BusTopic<?> topic, Record payload) {
         counters.published.increment();
-        route(new BusMessage.Data(from.address(), new Purpose.Publication(topic.name()), nextNumber(), payload));
+        var message = new BusMessage.Data(from.address(), new Purpose.Publication(topic.name()), nextNumber(), payload);
+        notifier.passed(message);
+        deliver(within(message, topic.maxAge() != null));
+        if (others != null) {
+            try {
+                others.publish(message, topic.name());
+            } catch (RuntimeException | Error failure) {
+                notifier.undeliverable(message, noWayTo("the others", failure));
+            }
+        }
+    }
+
+    void request(BusMessage message, Duration limit) {
+        notifier.passed(message);
+        var request = (Purpose.Request) message.purpose();
+        send(message, request.to(), nodes -> nodes.request(message, request, limit));
+    }
+
+    void notice(BusPort from, Address to, Operation<?, ?> operation, Record payload) {
+        var notice = new Purpose.Notice(to, operation.name());
+        var message = BusMessage.of(operation.kind(), from.address(), notice, nextNumber(), payload);
+        notifier.passed(message);
+        send(message, to, nodes -> nodes.notice(message, notice));
     }
 
     <Q extends Record, A extends Record> Promise<A> ask(
@@ -203,102 +224,164 @@ public final class Bus implements AutoCloseable {
         return copier.copy(value);
     }
 
-    /** The requester has cancelled. Only a request handler on this node is notified of that. */
+    /** The time on the clock of the settings' space. */
+    long nanos() {
+        return clock.nanos();
+    }
+
+    boolean isClosed() {
+        return closed.get();
+    }
+
+    /** The requester does not wait for the reply any more. */
     void requestCancelled(BusMessage message) {
-        if (message.purpose() instanceof Purpose.Request request
-                && request.to().node().equals(name)) {
-            BusPort port = directory.port(request.to().name());
-            OperationHandler<?, ?> operationHandler = port == null ? null : port.operationHandler(request.operation());
-            if (operationHandler != null) {
-                operationHandler.forget(message);
+        var request = (Purpose.Request) message.purpose();
+        if (request.to().node().equals(name)) {
+            cancel(request, within(message, false).id());
+        } else if (others != null) {
+            try {
+                others.cancel(message, request);
+            } catch (RuntimeException | Error notSent) {
+                return; // the request ends with its limit there
             }
         }
+    }
+
+    /** Cancels a request to a handler on this node. */
+    void cancel(Purpose.Request request, Delivery.RequestId id) {
+        OperationHandler<?, ?> handler = handler(request.to(), request.operation());
+        if (handler != null) {
+            handler.cancel(id);
+        }
+    }
+
+    /** That life of another node has ended: its requests are not awaited any more. */
+    void forgetRequestsOf(String node, long itsIncarnation) {
+        directory.ports().forEach(port -> port.forgetRequestsOf(node, itsIncarnation));
+    }
+
+    void rejectRequest(long number, String why) {
+        pendingRequests.reject(number, why);
+    }
+
+    /** The node that was asked does not exist now. */
+    void rejectUnreachable(long number, String why) {
+        BusMessage request = pendingRequests.rejectUnreachable(number, why);
+        if (request != null) {
+            notifier.undeliverable(request, why);
+        }
+    }
+
+    /** The type of the topic's values, or null if this node does not subscribe to it. */
+    @Nullable
+    Class<?> subscribedType(String topic) {
+        var subscriptions = directory.subscriptions(topic);
+        return subscriptions.isEmpty() ? null : subscriptions.getFirst().topic.type();
+    }
+
+    /** The type of an operation's requests, or null if no handler is at that address. */
+    @Nullable
+    Class<?> requestType(Address to, String operation) {
+        OperationHandler<?, ?> handler = handler(to, operation);
+        return handler == null ? null : handler.operation.request();
+    }
+
+    @Nullable
+    Class<?> replyType(long request) {
+        return pendingRequests.replyType(request);
+    }
+
+    private @Nullable OperationHandler<?, ?> handler(Address to, String operation) {
+        BusPort port = directory.port(to.name());
+        return port == null ? null : port.operationHandler(operation);
     }
 
     /**
      * Returns whether the requester still waits for the reply. True for every requester on another node, because its
      * state is not known here.
      */
-    boolean isAwaited(BusMessage request) {
-        return isFromAnother(request) || pendingRequests.isAwaited(request);
+    boolean isAwaited(Delivery request) {
+        return isFromAnother(request) || pendingRequests.isAwaited(request.message());
     }
 
     /** Returns whether the message was sent by another node. */
-    boolean isFromAnother(BusMessage message) {
-        return !message.from().node().equals(name);
+    boolean isFromAnother(Delivery delivery) {
+        return !delivery.message().from().node().equals(name);
     }
 
     // ---- messages
 
-    /** Sends a message that originates from this node. */
-    void route(BusMessage message) {
+    /** Sends a reply or a rejection of this node. */
+    void route(BusMessage message, long toIncarnation) {
         notifier.passed(message);
         switch (message.purpose()) {
-            case Purpose.Publication publication -> {
-                deliver(message);
-                broadcast(message);
-            }
-            case Purpose.Request request -> send(request.to(), message);
-            case Purpose.Reply reply -> send(reply.to(), message);
-            case Purpose.Rejection rejection -> send(rejection.to(), message);
+            case Purpose.Reply reply ->
+                send(message, reply.to(), nodes -> nodes.reply(message, reply, toIncarnation), toIncarnation);
+            case Purpose.Rejection rejection ->
+                send(message, rejection.to(), nodes -> nodes.reject(message, rejection, toIncarnation), toIncarnation);
+            default -> throw new IllegalStateException("not a reply: " + message);
         }
     }
 
-    private void send(Address to, BusMessage message) {
+    private void send(BusMessage message, Address to, Consumer<RemoteNodes> sending) {
+        send(message, to, sending, incarnation);
+    }
+
+    private void send(BusMessage message, Address to, Consumer<RemoteNodes> sending, long toIncarnation) {
         if (to.node().equals(name)) {
-            deliver(message);
-        } else if (!transport.reaches(to.node())) {
-            cannotSend(message, "there is no way from node " + name + " to node " + to.node());
+            deliver(within(message, false));
+        } else if (others == null) {
+            cannotSend(message, "there is no way from node " + name + " to node " + to.node(), toIncarnation);
         } else {
             try {
-                transport.send(to.node(), message);
+                sending.accept(others);
             } catch (RuntimeException | Error failure) {
-                cannotSend(message, "the way from node " + name + " to node " + to.node() + " failed: " + failure);
+                cannotSend(message, noWayTo("node " + to.node(), failure), toIncarnation);
             }
         }
     }
 
-    private void cannotSend(BusMessage message, String why) {
+    private String noWayTo(String others, Throwable failure) {
+        return "the way from node " + name + " to " + others + " failed: "
+                + (failure instanceof IllegalStateException disconnected ? disconnected.getMessage() : failure);
+    }
+
+    private void cannotSend(BusMessage message, String why, long toIncarnation) {
         notifier.undeliverable(message, why);
-        pendingRequests.reject(message.sequence(), why); // does nothing if the message is no request
+        pendingRequests.rejectUnreachable(message.sequence(), why); // does nothing if the message is no request
         if (message.purpose() instanceof Purpose.Reply reply) { // a refusal is small and may be sent successfully
             var purpose = new Purpose.Rejection(reply.to(), reply.operation(), reply.request());
-            route(BusMessage.of(
-                    message.kind(),
-                    message.from(),
-                    purpose,
-                    nextNumber(),
-                    new Failure.NotDelivered("the answer could not be sent: " + why)));
+            var failure = new Failure.NotDelivered("the answer could not be sent: " + why);
+            route(BusMessage.of(message.kind(), message.from(), purpose, nextNumber(), failure), toIncarnation);
         }
     }
 
-    private void broadcast(BusMessage publication) {
-        try {
-            transport.broadcast(publication);
-        } catch (RuntimeException | Error failure) {
-            notifier.undeliverable(publication, "the way from node " + name + " to the others failed: " + failure);
-        }
+    private Delivery within(BusMessage message, boolean timed) {
+        return Delivery.within(message, incarnation, timed ? nanos() : 0);
     }
 
-    /** Called by the transport: a message from another node has arrived. */
-    void receive(BusMessage message) {
-        notifier.passed(message);
-        deliver(message);
+    /** A message from another node has arrived. */
+    void receive(Delivery delivery) {
+        notifier.passed(delivery.message());
+        deliver(delivery);
     }
 
-    private void deliver(BusMessage message) {
+    private void deliver(Delivery delivery) {
+        BusMessage message = delivery.message();
         switch (message.purpose()) {
-            case Purpose.Publication publication -> deliverToAll(message, publication.topic());
-            case Purpose.Request request -> deliverRequest(message, request);
+            case Purpose.Publication publication -> deliverToAll(delivery, publication.topic());
+            case Purpose.Request request -> deliverTo(request.to(), request.operation(), delivery);
+            case Purpose.Notice notice -> deliverTo(notice.to(), notice.operation(), delivery);
             case Purpose.Reply reply -> pendingRequests.settle(message, reply.request());
             case Purpose.Rejection rejection -> pendingRequests.settle(message, rejection.request());
         }
     }
 
-    private void deliverToAll(BusMessage message, String topic) {
+    private void deliverToAll(Delivery delivery, String topic) {
+        BusMessage message = delivery.message();
         for (TopicSubscription<?> subscription : directory.subscriptions(topic)) {
             if (subscription.topic.type().isInstance(message.payload())) {
-                subscription.offer(message); // a subscription that has just ended ignores it
+                subscription.offer(delivery); // a subscription that has just ended ignores it
             } else {
                 notifier.undeliverable(
                         message,
@@ -308,44 +391,48 @@ public final class Bus implements AutoCloseable {
         }
     }
 
-    private void deliverRequest(BusMessage message, Purpose.Request request) {
-        Address to = request.to();
+    private void deliverTo(Address to, String operation, Delivery delivery) {
         BusPort port = directory.port(to.name());
         if (port == null) {
-            reject(to, message, "nobody is there; " + directory.hint(to.name()));
+            reject(to, delivery, "nobody is there; " + directory.hint(to.name()));
             return;
         }
-        OperationHandler<?, ?> operationHandler = port.operationHandler(request.operation());
-        if (operationHandler == null) {
-            reject(to, message, "it does not answer that; " + Suggestions.hint(request.operation(), port.operations()));
+        OperationHandler<?, ?> handler = port.operationHandler(operation);
+        if (handler == null) {
+            reject(to, delivery, "it does not answer that; " + Suggestions.hint(operation, port.operations()));
             return;
         }
-        if (!operationHandler.operation.request().isInstance(message.payload())) {
+        Record payload = delivery.message().payload();
+        if (!handler.operation.request().isInstance(payload)) {
             reject(
                     to,
-                    message,
-                    "the question is a " + message.payload().getClass().getName() + ", expected a "
-                            + operationHandler.operation.request().getName());
+                    delivery,
+                    "the question is a " + payload.getClass().getName() + ", expected a "
+                            + handler.operation.request().getName());
             return;
         }
-        String ended = operationHandler.offer(message);
+        String ended = handler.offer(delivery);
         if (ended != null) {
-            reject(to, message, "it does not answer any more: " + ended);
+            reject(to, delivery, "it does not answer any more: " + ended);
         }
     }
 
-    /** Rejects a request that is not delivered to a handler. */
-    void reject(Address receiver, BusMessage request, String why) {
-        notifier.undeliverable(request, why);
-        route(rejection(receiver, request, new Failure.NotDelivered(why)));
+    /** Rejects a request, or reports a one-way message, that is not delivered to a handler. */
+    void reject(Address receiver, Delivery request, String why) {
+        notifier.undeliverable(request.message(), why);
+        if (request.message().purpose() instanceof Purpose.Request) {
+            route(rejection(receiver, request, new Failure.NotDelivered(why)), request.incarnation());
+        }
     }
 
-    BusMessage rejection(Address receiver, BusMessage request, Record failure) {
+    BusMessage rejection(Address receiver, Delivery delivery, Record failure) {
+        BusMessage request = delivery.message();
         var purpose = new Purpose.Rejection(request.from(), operationOf(request), request.sequence());
         return BusMessage.of(request.kind(), receiver, purpose, nextNumber(), failure);
     }
 
-    BusMessage reply(Address receiver, BusMessage request, Record reply) {
+    BusMessage reply(Address receiver, Delivery delivery, Record reply) {
+        BusMessage request = delivery.message();
         var purpose = new Purpose.Reply(request.from(), operationOf(request), request.sequence());
         return BusMessage.of(request.kind(), receiver, purpose, nextNumber(), reply);
     }
@@ -379,6 +466,19 @@ public final class Bus implements AutoCloseable {
         void undeliverable(BusMessage message, String why) {
             counters.undeliverable.increment();
             lost(new Loss.Undeliverable(message, why));
+        }
+
+        void unreadable(String what, RuntimeException why) {
+            counters.unreadable.increment();
+            lost(new Loss.Unreadable(what, String.valueOf(why.getMessage())));
+        }
+
+        void disconnected(String why) {
+            notifyObserver(each -> each.disconnected(why));
+        }
+
+        void connected() {
+            notifyObserver(BusObserver::connected);
         }
 
         void late(BusMessage reply, String why) {

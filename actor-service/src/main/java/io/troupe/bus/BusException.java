@@ -12,4 +12,8 @@ public sealed class BusException extends RuntimeException permits BusTimeoutExce
     public BusException(String message) {
         super(message);
     }
+
+    public BusException(String message, Throwable cause) {
+        super(message, cause);
+    }
 }

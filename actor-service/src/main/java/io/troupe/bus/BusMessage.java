@@ -61,6 +61,14 @@ public sealed interface BusMessage {
             }
         }
 
+        /** A one-way message to one address. */
+        record Notice(Address to, String operation) implements Purpose {
+            @Override
+            public String toString() {
+                return "notice to " + to + " for " + operation;
+            }
+        }
+
         /**
          * The reply to a request.
          *

@@ -8,7 +8,8 @@ package io.troupe.bus;
  * }
  *
  * <p><b>Units and shapes.</b> When no message is queued and no request is pending, {@code queued = delivered + failed +
- * dropped + discarded}, and {@code asked = answered + refused + timedOut}, unless a requester has cancelled.
+ * dropped + discarded + replaced + stale}, and {@code asked = answered + refused + timedOut}, unless a requester has
+ * cancelled.
  *
  * @param published values published from this node
  * @param queued values queued for subscribers on this node: one for each value and subscriber
@@ -22,6 +23,11 @@ package io.troupe.bus;
  * @param refused requests from this node that were rejected for another reason than their time limit
  * @param timedOut requests from this node that got no reply within their limit
  * @param late replies that arrived when their request was no longer pending
+ * @param replaced values replaced by a newer one before their subscriber received them, on topics that keep only the
+ *     latest
+ * @param stale values dropped because they were older than their topic permits
+ * @param missed values of publishers on other nodes that have not arrived
+ * @param unreadable frames from other nodes that could not be read
  */
 public record BusMetrics(
         long published,
@@ -35,4 +41,8 @@ public record BusMetrics(
         long answered,
         long refused,
         long timedOut,
-        long late) {}
+        long late,
+        long replaced,
+        long stale,
+        long missed,
+        long unreadable) {}

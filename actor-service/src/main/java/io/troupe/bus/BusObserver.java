@@ -24,6 +24,12 @@ public interface BusObserver {
      */
     default void failed(BusMessage request, Throwable error) {}
 
+    /** The connection to other nodes has ended. Called once until {@link #connected}. */
+    default void disconnected(String why) {}
+
+    /** The connection to other nodes is there again. */
+    default void connected() {}
+
     /** Logs losses as warnings. Of the values that a subscription drops, it logs number 1, 2, 4, 8 and so on. */
     static BusObserver logging() {
         return new LoggingObserver();

@@ -137,9 +137,10 @@ public final class BusPort implements AutoCloseable {
     }
 
     /**
-     * Sends a request. At most once: a request is never sent again. The request handler does not learn the limit, and
-     * is not notified when the requester gives up: it completes its work. If the returned promise is cancelled, the
-     * reply is no longer awaited.
+     * Sends a request. At most once: a request is never sent again. If the returned promise is cancelled, or the limit
+     * is over, a request that is still queued is not handled; a handler that has begun completes its work, and its
+     * reply is no longer awaited. Another node learns the limit with the request, so that this holds even if it cannot
+     * be notified.
      *
      * @param limit the time limit, on the clock of the requester's space
      * @return the reply; rejected with a {@link BusException} if the address has no port, or the port has no handler
@@ -149,6 +150,20 @@ public final class BusPort implements AutoCloseable {
     public <Q extends Record, A extends Record> Promise<A> ask(
             Address to, Operation<Q, A> operation, Q request, Duration limit) {
         return node.ask(this, to, operation, request, limit);
+    }
+
+    /**
+     * Sends a one-way message to the handler of an operation. At most once. Its result is not sent back; if it fails,
+     * that is reported to the observer on its node. If the message cannot be delivered, that is reported to the
+     * observer of the node that learns of it.
+     */
+    public <Q extends Record> void send(Address to, Operation<Q, ?> operation, Q value) {
+        Record payload = node.copy(operation.request().cast(Objects.requireNonNull(value, "value")));
+        String over = whyClosed();
+        if (over != null) {
+            throw rejection("send " + operation.name(), over);
+        }
+        node.notice(this, to, operation, payload);
     }
 
     /** Leaves the bus: the name becomes free, subscriptions end, and queued and pending requests are rejected. */
@@ -164,7 +179,7 @@ public final class BusPort implements AutoCloseable {
                 return;
             }
             closed = why;
-            topics.forEach(node::release);
+            topics.forEach(topic -> node.release(this, topic));
             topics.clear();
             queues.addAll(subscriptions);
             queues.addAll(operationHandlers.values());
@@ -186,6 +201,15 @@ public final class BusPort implements AutoCloseable {
         synchronized (lock) {
             return operationHandlers.get(operation);
         }
+    }
+
+    /** That life of another node has ended: its requests are not awaited any more. */
+    void forgetRequestsOf(String node, long incarnation) {
+        List<OperationHandler<?, ?>> handlers;
+        synchronized (lock) {
+            handlers = List.copyOf(operationHandlers.values());
+        }
+        handlers.forEach(handler -> handler.forgetAllOf(node, incarnation));
     }
 
     List<String> operations() {

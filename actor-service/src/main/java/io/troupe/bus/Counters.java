@@ -16,6 +16,10 @@ final class Counters {
     final LongAdder refused = new LongAdder();
     final LongAdder timedOut = new LongAdder();
     final LongAdder late = new LongAdder();
+    final LongAdder replaced = new LongAdder();
+    final LongAdder stale = new LongAdder();
+    final LongAdder missed = new LongAdder();
+    final LongAdder unreadable = new LongAdder();
 
     BusMetrics now() {
         return new BusMetrics(
@@ -30,6 +34,10 @@ final class Counters {
                 answered.sum(),
                 refused.sum(),
                 timedOut.sum(),
-                late.sum());
+                late.sum(),
+                replaced.sum(),
+                stale.sum(),
+                missed.sum(),
+                unreadable.sum());
     }
 }

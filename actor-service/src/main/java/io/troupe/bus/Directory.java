@@ -6,6 +6,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** The registry of one node: ports by name, subscriptions by topic, and the value type of each topic. */
@@ -72,18 +73,27 @@ final class Directory {
                 topic.name(), (name, used) -> used.ports() == 1 ? null : new TypeInUse(used.type(), used.ports() - 1));
     }
 
-    void add(TopicSubscription<?> subscription) {
+    /** @param onFirst is called with the topic, under its lock, if this is its first subscription */
+    void add(TopicSubscription<?> subscription, Consumer<String> onFirst) {
         subscriptions.compute(subscription.topic.name(), (topic, before) -> {
             List<TopicSubscription<?>> all = before == null ? new CopyOnWriteArrayList<>() : before;
             all.add(subscription); // inside compute, because an empty list is removed concurrently
+            if (before == null) {
+                onFirst.accept(topic);
+            }
             return all;
         });
     }
 
-    void remove(TopicSubscription<?> subscription) {
+    /** @param onLast is called with the topic, under its lock, if this was its last subscription */
+    void remove(TopicSubscription<?> subscription, Consumer<String> onLast) {
         subscriptions.computeIfPresent(subscription.topic.name(), (topic, all) -> {
             all.remove(subscription);
-            return all.isEmpty() ? null : all; // topics are created and removed as components come and go
+            if (!all.isEmpty()) {
+                return all;
+            }
+            onLast.accept(topic);
+            return null; // topics are created and removed as components come and go
         });
     }
 

@@ -23,15 +23,15 @@ abstract class InboundQueue {
     private final int capacity;
     private final ActorSpace space;
     private final Topic<InboundQueue> wakeUps; // wakes the space; shows whether the actor still exists
-    private final ArrayDeque<BusMessage> waiting = new ArrayDeque<>(); // guarded by this
+    private final ArrayDeque<Delivery> waiting = new ArrayDeque<>(); // guarded by this
     private boolean signalled; // guarded by this: a drain is scheduled on the space
     private volatile @Nullable String ended; // the reason; written under this
     private volatile @Nullable Promise<@Nullable Void> watch;
 
-    InboundQueue(BusPort port, String name) {
+    InboundQueue(BusPort port, String name, int capacity) {
         this.port = port;
         this.node = port.node;
-        this.capacity = node.settings.capacity();
+        this.capacity = capacity;
         ActorSpace here = ActorSpace.current();
         this.space = here == null ? node.settings.space() : here;
         this.wakeUps = Topic.of(space, name);
@@ -46,7 +46,7 @@ abstract class InboundQueue {
     }
 
     /** Handles one message, on the space. */
-    abstract void handle(BusMessage message);
+    abstract void handle(Delivery delivery);
 
     /**
      * Overflow policy: true to drop the oldest message, false to reject the newest. {@link #overflow} handles that
@@ -54,28 +54,28 @@ abstract class InboundQueue {
      */
     abstract boolean dropsOldest();
 
-    abstract void overflow(BusMessage message);
+    abstract void overflow(Delivery delivery);
 
     /** Called once, with the messages still queued at the end. */
-    abstract void discard(List<BusMessage> rest, String why);
+    abstract void discard(List<Delivery> rest, String why);
 
     /**
      * Queues a message.
      *
      * @return null, or the reason why this queue has ended
      */
-    final @Nullable String offer(BusMessage message) {
-        BusMessage tooMany = null;
+    final @Nullable String offer(Delivery delivery) {
+        Delivery tooMany = null;
         boolean signal;
         synchronized (this) {
             if (ended != null) {
                 return ended;
             }
             if (waiting.size() >= capacity) {
-                tooMany = dropsOldest() ? waiting.remove() : message;
+                tooMany = dropsOldest() ? waiting.remove() : delivery;
             }
-            if (tooMany != message) {
-                waiting.add(message);
+            if (tooMany != delivery) {
+                waiting.add(delivery);
                 accepted();
             }
             signal = !signalled;
@@ -92,6 +92,13 @@ abstract class InboundQueue {
         return null;
     }
 
+    /** Removes a queued message; false if it is not queued. */
+    final boolean remove(Delivery.RequestId request) {
+        synchronized (this) {
+            return waiting.removeIf(each -> each.id().equals(request));
+        }
+    }
+
     /** Called under the lock when a message has been queued. */
     void accepted() {}
 
@@ -103,7 +110,7 @@ abstract class InboundQueue {
 
     private void drain() {
         for (int count = 0; count < BATCH; count++) {
-            BusMessage next;
+            Delivery next;
             synchronized (this) {
                 next = waiting.poll();
                 if (next == null) {
@@ -117,7 +124,7 @@ abstract class InboundQueue {
     }
 
     /** If it throws, the space reports the exception, and the remaining messages are still delivered. */
-    private void handleOne(BusMessage next) {
+    private void handleOne(Delivery next) {
         boolean returned = false;
         try {
             handle(next);
@@ -143,7 +150,7 @@ abstract class InboundQueue {
 
     /** Ends delivery; the messages still queued are passed to {@link #discard}. */
     final void end(String why) {
-        List<BusMessage> rest;
+        List<Delivery> rest;
         synchronized (this) {
             if (ended != null) {
                 return;

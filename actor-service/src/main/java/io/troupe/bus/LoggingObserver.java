@@ -25,6 +25,16 @@ final class LoggingObserver implements BusObserver {
         LOG.log(Level.DEBUG, () -> request.purpose() + " failed", error);
     }
 
+    @Override
+    public void disconnected(String why) {
+        LOG.log(Level.WARNING, "disconnected from other nodes: " + why);
+    }
+
+    @Override
+    public void connected() {
+        LOG.log(Level.INFO, "connected to other nodes again");
+    }
+
     /** Logs an exception that a user's observer threw. */
     static void observerFailed(Throwable error) {
         LOG.log(Level.ERROR, "the observer of a bus failed", error);

@@ -1,5 +1,7 @@
 package io.troupe.bus;
 
+import java.time.Duration;
+
 /**
  * A message that was not delivered, or a reply that was no longer awaited. Each is reported once to the bus's observer.
  *
@@ -47,6 +49,38 @@ public sealed interface Loss {
         @Override
         public String toString() {
             return subscriber + " failed to hear " + describe(message) + ": " + error;
+        }
+    }
+
+    /** A value was older than its topic permits when its subscriber would have received it. */
+    record Stale(Address subscriber, BusMessage message, Duration age) implements Loss {
+        @Override
+        public String toString() {
+            return subscriber + " does not hear " + describe(message) + ": it is " + age.toMillis() + " ms old";
+        }
+    }
+
+    /** Values of a publisher on another node have not arrived. */
+    record Missed(Address publisher, String topic, long count) implements Loss {
+        @Override
+        public String toString() {
+            return count + " values of " + topic + " from " + publisher + " have not arrived";
+        }
+    }
+
+    /** Bytes from another node are no message, or carry no value of the type that is expected here. */
+    record Unreadable(String what, String why) implements Loss {
+        @Override
+        public String toString() {
+            return what + " cannot be read: " + why;
+        }
+    }
+
+    /** The engine that carries messages to other nodes has lost some. */
+    record LostOnTheWay(long messages, String why) implements Loss {
+        @Override
+        public String toString() {
+            return messages + " messages were lost: " + why;
         }
     }
 

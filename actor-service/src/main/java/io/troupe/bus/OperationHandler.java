@@ -9,26 +9,30 @@ import org.jspecify.annotations.Nullable;
 
 /** The request handler that a port registered for one operation, with the queue of its requests. */
 final class OperationHandler<Q extends Record, A extends Record> extends InboundQueue {
-    /** Identifies a request: its sender and its sequence number. */
-    private record RequestId(Address by, long number) {
-        static RequestId of(BusMessage request) {
-            return new RequestId(request.from(), request.sequence());
-        }
-    }
-
     final Operation<Q, A> operation;
     private final Function<? super Q, ? extends Promise<A>> handler;
     // guarded by itself: requests without a reply yet, at most capacity
-    private final Map<RequestId, BusMessage> begun = new LinkedHashMap<>();
+    private final Map<Delivery.RequestId, Delivery> begun = new LinkedHashMap<>();
 
     OperationHandler(BusPort port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
-        super(port, port.address() + " answers " + operation.name());
+        super(port, port.address() + " answers " + operation.name(), port.node.settings.capacity());
         this.operation = operation;
         this.handler = handler;
     }
 
     @Override
-    void handle(BusMessage request) {
+    void handle(Delivery request) {
+        if (request.isOverdue(node.nanos())) {
+            node.reject(
+                    port.address(),
+                    request,
+                    "got to it after the limit of " + request.limitNanos() / 1_000_000 + " ms");
+            return;
+        }
+        if (request.message().purpose() instanceof BusMessage.Purpose.Notice) {
+            handleNotice(request);
+            return;
+        }
         if (!begin(request)) {
             rejectBusy(request, "are being answered");
             return;
@@ -40,7 +44,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         }
         Promise<A> answer;
         try {
-            answer = handler.apply(operation.request().cast(request.payload()));
+            answer = handler.apply(operation.request().cast(request.message().payload()));
             if (answer == null) {
                 throw new NullPointerException("the answerer returned null, expected a promise");
             }
@@ -52,28 +56,50 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
                 .whenComplete((value, error) -> settle(request, value, error));
     }
 
+    /** Nobody waits for the result of a one-way message; its failure is reported on this node. */
+    private void handleNotice(Delivery notice) {
+        Promise<A> result;
+        try {
+            result = handler.apply(operation.request().cast(notice.message().payload()));
+        } catch (Throwable thrown) {
+            node.notifier.handlerFailed(notice.message(), thrown);
+            return;
+        }
+        if (result != null) {
+            result.toCompletableFuture().whenComplete((value, error) -> {
+                if (error != null) {
+                    node.notifier.handlerFailed(notice.message(), error);
+                }
+            });
+        }
+    }
+
     /**
      * Records a request as begun. Returns false if the limit is reached. A request whose requester has cancelled is
      * handled, but not recorded.
      */
-    private boolean begin(BusMessage request) {
-        BusMessage evicted = null;
+    private boolean begin(Delivery request) {
+        Delivery evicted = null;
         synchronized (begun) {
+            if (begun.size() >= node.settings.capacity()) {
+                long nowNanos = node.nanos();
+                begun.values().removeIf(each -> each.isOverdue(nowNanos)); // nobody waits for their replies
+            }
             if (begun.size() >= node.settings.capacity() && node.isAwaited(request)) {
                 evicted = oldestFromAnotherNode();
                 if (evicted == null) {
                     return false;
                 }
-                begun.remove(RequestId.of(evicted));
+                begun.remove(evicted.id());
             }
-            begun.put(RequestId.of(request), request);
+            begun.put(request.id(), request);
         }
         if (evicted != null) {
             rejectBusy(evicted, "are being answered");
         }
         // checked after recording: either this thread or the cancelling one sees the other's change
         if (!node.isAwaited(request)) {
-            forget(request);
+            forget(request.id());
         }
         return true;
     }
@@ -81,18 +107,18 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     /**
      * The oldest begun request from another node. Its requester may have cancelled, which is not known on this node.
      */
-    private @Nullable BusMessage oldestFromAnotherNode() {
+    private @Nullable Delivery oldestFromAnotherNode() {
         return begun.values().stream().filter(node::isFromAnother).findFirst().orElse(null);
     }
 
-    private void settle(BusMessage request, @Nullable A value, @Nullable Throwable error) {
+    private void settle(Delivery request, @Nullable A value, @Nullable Throwable error) {
         boolean first;
         synchronized (begun) {
-            first = begun.remove(RequestId.of(request)) != null;
+            first = begun.remove(request.id()) != null;
         }
         BusMessage reply = replyTo(request, value, error);
         if (first) {
-            node.route(reply);
+            node.route(reply, request.incarnation());
         } else {
             String ended = whyEnded();
             node.notifier.late(
@@ -101,14 +127,29 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         }
     }
 
-    /** The requester has cancelled: its reply is no longer awaited. */
-    void forget(BusMessage request) {
-        synchronized (begun) {
-            begun.remove(RequestId.of(request));
+    /** The requester has cancelled: a queued request is not handled, and the reply to a begun one not awaited. */
+    void cancel(Delivery.RequestId request) {
+        if (!remove(request)) {
+            forget(request);
         }
     }
 
-    private BusMessage replyTo(BusMessage request, @Nullable A value, @Nullable Throwable error) {
+    private void forget(Delivery.RequestId request) {
+        synchronized (begun) {
+            begun.remove(request);
+        }
+    }
+
+    /** That life of a node has ended. */
+    void forgetAllOf(String requesterNode, long incarnation) {
+        synchronized (begun) {
+            begun.keySet()
+                    .removeIf(each -> each.incarnation() == incarnation
+                            && each.by().node().equals(requesterNode));
+        }
+    }
+
+    private BusMessage replyTo(Delivery request, @Nullable A value, @Nullable Throwable error) {
         if (error == null && value == null) {
             return failed(
                     request,
@@ -125,8 +166,8 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         return failed(request, error);
     }
 
-    private BusMessage failed(BusMessage request, Throwable error) {
-        node.notifier.handlerFailed(request, error);
+    private BusMessage failed(Delivery request, Throwable error) {
+        node.notifier.handlerFailed(request.message(), error);
         return node.rejection(
                 port.address(),
                 request,
@@ -148,11 +189,11 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     @Override
-    void overflow(BusMessage request) {
+    void overflow(Delivery request) {
         rejectBusy(request, "wait there");
     }
 
-    private void rejectBusy(BusMessage request, String how) {
+    private void rejectBusy(Delivery request, String how) {
         node.reject(
                 port.address(),
                 request,
@@ -160,13 +201,13 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     @Override
-    void discard(List<BusMessage> rest, String why) {
+    void discard(List<Delivery> rest, String why) {
         rest.forEach(request -> node.reject(port.address(), request, "left before it answered: " + why));
         rejectBegun(why);
     }
 
     private void rejectBegun(String why) {
-        List<BusMessage> open;
+        List<Delivery> open;
         synchronized (begun) {
             open = List.copyOf(begun.values());
             begun.clear();

@@ -42,13 +42,13 @@ final class PendingRequests {
         long number = message.sequence();
         node.counters.asked.increment();
         pending.put(number, waiting);
-        waiting.whenCancelled(() -> take(number));
+        waiting.whenCancelled(() -> takeCancelled(number));
         // read after put(): either this thread or close() sees the other's change
         String closed = requester.whyClosed();
         if (closed != null) {
             reject(number, "the asker has left: " + closed);
         } else {
-            node.route(message);
+            node.request(message, limit);
         }
         if (!waiting.answer().isDone()) {
             waiting.limit(limit, inTime -> expire(number, inTime, limit));
@@ -57,12 +57,19 @@ final class PendingRequests {
     }
 
     /** Removes a pending request; null if it was no longer pending. */
-    private @Nullable PendingRequest<?> take(long number) {
+    private @Nullable PendingRequest<?> takeCancelled(long number) {
         PendingRequest<?> asked = pending.remove(number);
         if (asked != null) {
             node.requestCancelled(asked.request());
         }
         return asked;
+    }
+
+    /** The type that the reply to a request must have; null if the request is not pending. */
+    @Nullable
+    Class<? extends Record> replyType(long number) {
+        PendingRequest<?> asked = pending.get(number);
+        return asked == null ? null : asked.operation.reply();
     }
 
     /** Returns whether its requester, on this node, still waits for the reply. */
@@ -71,7 +78,7 @@ final class PendingRequests {
     }
 
     private void expire(long number, boolean timeIsOver, Duration limit) {
-        PendingRequest<?> late = take(number);
+        PendingRequest<?> late = takeCancelled(number);
         if (late != null && timeIsOver) {
             PendingRequest.counted(node.counters.timedOut, late.reject(late.timeout(limit)));
         } else if (late != null) {
@@ -93,10 +100,25 @@ final class PendingRequests {
 
     /** Rejects a request because the bus cannot get a reply. */
     void reject(long number, String why) {
-        PendingRequest<?> asked = take(number);
+        PendingRequest<?> asked = takeCancelled(number);
         if (asked != null) {
             reject(asked, why);
         }
+    }
+
+    /**
+     * Like {@link #reject}, for a request that has not arrived anywhere, so that it need not be cancelled there.
+     *
+     * @return the request, or null if it was not pending
+     */
+    @Nullable
+    BusMessage rejectUnreachable(long number, String why) {
+        PendingRequest<?> asked = pending.remove(number);
+        if (asked == null) {
+            return null;
+        }
+        reject(asked, why);
+        return asked.request();
     }
 
     void rejectAllOf(BusPort requester, String why) {
@@ -150,8 +172,7 @@ final class PendingRequests {
             String replied = switch (reply.purpose()) {
                 case BusMessage.Purpose.Reply is -> is.operation();
                 case BusMessage.Purpose.Rejection is -> is.operation();
-                case BusMessage.Purpose.Publication none -> "";
-                case BusMessage.Purpose.Request none -> "";
+                default -> ""; // not a reply
             };
             return reply.from().equals(to) && replied.equals(operation.name());
         }

@@ -1,5 +1,6 @@
 package io.troupe.bus;
 
+import java.time.Duration;
 import java.util.List;
 
 /** A port's subscription to one topic, with the queue of its values. */
@@ -9,13 +10,23 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     private long dropped; // guarded by this
 
     TopicSubscription(BusPort port, BusTopic<T> topic, BusPort.Subscriber<? super T> subscriber) {
-        super(port, port.address() + " hears " + topic.name());
+        super(port, port.address() + " hears " + topic.name(), topic.onlyLatest() ? 1 : port.node.settings.capacity());
         this.topic = topic;
         this.subscriber = subscriber;
     }
 
     @Override
-    void handle(BusMessage message) {
+    void handle(Delivery delivery) {
+        BusMessage message = delivery.message();
+        Duration limit = topic.maxAge();
+        if (limit != null) {
+            long ageNanos = delivery.ageNanos(node.nanos());
+            if (ageNanos > limit.toNanos()) {
+                node.counters.stale.increment();
+                node.notifier.lost(new Loss.Stale(port.address(), message, Duration.ofNanos(ageNanos)));
+                return;
+            }
+        }
         try {
             subscriber.receive(topic.type().cast(message.payload()), message.from());
             node.counters.delivered.increment();
@@ -36,17 +47,21 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     }
 
     @Override
-    void overflow(BusMessage message) {
+    void overflow(Delivery delivery) {
+        if (topic.onlyLatest()) { // as its publishers and subscribers want it
+            node.counters.replaced.increment();
+            return;
+        }
         long soFar;
         synchronized (this) {
             soFar = ++dropped;
         }
         node.counters.dropped.increment();
-        node.notifier.lost(new Loss.Dropped(port.address(), message, soFar));
+        node.notifier.lost(new Loss.Dropped(port.address(), delivery.message(), soFar));
     }
 
     @Override
-    void discard(List<BusMessage> rest, String why) {
+    void discard(List<Delivery> rest, String why) {
         if (!rest.isEmpty()) {
             node.counters.discarded.add(rest.size());
             node.notifier.lost(new Loss.Discarded(port.address(), topic.name(), rest.size(), why));

@@ -1,18 +1,24 @@
 package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
+import java.util.HashSet;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Queue;
+import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicLong;
+import org.jspecify.annotations.Nullable;
 
-/** A bus between nodes that exchange only bytes. Pending messages arrive by callbacks of a space. */
+/** A bus between nodes that exchange only bytes. Pending frames arrive by callbacks of a space. */
 final class BytePipe {
-    private record Parcel(String to, byte[] bytes) {}
+    private static final int MOST_BYTES = 1 << 20;
+
+    private record Parcel(End to, byte[] bytes) {}
 
     private final ActorSpace carrier;
-    private final Map<String, Bus> nodes = new ConcurrentHashMap<>();
+    private final Map<String, End> nodes = new ConcurrentHashMap<>();
     private final Queue<Parcel> underWay = new ConcurrentLinkedQueue<>();
     private final AtomicLong carried = new AtomicLong();
 
@@ -21,9 +27,7 @@ final class BytePipe {
     }
 
     Bus open(String name, BusSettings settings) {
-        var node = new Bus(name, settings, new End(name));
-        nodes.put(name, node);
-        return node;
+        return Bus.open(name, new End(), settings);
     }
 
     /** The number of bytes sent between nodes. */
@@ -31,44 +35,100 @@ final class BytePipe {
         return carried.get();
     }
 
-    /** Delivers all pending messages now. */
+    /** Delivers all pending frames now. */
     void carryAll() {
         for (Parcel next = underWay.poll(); next != null; next = underWay.poll()) {
             carried.addAndGet(next.bytes().length);
-            var node = nodes.get(next.to());
-            if (node != null) {
-                node.receive((BusMessage) RecordCodec.decode(next.bytes()));
+            if (nodes.containsValue(next.to())) {
+                next.to().listener().frame(next.bytes());
             }
         }
     }
 
-    /** The transport of one node. */
-    private final class End implements Bus.Transport {
-        private final String mine;
+    /** The engine of one node. */
+    private final class End implements BusEngine {
+        private final Set<String> topics = new HashSet<>(); // guarded by itself
+        private volatile String mine = "";
+        private volatile long incarnation;
+        private volatile @Nullable Listener listener;
 
-        End(String mine) {
-            this.mine = mine;
+        Listener listener() {
+            return Objects.requireNonNull(listener);
         }
 
         @Override
-        public boolean reaches(String node) {
-            return nodes.containsKey(node);
+        public void start(String node, long itsIncarnation, Listener itsListener) {
+            mine = node;
+            incarnation = itsIncarnation;
+            listener = itsListener;
+            nodes.put(node, this);
         }
 
         @Override
-        public void send(String node, BusMessage message) {
-            underWay.add(new Parcel(node, RecordCodec.encode((Record) message)));
+        public @Nullable String whyDisconnected() {
+            return null;
+        }
+
+        @Override
+        public int maxFrameBytes() {
+            return MOST_BYTES;
+        }
+
+        @Override
+        public void send(String node, long number, byte[] frame) {
+            End to = nodes.get(node);
+            if (to == null) {
+                listener().unreachable(node, number, "there is no way from node " + mine + " to node " + node);
+            } else {
+                carry(to, frame);
+            }
+        }
+
+        @Override
+        public void reply(String node, long toIncarnation, long number, byte[] frame) {
+            End to = nodes.get(node);
+            if (to == null || to.incarnation != toIncarnation) {
+                listener().gone(node, toIncarnation);
+            } else {
+                carry(to, frame);
+            }
+        }
+
+        @Override
+        public void publish(String topic, byte[] frame) {
+            nodes.values().stream()
+                    .filter(each -> each != this && each.hasSubscribed(topic))
+                    .forEach(each -> carry(each, frame));
+        }
+
+        private void carry(End to, byte[] frame) {
+            underWay.add(new Parcel(to, frame));
             carrier.execute(BytePipe.this::carryAll);
         }
 
+        private boolean hasSubscribed(String topic) {
+            synchronized (topics) {
+                return topics.contains(topic);
+            }
+        }
+
         @Override
-        public void broadcast(BusMessage publication) {
-            nodes.keySet().stream().filter(node -> !node.equals(mine)).forEach(node -> send(node, publication));
+        public void subscribe(String topic) {
+            synchronized (topics) {
+                topics.add(topic);
+            }
+        }
+
+        @Override
+        public void unsubscribe(String topic) {
+            synchronized (topics) {
+                topics.remove(topic);
+            }
         }
 
         @Override
         public void close() {
-            nodes.remove(mine);
+            nodes.remove(mine, this);
         }
     }
 }

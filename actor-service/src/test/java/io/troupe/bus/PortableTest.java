@@ -215,7 +215,6 @@ class PortableTest {
                     .isInstanceOf(IllegalArgumentException.class)
                     .hasMessageStartingWith("a value of " + deep.getClass().getName()
                             + " cannot leave the process: it is nested deeper than 500 levels, expected");
-            assertThatThrownBy(() -> RecordCodec.encode(deep)).isInstanceOf(IllegalArgumentException.class);
         }
     }
 
@@ -223,10 +222,8 @@ class PortableTest {
     void copierAndCodec_takeTheSameDepth() {
         var deepest = links(Portable.MAX_LEVELS);
         assertThat(copier.copy(deepest)).isSameAs(deepest);
-        var message = new BusMessage.Data(
-                new Address("a", "b"), new BusMessage.Purpose.Publication("links"), 1, copier.copy(deepest));
-        assertThat(((BusMessage.Data) RecordCodec.decode(RecordCodec.encode(message))).payload())
-                .isEqualTo(deepest);
+        var codec = new RecordCodec();
+        assertThat(codec.decode(codec.encode(deepest), deepest.getClass())).isEqualTo(deepest);
         assertThatThrownBy(() -> copier.copy(links(Portable.MAX_LEVELS + 1)))
                 .isInstanceOf(IllegalArgumentException.class);
     }
@@ -244,6 +241,7 @@ class PortableTest {
                 Instant.EPOCH,
                 new Shape.Circle(0.5),
                 List.of(Map.of("a", Optional.of(new Shape.Many(List.of())))));
-        assertThat(RecordCodec.decode(RecordCodec.encode(value))).isEqualTo(value);
+        var codec = new RecordCodec();
+        assertThat(codec.decode(codec.encode(value), Everything.class)).isEqualTo(value);
     }
 }

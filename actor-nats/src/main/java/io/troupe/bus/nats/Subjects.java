@@ -1,0 +1,75 @@
+package io.troupe.bus.nats;
+
+import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
+import java.util.stream.Collectors;
+
+/** The NATS subjects of one application; documented in {@code docs/wire-format.md}. */
+record Subjects(String application) {
+    /** Frames to a node. */
+    String node(String node) {
+        return application + ".n." + token(node);
+    }
+
+    /** Publications on a topic: {@code robot1/sonar} becomes {@code robot1.sonar}. */
+    String topic(String topic) {
+        return application + ".t."
+                + Arrays.stream(topic.split("/", -1)).map(Subjects::token).collect(Collectors.joining("."));
+    }
+
+    /** Asks for the processes that have that name. */
+    String who(String node) {
+        return application + ".who." + token(node);
+    }
+
+    /** Replies to the requests of one life of a node, and the server's answer that no such node exists. */
+    String replies(String node, long incarnation) {
+        return application + ".x." + token(node) + "." + incarnation + ".";
+    }
+
+    /** The server's answer that nobody receives the replies of this node to a life of another one. */
+    String gone(String node, long incarnation) {
+        return application + ".g." + token(node) + "." + incarnation + ".";
+    }
+
+    /**
+     * A part of a subject: letters, digits, - and _ as they are, every other byte of its UTF-8 as {@code %hh}; an empty
+     * part as {@code %}.
+     */
+    static String token(String text) {
+        if (text.isEmpty()) {
+            return "%";
+        }
+        var token = new StringBuilder(text.length());
+        for (byte each : text.getBytes(StandardCharsets.UTF_8)) {
+            char character = (char) (each & 0xff);
+            if (character < 0x80 && (Character.isLetterOrDigit(character) || character == '-' || character == '_')) {
+                token.append(character);
+            } else {
+                token.append('%')
+                        .append(Character.forDigit(character >> 4, 16))
+                        .append(Character.forDigit(character & 15, 16));
+            }
+        }
+        return token.toString();
+    }
+
+    /** The text that {@link #token} has encoded. */
+    static String text(String token) {
+        if (token.equals("%")) {
+            return "";
+        }
+        var bytes = new byte[token.length()];
+        int size = 0;
+        for (int i = 0; i < token.length(); i++) {
+            char character = token.charAt(i);
+            if (character == '%' && i + 2 < token.length()) {
+                bytes[size++] = (byte) Integer.parseInt(token.substring(i + 1, i + 3), 16);
+                i += 2;
+            } else {
+                bytes[size++] = (byte) character;
+            }
+        }
+        return new String(bytes, 0, size, StandardCharsets.UTF_8);
+    }
+}

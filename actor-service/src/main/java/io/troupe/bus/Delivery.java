@@ -1,0 +1,35 @@
+package io.troupe.bus;
+
+/**
+ * A message on its way to a port, and what is known of its way so far.
+ *
+ * @param incarnation the life of the node that sent it
+ * @param arrivedNanos when this node got it, by the clock of its space; 0 if neither age nor limit matter
+ * @param ageNanos how long it had been on its way then
+ * @param limitNanos how long after its arrival the requester waits for a reply; {@link Long#MAX_VALUE} if that is not
+ *     limited, or known otherwise
+ */
+record Delivery(BusMessage message, long incarnation, long arrivedNanos, long ageNanos, long limitNanos) {
+    /** A message within this node. */
+    static Delivery within(BusMessage message, long incarnation, long nowNanos) {
+        return new Delivery(message, incarnation, nowNanos, 0, Long.MAX_VALUE);
+    }
+
+    /** The age of the message now. */
+    long ageNanos(long nowNanos) {
+        return ageNanos + (nowNanos - arrivedNanos);
+    }
+
+    /** True if the requester does not wait any more. */
+    boolean isOverdue(long nowNanos) {
+        return limitNanos != Long.MAX_VALUE && nowNanos - arrivedNanos > limitNanos;
+    }
+
+    /** Identifies a request, also among those of earlier lives of its node. */
+    RequestId id() {
+        return new RequestId(message.from(), incarnation, message.sequence());
+    }
+
+    /** A requester, the life of its node, and the number of the request. */
+    record RequestId(Address by, long incarnation, long number) {}
+}

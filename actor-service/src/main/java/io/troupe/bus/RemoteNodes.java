@@ -1,0 +1,325 @@
+package io.troupe.bus;
+
+import io.troupe.bus.BusMessage.Failure;
+import io.troupe.bus.BusMessage.Purpose;
+import java.time.Duration;
+import java.util.LinkedHashMap;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The way between one node and the others: encodes what it sends, decodes what it receives by the types that are known
+ * here, and notices what was lost.
+ *
+ * <p><b>Threads.</b> Any thread.
+ */
+final class RemoteNodes implements BusEngine.Listener {
+    private static final int REMEMBERED_NOTICES = 1_024;
+    private static final Duration QUIET = Duration.ofSeconds(1);
+    private static final Record UNREAD = new Failure.NotDelivered("its value was not read");
+
+    private final Bus bus;
+    private final BusEngine engine;
+    private final long incarnation;
+    private final RecordCodec codec = new RecordCodec();
+    private final Frames frames;
+    private final RemotePublishers publishers = new RemotePublishers();
+    private final Map<SeriesKey, Series> published = new ConcurrentHashMap<>();
+    private final AtomicBoolean marking = new AtomicBoolean(); // a round of marks is scheduled
+    private final Map<Long, BusMessage> notices = new LinkedHashMap<>() { // guarded by itself
+                private static final long serialVersionUID = 1;
+
+                @Override
+                protected boolean removeEldestEntry(Map.Entry<Long, BusMessage> eldest) {
+                    return size() > REMEMBERED_NOTICES;
+                }
+            };
+
+    /** A port of this node and a topic on which it has published. */
+    private record SeriesKey(Address port, String topic) {}
+
+    /** Numbers the values of one port on one topic, so that other nodes notice a gap. Guarded by itself. */
+    private static final class Series {
+        long last;
+        long markedUpTo;
+        long publishedAtNanos;
+
+        synchronized boolean isUnmarked() {
+            return markedUpTo != last;
+        }
+    }
+
+    RemoteNodes(Bus bus, BusEngine engine, long incarnation) {
+        this.bus = bus;
+        this.engine = engine;
+        this.incarnation = incarnation;
+        this.frames = new Frames(codec, bus.settings.space().clock(), incarnation);
+    }
+
+    void start() {
+        engine.start(bus.node(), incarnation, this);
+    }
+
+    void close() {
+        published.forEach((key, series) -> mark(key, series, 0));
+        engine.close();
+    }
+
+    void subscribe(String topic) {
+        engine.subscribe(topic);
+    }
+
+    void unsubscribe(String topic) {
+        engine.unsubscribe(topic);
+        publishers.forget(topic);
+    }
+
+    // ---- sending
+
+    void publish(BusMessage message, String topic) {
+        Series series = published.computeIfAbsent(new SeriesKey(message.from(), topic), key -> new Series());
+        synchronized (series) { // frames leave in the order of their numbers
+            checked(frames.publication(message, topic, series.last + 1), frame -> engine.publish(topic, frame));
+            series.last++;
+            series.publishedAtNanos = bus.nanos();
+        }
+        if (marking.compareAndSet(false, true)) {
+            markLater();
+        }
+    }
+
+    /** A port publishes on a topic no more. */
+    void endSeries(Address port, String topic) {
+        var key = new SeriesKey(port, topic);
+        Series series = published.remove(key);
+        if (series != null) {
+            mark(key, series, 0);
+        }
+    }
+
+    /**
+     * Says on each topic that has been quiet for a second how many values were published, so that the loss of the last
+     * ones is noticed as well.
+     */
+    private void markLater() {
+        bus.settings.space().delay(QUIET).then((nothing, closed) -> {
+            if (closed != null || bus.isClosed()) {
+                return;
+            }
+            marking.set(false); // before the round: a value that it does not see begins another one
+            published.forEach((key, series) -> mark(key, series, QUIET.toNanos()));
+            if (published.values().stream().anyMatch(Series::isUnmarked) && marking.compareAndSet(false, true)) {
+                markLater();
+            }
+        });
+    }
+
+    private void mark(SeriesKey key, Series series, long quietNanos) {
+        synchronized (series) {
+            if (series.markedUpTo == series.last || bus.nanos() - series.publishedAtNanos < quietNanos) {
+                return;
+            }
+            try {
+                byte[] frame = frames.mark(key.port, key.topic, series.last);
+                checked(frame, bytes -> engine.publish(key.topic, bytes));
+                series.markedUpTo = series.last;
+            } catch (RuntimeException disconnected) {
+                return; // the next round tries again
+            }
+        }
+    }
+
+    void request(BusMessage message, Purpose.Request request, Duration limit) {
+        long limitMicros = Math.max(1, limit.compareTo(Duration.ofDays(365)) > 0 ? 0 : limit.toNanos() / 1_000);
+        byte[] frame = frames.request(message, request, limitMicros);
+        checked(frame, bytes -> engine.send(request.to().node(), message.sequence(), bytes));
+    }
+
+    void notice(BusMessage message, Purpose.Notice notice) {
+        synchronized (notices) {
+            notices.put(message.sequence(), message);
+        }
+        byte[] frame = frames.notice(message, notice);
+        checked(frame, bytes -> engine.send(notice.to().node(), message.sequence(), bytes));
+    }
+
+    void reply(BusMessage message, Purpose.Reply reply, long toIncarnation) {
+        byte[] frame = frames.reply(message, reply, toIncarnation);
+        checked(frame, bytes -> engine.reply(reply.to().node(), toIncarnation, reply.request(), bytes));
+    }
+
+    void reject(BusMessage message, Purpose.Rejection rejection, long toIncarnation) {
+        byte[] frame = frames.rejection(message, rejection, toIncarnation);
+        checked(frame, bytes -> engine.reply(rejection.to().node(), toIncarnation, rejection.request(), bytes));
+    }
+
+    /** Without effect if it is lost: the request has a limit there. */
+    void cancel(BusMessage message, Purpose.Request request) {
+        if (engine.whyDisconnected() == null) {
+            engine.send(request.to().node(), message.sequence(), frames.cancellation(message, request));
+        }
+    }
+
+    private interface Sending {
+        void send(byte[] frame);
+    }
+
+    private void checked(byte[] frame, Sending sending) {
+        String why = engine.whyDisconnected();
+        if (why != null) {
+            throw new IllegalStateException(why);
+        }
+        if (frame.length > engine.maxFrameBytes()) {
+            throw new IllegalArgumentException(
+                    "it has " + frame.length + " bytes, expected at most " + engine.maxFrameBytes());
+        }
+        sending.send(frame);
+    }
+
+    // ---- receiving
+
+    @Override
+    public void frame(byte[] bytes) {
+        Frames.Frame frame;
+        try {
+            frame = Frames.read(bytes, bus.node());
+        } catch (RuntimeException unreadable) {
+            bus.notifier.unreadable("a frame of " + bytes.length + " bytes", unreadable);
+            return;
+        }
+        var header = frame.header();
+        if (header.from().node().equals(bus.node())) {
+            if (header.incarnation() != incarnation) {
+                bus.notifier.unreadable(
+                        "a message from " + header.from(),
+                        new IllegalStateException("another process has the name of this node, " + bus.node()));
+            }
+            return;
+        }
+        long nowNanos = bus.nanos();
+        long ageNanos = publishers.ageNanos(header, nowNanos);
+        switch (frame.body()) {
+            case Frames.Body.Published(var publication, long series) -> {
+                noteMissing(header, publication.topic(), series, false);
+                receivePublication(frame, publication, new Arrival(header.incarnation(), nowNanos, ageNanos));
+            }
+            case Frames.Body.Mark(var publication, long series) ->
+                noteMissing(header, publication.topic(), series, true);
+            case Frames.Body.Requested(var request, var kind, long limitMicros) ->
+                receiveRequest(frame, request, limitMicros, new Arrival(header.incarnation(), nowNanos, ageNanos));
+            case Frames.Body.Noticed(var notice, var kind) ->
+                receiveNotice(frame, notice, new Arrival(header.incarnation(), nowNanos, ageNanos));
+            case Frames.Body.Cancelled(var request) ->
+                bus.cancel(request, new Delivery.RequestId(header.from(), header.incarnation(), header.number()));
+            case Frames.Body.Replied(var reply, var kind, long toIncarnation) ->
+                receiveReply(frame, reply.request(), toIncarnation, () -> bus.replyType(reply.request()));
+            case Frames.Body.Rejected(var rejection, var kind, long toIncarnation) ->
+                receiveReply(frame, rejection.request(), toIncarnation, () -> Failure.class);
+        }
+    }
+
+    /** The life of the sender, and when and how late a frame came. */
+    private record Arrival(long incarnation, long nanos, long ageNanos) {
+        Delivery of(BusMessage message, long limitNanos) {
+            return new Delivery(message, incarnation, nanos, ageNanos, limitNanos);
+        }
+    }
+
+    private void noteMissing(Frames.Header header, String topic, long number, boolean isMark) {
+        long missing = publishers.missing(header, topic, number, isMark);
+        if (missing > 0) {
+            bus.counters.missed.add(missing);
+            bus.notifier.lost(new Loss.Missed(header.from(), topic, missing));
+        }
+    }
+
+    private void receivePublication(Frames.Frame frame, Purpose.Publication publication, Arrival arrival) {
+        Class<?> type = bus.subscribedType(publication.topic());
+        if (type == null) {
+            return; // the last subscriber has just left
+        }
+        try {
+            bus.receive(arrival.of(frame.message(codec, type), Long.MAX_VALUE));
+        } catch (UnreadableException unreadable) {
+            bus.notifier.unreadable(publication + " from " + frame.header().from(), unreadable);
+        }
+    }
+
+    private void receiveRequest(Frames.Frame frame, Purpose.Request request, long limitMicros, Arrival arrival) {
+        long limitNanos = limitMicros == 0 ? Long.MAX_VALUE : limitMicros * 1_000 - arrival.ageNanos;
+        Class<?> type = bus.requestType(request.to(), request.operation());
+        BusMessage message;
+        try {
+            message = type == null ? frame.message(UNREAD) : frame.message(codec, type);
+        } catch (UnreadableException unreadable) {
+            bus.reject(
+                    request.to(),
+                    arrival.of(frame.message(UNREAD), limitNanos),
+                    "cannot read it: " + unreadable.getMessage());
+            return;
+        }
+        bus.receive(arrival.of(message, limitNanos));
+    }
+
+    private void receiveNotice(Frames.Frame frame, Purpose.Notice notice, Arrival arrival) {
+        Class<?> type = bus.requestType(notice.to(), notice.operation());
+        try {
+            BusMessage message = type == null ? frame.message(UNREAD) : frame.message(codec, type);
+            bus.receive(arrival.of(message, Long.MAX_VALUE));
+        } catch (UnreadableException unreadable) {
+            bus.notifier.unreadable(notice + " from " + frame.header().from(), unreadable);
+        }
+    }
+
+    private void receiveReply(
+            Frames.Frame frame, long request, long toIncarnation, Supplier<@Nullable Class<?>> expected) {
+        if (toIncarnation != incarnation) {
+            bus.notifier.late(frame.message(UNREAD), "it is for an earlier life of this node");
+            return;
+        }
+        Class<?> type = expected.get();
+        try {
+            BusMessage message = type == null ? frame.message(UNREAD) : frame.message(codec, type);
+            bus.receive(Delivery.within(message, frame.header().incarnation(), 0));
+        } catch (UnreadableException unreadable) {
+            bus.notifier.unreadable("the reply from " + frame.header().from(), unreadable);
+            bus.rejectRequest(request, "the answer cannot be read: " + unreadable.getMessage());
+        }
+    }
+
+    @Override
+    public void unreachable(String node, long number, String why) {
+        BusMessage notice;
+        synchronized (notices) {
+            notice = notices.remove(number);
+        }
+        if (notice != null) {
+            bus.notifier.undeliverable(notice, why);
+        } else {
+            bus.rejectUnreachable(number, why);
+        }
+    }
+
+    @Override
+    public void gone(String node, long goneIncarnation) {
+        bus.forgetRequestsOf(node, goneIncarnation);
+    }
+
+    @Override
+    public void lost(long messages, String why) {
+        bus.notifier.lost(new Loss.LostOnTheWay(messages, why));
+    }
+
+    @Override
+    public void disconnected(String why) {
+        bus.notifier.disconnected(why);
+    }
+
+    @Override
+    public void connected() {
+        bus.notifier.connected();
+    }
+}
