@@ -1,0 +1,449 @@
+package io.troupe.bus;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.BusMessage.Failure;
+import io.troupe.bus.BusMessage.Purpose;
+import io.troupe.bus.Operation.Kind;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** One node with other nodes behind a scripted engine: what it sends, and what it does with what arrives. */
+class RemoteNodesTest {
+    record Count(int value) {}
+
+    record Text(String value) {}
+
+    private static final BusTopic<Count> COUNTS = new BusTopic<>("counts", Count.class);
+    private static final Operation<Count, Text> SPELL = new Operation<>("spell", Count.class, Text.class, Kind.DATA);
+    private static final Duration SECOND = Duration.ofSeconds(1);
+    private static final Address FAR = new Address("far", "b");
+    private static final Address NEAR = new Address("near", "a");
+    private static final long FAR_LIFE = 77;
+
+    private final TestSpace test = new TestSpace();
+    private final List<String> losses = new ArrayList<>();
+    private final List<String> events = new ArrayList<>();
+    private final ScriptedEngine engine = new ScriptedEngine();
+    private final RecordCodec codec = new RecordCodec();
+    private final Frames farFrames = new Frames(codec, test.clock(), FAR_LIFE);
+    private final Bus bus = Bus.open("near", engine, settings());
+    private final BusPort port = bus.attach("a");
+
+    private BusSettings settings() {
+        return BusSettings.on(test.space()).withCapacity(4).withObserver(new BusObserver() {
+            @Override
+            public void lost(Loss loss) {
+                losses.add(loss.toString());
+            }
+
+            @Override
+            public void failed(BusMessage request, Throwable error) {
+                events.add(request.purpose() + " failed: " + error.getMessage());
+            }
+
+            @Override
+            public void disconnected(String why) {
+                events.add("disconnected: " + why);
+            }
+
+            @Override
+            public void connected() {
+                events.add("connected");
+            }
+        });
+    }
+
+    @AfterEach
+    void everyLossWasExpected() {
+        bus.close();
+        assertThat(engine.closed).isTrue();
+        test.crank();
+        test.close();
+        assertThat(losses).isEmpty();
+        assertThat(events).isEmpty();
+    }
+
+    private static <T> List<T> take(List<T> from) {
+        var taken = List.copyOf(from);
+        from.clear();
+        return taken;
+    }
+
+    private void arrives(byte[] frame) {
+        engine.listener().frame(frame);
+    }
+
+    private byte[] publication(long series, int value) {
+        var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), series, new Count(value));
+        return farFrames.publication(message, "counts", series);
+    }
+
+    private byte[] request(long number, Duration limit, Record payload) {
+        var purpose = new Purpose.Request(NEAR, "spell");
+        var message = new BusMessage.Data(FAR, purpose, number, payload);
+        return farFrames.request(message, purpose, limit.toNanos() / 1_000);
+    }
+
+    private byte[] reply(long request, long toIncarnation, Record payload) {
+        var purpose = new Purpose.Reply(NEAR, "spell", request);
+        return farFrames.reply(new BusMessage.Data(FAR, purpose, 1, payload), purpose, toIncarnation);
+    }
+
+    private List<Integer> subscribe(BusTopic<Count> topic) {
+        var received = new ArrayList<Integer>();
+        test.run(() -> port.subscribe(topic, (count, from) -> received.add(count.value())));
+        return received;
+    }
+
+    private static <T> Promise<T> heard(Promise<T> promise) {
+        promise.handle((value, error) -> value);
+        return promise;
+    }
+
+    // ---- publications
+
+    @Test
+    void engine_isToldOfTheFirstAndLastSubscriptionToATopic() {
+        var first = port.subscribe(COUNTS, (count, from) -> {});
+        var second = bus.attach("c").subscribe(COUNTS, (count, from) -> {});
+        assertThat(take(engine.topics)).containsExactly("+counts");
+        first.close();
+        assertThat(take(engine.topics)).isEmpty();
+        second.close();
+        assertThat(take(engine.topics)).containsExactly("-counts");
+    }
+
+    @Test
+    void publications_areNumberedPerPortAndTopic_andMarkedOnceTheTopicIsQuiet() {
+        var other = bus.attach("c");
+        port.publish(COUNTS, new Count(1));
+        other.publish(COUNTS, new Count(1));
+        port.publish(COUNTS, new Count(2));
+        port.publish(new BusTopic<>("others", Count.class), new Count(1));
+        assertThat(engine.takeSent("far"))
+                .containsExactly(
+                        "publish counts: Published[purpose=publication on counts, series=1]",
+                        "publish counts: Published[purpose=publication on counts, series=1]",
+                        "publish counts: Published[purpose=publication on counts, series=2]",
+                        "publish others: Published[purpose=publication on others, series=1]");
+        test.advance(SECOND.plusMillis(1));
+        assertThat(engine.takeSent("far"))
+                .containsExactlyInAnyOrder(
+                        "publish counts: Mark[purpose=publication on counts, series=1]",
+                        "publish counts: Mark[purpose=publication on counts, series=2]",
+                        "publish others: Mark[purpose=publication on others, series=1]");
+        test.advance(SECOND.multipliedBy(5));
+        assertThat(engine.sent).isEmpty();
+        port.publish(COUNTS, new Count(3));
+        port.close(); // nothing follows: the mark comes at once
+        assertThat(engine.takeSent("far"))
+                .containsExactly(
+                        "publish counts: Published[purpose=publication on counts, series=3]",
+                        "publish counts: Mark[purpose=publication on counts, series=3]");
+        test.advance(SECOND.multipliedBy(2));
+    }
+
+    @Test
+    void publication_whileDisconnected_isReported_andLeavesNoGap() {
+        engine.why = "it is disconnected";
+        port.publish(COUNTS, new Count(1));
+        assertThat(take(losses))
+                .containsExactly("publication on counts from near/a (number 1) cannot be delivered:"
+                        + " the way from node near to the others failed: it is disconnected");
+        engine.why = null;
+        port.publish(COUNTS, new Count(2));
+        assertThat(engine.takeSent("far"))
+                .containsExactly("publish counts: Published[purpose=publication on counts, series=1]");
+        test.advance(SECOND.multipliedBy(2));
+    }
+
+    @Test
+    void value_thatIsTooLargeForAFrame_isReported_andDeliveredAtHome() {
+        var texts = new BusTopic<>("texts", Text.class);
+        var received = new ArrayList<Text>();
+        port.subscribe(texts, (text, from) -> received.add(text));
+        port.publish(texts, new Text("x".repeat(2_000)));
+        test.crank();
+        assertThat(received).hasSize(1);
+        assertThat(take(losses))
+                .singleElement()
+                .asString()
+                .contains("java.lang.IllegalArgumentException: it has ")
+                .endsWith(" bytes, expected at most 1000");
+    }
+
+    @Test
+    void gap_inPublications_isReportedWithItsSize_alsoAtTheEnd_andNotForTheFirstValueOrANewLife() {
+        var received = subscribe(COUNTS);
+        arrives(publication(5, 5));
+        arrives(publication(6, 6));
+        assertThat(losses).isEmpty();
+        arrives(publication(9, 9));
+        assertThat(take(losses)).containsExactly("2 values of counts from far/b have not arrived");
+        arrives(farFrames.mark(FAR, "counts", 9));
+        assertThat(losses).isEmpty();
+        arrives(farFrames.mark(FAR, "counts", 13));
+        assertThat(take(losses)).containsExactly("4 values of counts from far/b have not arrived");
+        var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Count(20));
+        arrives(new Frames(codec, test.clock(), FAR_LIFE + 1).publication(message, "counts", 20));
+        test.crank();
+        assertThat(received).containsExactly(5, 6, 9, 20);
+        assertThat(bus.metrics().missed()).isEqualTo(6);
+    }
+
+    @Test
+    void valuesMissedWhileNothingWasSubscribed_areNoGap() {
+        var subscription = port.subscribe(COUNTS, (count, from) -> {});
+        arrives(publication(1, 1));
+        subscription.close();
+        assertThat(take(losses))
+                .containsExactly("near/a does not hear 1 values of counts that waited: it does not subscribe any more");
+        subscribe(COUNTS);
+        arrives(publication(9, 9));
+        test.crank();
+        assertThat(losses).isEmpty();
+    }
+
+    @Test
+    void topicWithAnAgeLimit_dropsWhatWasHeldUp_onTheWayOrInTheQueue() {
+        var drive = COUNTS.droppingOlderThan(Duration.ofMillis(300));
+        var received = subscribe(drive);
+        arrives(publication(1, 1));
+        byte[] heldUp = publication(2, 2);
+        test.advance(Duration.ofMillis(301));
+        arrives(heldUp);
+        arrives(publication(3, 3));
+        test.crank();
+        assertThat(received).containsExactly(1, 3);
+        assertThat(take(losses))
+                .containsExactly("near/a does not hear publication on counts from far/b (number 2): it is 301 ms old");
+        assertThat(bus.metrics().stale()).isEqualTo(1);
+        assertThatThrownBy(() -> COUNTS.droppingOlderThan(Duration.ZERO))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("the greatest age of values of topic counts is PT0S, expected more than zero");
+    }
+
+    @Test
+    void topicThatKeepsOnlyTheLatest_replacesWhatWaits() {
+        var received = subscribe(COUNTS.keepingOnlyLatest());
+        for (int value = 1; value <= 3; value++) {
+            arrives(publication(value, value));
+        }
+        test.crank();
+        assertThat(received).containsExactly(3);
+        assertThat(bus.metrics().replaced()).isEqualTo(2);
+        assertThat(bus.metrics().dropped()).isZero();
+    }
+
+    // ---- requests
+
+    @Test
+    void request_carriesItsLimit_andIsCancelledThere_whenItIsOver() {
+        var answer = heard(port.ask(FAR, SPELL, new Count(1), SECOND));
+        assertThat(engine.takeSent("far"))
+                .containsExactly(
+                        "send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=1000000]");
+        test.crank();
+        test.advance(SECOND.plusMillis(1));
+        assertThat(answer.error()).isInstanceOf(BusTimeoutException.class);
+        assertThat(engine.takeSent("far")).containsExactly("send far: Cancelled[purpose=question to far/b for spell]");
+    }
+
+    @Test
+    void requestFromAnotherNode_isHandled_rejectedWhenItComesTooLate_andNotHandledWhenItWasCancelled() {
+        var handled = new ArrayList<Integer>();
+        port.answer(SPELL, count -> {
+            handled.add(count.value());
+            return Promise.of(new Text("number " + count.value()));
+        });
+        arrives(request(1, SECOND, new Count(1)));
+        test.crank();
+        assertThat(engine.takeSent("far"))
+                .containsExactly("reply far: Replied[purpose=answer to far/b for spell, kind=DATA, toIncarnation=77]");
+        arrives(request(2, SECOND, new Count(2)));
+        test.clock().advance(SECOND.plusMillis(1));
+        test.crank();
+        assertThat(engine.takeSent("far"))
+                .containsExactly(
+                        "reply far: Rejected[purpose=refusal to far/b for spell, kind=DATA, toIncarnation=77]");
+        assertThat(take(losses)).singleElement().asString().endsWith("got to it after the limit of 1000 ms");
+        arrives(request(3, SECOND, new Count(3)));
+        var purpose = new Purpose.Request(NEAR, "spell");
+        arrives(farFrames.cancellation(new BusMessage.Data(FAR, purpose, 3, new Count(3)), purpose));
+        test.crank();
+        assertThat(engine.sent).isEmpty();
+        assertThat(handled).containsExactly(1);
+    }
+
+    @Test
+    void requestsOfALifeThatHasEnded_areNotAwaited() {
+        var kept = new ArrayList<Deferred<Text>>();
+        port.answer(SPELL, count -> {
+            kept.add(new Deferred<>(test.space()));
+            return kept.getLast();
+        });
+        arrives(request(1, SECOND, new Count(1)));
+        test.crank();
+        engine.listener().gone("far", FAR_LIFE + 1);
+        engine.listener().gone("far", FAR_LIFE);
+        kept.getFirst().resolve(new Text("late"));
+        test.crank();
+        assertThat(engine.sent).isEmpty();
+        assertThat(take(losses)).singleElement().asString().endsWith("is late: nobody waits for it any more");
+    }
+
+    @Test
+    void requestToANodeThatDoesNotExist_isRejectedAtOnce() {
+        var answer = heard(port.ask(FAR, SPELL, new Count(1), SECOND));
+        engine.listener().unreachable("far", engine.sent.getFirst().number(), "no such node");
+        assertThat(answer.error())
+                .isInstanceOf(BusException.class)
+                .hasMessage("near/a asked far/b for spell: no such node");
+        assertThat(take(losses))
+                .containsExactly(
+                        "question to far/b for spell from near/a (number 1) cannot be delivered: no such node");
+        assertThat(engine.takeSent("far")).as("no cancellation").hasSize(1);
+    }
+
+    @Test
+    void reply_toAnEarlierLife_orFromAnotherAddress_settlesNothing() {
+        var answer = port.ask(FAR, SPELL, new Count(1), SECOND);
+        long number = engine.sent.getFirst().number();
+        arrives(reply(number, engine.incarnation + 1, new Text("earlier")));
+        var purpose = new Purpose.Reply(NEAR, "spell", number);
+        var other = new BusMessage.Data(new Address("far", "c"), purpose, 1, new Text("other"));
+        arrives(farFrames.reply(other, purpose, engine.incarnation));
+        assertThat(take(losses)).hasSize(2).allMatch(each -> each.contains("is late: it is for a"));
+        arrives(reply(number, engine.incarnation, new Text("one")));
+        assertThat(test.get(answer)).isEqualTo(new Text("one"));
+    }
+
+    @Test
+    void failureThere_isARemoteFailureHere() {
+        var answer = heard(port.ask(FAR, SPELL, new Count(1), SECOND));
+        var purpose =
+                new Purpose.Rejection(NEAR, "spell", engine.sent.getFirst().number());
+        var failure = new Failure.Failed("java.lang.IllegalStateException", "motor");
+        arrives(farFrames.rejection(new BusMessage.Data(FAR, purpose, 1, failure), purpose, engine.incarnation));
+        assertThat(answer.error()).isInstanceOf(RemoteFailure.class).hasMessageContaining("motor");
+    }
+
+    @Test
+    void replyThatIsTooLarge_isFollowedByARejectionThatSaysSo() {
+        port.answer(SPELL, count -> Promise.of(new Text("x".repeat(2_000))));
+        arrives(request(1, SECOND, new Count(1)));
+        test.crank();
+        assertThat(engine.sent).hasSize(1);
+        var frame = Frames.read(engine.sent.getFirst().frame(), "far");
+        assertThat(frame.message(codec, Failure.class).payload())
+                .asString()
+                .contains("the answer could not be sent: the way from node near to node far failed")
+                .contains("bytes, expected at most 1000");
+        assertThat(take(losses)).hasSize(1);
+        engine.sent.clear();
+    }
+
+    // ---- notices
+
+    @Test
+    void notice_isHandledWithoutAReply_andItsFailureIsReportedWhereItFails() {
+        port.send(FAR, SPELL, new Count(1));
+        assertThat(engine.takeSent("far"))
+                .containsExactly("send far: Noticed[purpose=notice to far/b for spell, kind=DATA]");
+        var handled = new ArrayList<Integer>();
+        port.answer(SPELL, count -> {
+            handled.add(count.value());
+            return count.value() == 1 ? Promise.of(new Text("")) : Promise.failed(new IllegalStateException("two"));
+        });
+        for (int value = 1; value <= 2; value++) {
+            var purpose = new Purpose.Notice(NEAR, "spell");
+            arrives(farFrames.notice(new BusMessage.Data(FAR, purpose, value, new Count(value)), purpose));
+        }
+        test.crank();
+        assertThat(handled).containsExactly(1, 2);
+        assertThat(engine.sent).isEmpty();
+        assertThat(take(events)).containsExactly("notice to near/a for spell failed: two");
+    }
+
+    @Test
+    void notice_thatNobodyReceives_isReported() {
+        port.send(FAR, SPELL, new Count(1));
+        engine.listener().unreachable("far", engine.sent.getFirst().number(), "no such node");
+        assertThat(take(losses))
+                .containsExactly("notice to far/b for spell from near/a (number 1) cannot be delivered: no such node");
+        var purpose = new Purpose.Notice(new Address("near", "z"), "spell");
+        arrives(farFrames.notice(new BusMessage.Data(FAR, purpose, 1, new Count(1)), purpose));
+        assertThat(take(losses)).singleElement().asString().contains("nobody is there");
+        engine.sent.clear();
+    }
+
+    // ---- faults
+
+    @Test
+    void unreadableBytes_areReported_andARequestIsRejected() {
+        subscribe(COUNTS);
+        port.answer(SPELL, count -> Promise.of(new Text("")));
+        arrives(new byte[] {1, 2, 3});
+        assertThat(take(losses))
+                .containsExactly("a frame of 3 bytes cannot be read: : expected a list, not a whole number");
+        var text = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Text("x"));
+        arrives(farFrames.publication(text, "counts", 1));
+        assertThat(take(losses))
+                .containsExactly("publication on counts from far/b cannot be read:"
+                        + " Count.value: expected a whole number, not a text");
+        arrives(request(1, SECOND, new Text("x")));
+        assertThat(engine.takeSent("far")).singleElement().asString().startsWith("reply far: Rejected");
+        assertThat(take(losses))
+                .singleElement()
+                .asString()
+                .contains("cannot read it: Count.value: expected a whole number");
+        var answer = heard(port.ask(FAR, SPELL, new Count(1), SECOND));
+        arrives(reply(engine.sent.getFirst().number(), engine.incarnation, new Count(1)));
+        assertThat(answer.error())
+                .hasMessageEndingWith("the answer cannot be read: Text.value: expected a text, not a whole number");
+        assertThat(take(losses)).hasSize(1);
+        assertThat(bus.metrics().unreadable()).isEqualTo(3);
+    }
+
+    @Test
+    void secondProcessOfTheSameName_isReported() {
+        var own = new BusMessage.Data(NEAR, new Purpose.Publication("counts"), 1, new Count(1));
+        arrives(new Frames(codec, test.clock(), engine.incarnation + 1).publication(own, "counts", 1));
+        assertThat(take(losses))
+                .containsExactly(
+                        "a message from near/a cannot be read: another process has the name of this node, near");
+    }
+
+    @Test
+    void engineThatFails_rejectsRequests_andItsEventsAreReported() {
+        engine.failure = new IllegalArgumentException("cable cut");
+        var answer = heard(port.ask(FAR, SPELL, new Count(1), SECOND));
+        assertThat(answer.error())
+                .hasMessage("near/a asked far/b for spell: the way from node near to node far failed:"
+                        + " java.lang.IllegalArgumentException: cable cut");
+        port.publish(COUNTS, new Count(1));
+        assertThat(take(losses)).hasSize(2);
+        engine.failure = null;
+        engine.listener().disconnected("cable cut");
+        engine.listener().connected();
+        engine.listener().lost(3, "too slow");
+        assertThat(take(events)).containsExactly("disconnected: cable cut", "connected");
+        assertThat(take(losses)).containsExactly("3 messages were lost: too slow");
+    }
+
+    @Test
+    void engineThatCannotStart_closesTheBus() {
+        var broken = new ScriptedEngine();
+        broken.failure = new BusException("no server");
+        assertThatThrownBy(() -> Bus.open("near", broken, settings())).hasMessage("no server");
+        assertThat(broken.closed).isTrue();
+    }
+}
