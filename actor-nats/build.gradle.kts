@@ -1,0 +1,10 @@
+description = "The bus over hosts, on NATS"
+
+dependencies {
+    api(project(":actor-service"))
+    implementation(libs.jnats) {
+        exclude(group = "org.bouncycastle", module = "bcprov-lts8on") // only for NKeys; 6 MB with a native library
+    }
+}
+
+tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.bus.nats") } }

@@ -1,0 +1,115 @@
+package io.troupe.bus.nats;
+
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+
+/** A real NATS server on loopback, as a process of its test. */
+final class NatsServer implements AutoCloseable {
+    private final List<String> command;
+    private final int port;
+    private Process process;
+
+    private NatsServer(int port, List<String> command) throws IOException {
+        this.port = port;
+        this.command = command;
+        this.process = begin();
+    }
+
+    /** Skips the test, with one line that says why, if there is no server. */
+    static void assumeInstalled() {
+        boolean isInstalled = List.of(System.getenv().getOrDefault("PATH", "").split(":")).stream()
+                .anyMatch(folder -> Files.isExecutable(Path.of(folder, "nats-server")));
+        assumeTrue(isInstalled, "nats-server is not installed (Debian: apt-get install nats-server): not tested");
+    }
+
+    static NatsServer start() throws IOException {
+        return start(List.of());
+    }
+
+    /** @param options of the command, for example {@code --user} */
+    static NatsServer start(List<String> options) throws IOException {
+        assumeInstalled();
+        int port = freePort();
+        var command = new ArrayList<>(List.of("nats-server", "-a", "127.0.0.1", "-p", String.valueOf(port)));
+        command.addAll(options);
+        return new NatsServer(port, command);
+    }
+
+    /** A server with the settings of a configuration file, without its address. */
+    static NatsServer configured(Path folder, String configuration) throws IOException {
+        Path file = Files.writeString(folder.resolve("nats.conf"), configuration);
+        return start(List.of("-c", file.toString()));
+    }
+
+    static int freePort() throws IOException {
+        try (var socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            return socket.getLocalPort();
+        }
+    }
+
+    private Process begin() throws IOException {
+        var started = new ProcessBuilder(command).redirectErrorStream(true).start();
+        var log = new StringBuilder();
+        var output = started.inputReader();
+        for (String line = output.readLine(); line != null; line = output.readLine()) {
+            log.append(line).append('\n');
+            if (line.contains("Server is ready")) {
+                Thread.ofVirtual().start(() -> output.lines().forEach(ignored -> {})); // it must not block on its log
+                return started;
+            }
+        }
+        throw new IOException("nats-server did not start: " + log);
+    }
+
+    String address() {
+        return "nats://127.0.0.1:" + port;
+    }
+
+    int port() {
+        return port;
+    }
+
+    /** Kills it as {@code kill -9} does. */
+    void kill() {
+        process.destroyForcibly();
+        await();
+    }
+
+    /** Starts it again on the same port. */
+    void startAgain() {
+        try {
+            process = begin();
+        } catch (IOException failure) {
+            throw new UncheckedIOException(failure);
+        }
+    }
+
+    /** Freezes it ({@code STOP}), or lets it go on ({@code CONT}). */
+    void signal(String name) throws IOException, InterruptedException {
+        new ProcessBuilder("kill", "-" + name, String.valueOf(process.pid()))
+                .start()
+                .waitFor();
+    }
+
+    private void await() {
+        try {
+            process.waitFor(10, TimeUnit.SECONDS);
+        } catch (InterruptedException interrupted) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    @Override
+    public void close() {
+        kill();
+    }
+}
