@@ -5,6 +5,7 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
+import io.troupe.bus.internal.RecordCopier;
 import io.troupe.common.text.Suggestions;
 import java.security.SecureRandom;
 import java.time.Duration;

@@ -1,5 +1,6 @@
 package io.troupe.bus;
 
+import io.troupe.bus.internal.Portable;
 import java.time.Duration;
 import org.jspecify.annotations.Nullable;
 

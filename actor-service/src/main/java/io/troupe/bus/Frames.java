@@ -4,6 +4,10 @@ import io.troupe.actor.time.Clock;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.Operation.Kind;
+import io.troupe.bus.internal.CborReader;
+import io.troupe.bus.internal.CborWriter;
+import io.troupe.bus.internal.RecordCodec;
+import io.troupe.bus.internal.UnreadableException;
 import java.lang.reflect.Type;
 import java.util.function.Function;
 

@@ -2,6 +2,8 @@ package io.troupe.bus;
 
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
+import io.troupe.bus.internal.RecordCodec;
+import io.troupe.bus.internal.UnreadableException;
 import java.time.Duration;
 import java.util.LinkedHashMap;
 import java.util.Map;
@@ -18,6 +20,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class RemoteNodes implements BusEngine.Listener {
     private static final int REMEMBERED_NOTICES = 1_024;
+    private static final Duration UNLIMITED = Duration.ofDays(3_650); // longer limits are sent as none
     private static final Duration QUIET = Duration.ofSeconds(1);
     private static final Record UNREAD = new Failure.NotDelivered("its value was not read");
 
@@ -133,7 +136,7 @@ final class RemoteNodes implements BusEngine.Listener {
     }
 
     void request(BusMessage message, Purpose.Request request, Duration limit) {
-        long limitMicros = Math.max(1, limit.compareTo(Duration.ofDays(365)) > 0 ? 0 : limit.toNanos() / 1_000);
+        long limitMicros = limit.compareTo(UNLIMITED) > 0 ? 0 : Math.max(1, limit.toNanos() / 1_000);
         byte[] frame = frames.request(message, request, limitMicros);
         checked(frame, bytes -> engine.send(request.to().node(), message.sequence(), bytes));
     }

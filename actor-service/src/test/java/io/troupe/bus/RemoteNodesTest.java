@@ -9,6 +9,7 @@ import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.Operation.Kind;
+import io.troupe.bus.internal.RecordCodec;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

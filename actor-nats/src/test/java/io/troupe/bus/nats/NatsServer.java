@@ -2,6 +2,7 @@ package io.troupe.bus.nats;
 
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
@@ -63,11 +64,19 @@ final class NatsServer implements AutoCloseable {
         for (String line = output.readLine(); line != null; line = output.readLine()) {
             log.append(line).append('\n');
             if (line.contains("Server is ready")) {
-                Thread.ofVirtual().start(() -> output.lines().forEach(ignored -> {})); // it must not block on its log
+                Thread.ofVirtual().start(() -> drain(output)); // it must not block on its log
                 return started;
             }
         }
         throw new IOException("nats-server did not start: " + log);
+    }
+
+    private static void drain(BufferedReader output) {
+        try {
+            while (output.readLine() != null) {}
+        } catch (IOException killed) {
+            return;
+        }
     }
 
     String address() {

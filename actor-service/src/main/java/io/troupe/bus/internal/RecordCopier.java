@@ -1,4 +1,4 @@
-package io.troupe.bus;
+package io.troupe.bus.internal;
 
 import java.lang.reflect.Constructor;
 import java.lang.reflect.Method;
@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Cost.</b> None for a record type that contains, at any depth, no list, no map and no nested record of the same
  * type. Otherwise reflection on the records that contain them.
  */
-final class RecordCopier {
+public final class RecordCopier {
     /** Accessors and constructor of a record type that has to be copied. */
     private record Plan(List<Method> accessors, Constructor<?> constructor) {}
 
@@ -35,7 +35,7 @@ final class RecordCopier {
      *
      * @throws IllegalArgumentException if it cannot leave the process; the message names its type and the reason
      */
-    <T extends Record> T copy(T value) {
+    public <T extends Record> T copy(T value) {
         if (planOf(value.getClass()) == null) {
             return value;
         }

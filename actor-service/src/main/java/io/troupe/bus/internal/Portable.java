@@ -1,4 +1,4 @@
-package io.troupe.bus;
+package io.troupe.bus.internal;
 
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.RecordComponent;
@@ -16,12 +16,12 @@ import java.util.Set;
  *
  * <p><b>Cost.</b> Walks the type once, when a topic or an operation is created.
  */
-final class Portable {
+public final class Portable {
     /**
      * The deepest nesting of values, the value itself included. Low enough for recursive copying, encoding and
      * decoding.
      */
-    static final int MAX_LEVELS = 500;
+    public static final int MAX_LEVELS = 500;
 
     private static final Set<Class<?>> VALUES = Set.of(
             Boolean.class,
@@ -51,7 +51,7 @@ final class Portable {
      * @throws IllegalArgumentException if values of that type cannot leave the process; the message names the component
      *     and the reason
      */
-    static void check(String use, Class<? extends Record> type) {
+    public static void check(String use, Class<? extends Record> type) {
         var check = new Portable(use, type);
         if (!type.isRecord()) {
             throw check.rejection("", type, "it is no record");

@@ -1,4 +1,4 @@
-package io.troupe.bus;
+package io.troupe.bus.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -1,4 +1,4 @@
-package io.troupe.bus;
+package io.troupe.bus.internal;
 
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
@@ -11,7 +11,7 @@ import java.nio.charset.StandardCharsets;
  * <p><b>Errors.</b> Bytes of any content lead to a value or to an {@link UnreadableException}. A length is compared
  * with the bytes that are left before anything is allocated.
  */
-final class CborReader {
+public final class CborReader {
     private static final int INDEFINITE = 31;
     private static final int BREAK = 0xff;
     private static final int UNDEFINED = 0xf7;
@@ -21,22 +21,22 @@ final class CborReader {
     private int at;
     private int level;
 
-    CborReader(byte[] bytes) {
+    public CborReader(byte[] bytes) {
         this(bytes, 0, bytes.length);
     }
 
-    CborReader(byte[] bytes, int from, int end) {
+    public CborReader(byte[] bytes, int from, int end) {
         this.bytes = bytes;
         this.at = from;
         this.end = end;
     }
 
     /** The index of the next byte. */
-    int position() {
+    public int position() {
         return at;
     }
 
-    void expectEnd() {
+    public void expectEnd() {
         if (at != end) {
             throw new UnreadableException("expected the end, and " + (end - at) + " bytes follow");
         }
@@ -54,7 +54,7 @@ final class CborReader {
     }
 
     /** Consumes the next item if it is null; the value undefined counts as null. */
-    boolean readNull() {
+    public boolean readNull() {
         skipTags();
         int next = peek();
         if (next == CborWriter.NULL || next == UNDEFINED) {
@@ -64,7 +64,7 @@ final class CborReader {
         return false;
     }
 
-    boolean readBoolean() {
+    public boolean readBoolean() {
         skipTags();
         int next = peek();
         if (next != CborWriter.TRUE && next != CborWriter.FALSE) {
@@ -74,7 +74,7 @@ final class CborReader {
         return next == CborWriter.TRUE;
     }
 
-    long readLong(long least, long greatest) {
+    public long readLong(long least, long greatest) {
         skipTags();
         int next = peek();
         int major = next >> 5;
@@ -93,7 +93,7 @@ final class CborReader {
         return value;
     }
 
-    double readDouble() {
+    public double readDouble() {
         skipTags();
         int next = peek();
         switch (next) {
@@ -118,7 +118,7 @@ final class CborReader {
         }
     }
 
-    String readText() {
+    public String readText() {
         skipTags();
         int next = peek();
         if (next >> 5 != CborWriter.TEXT) {
@@ -182,7 +182,7 @@ final class CborReader {
     }
 
     /** The number of elements of an array, or -1 if they end with {@link #readBreak}. */
-    int readArray() {
+    public int readArray() {
         skipTags();
         int next = peek();
         if (next >> 5 != CborWriter.ARRAY) {
@@ -204,7 +204,7 @@ final class CborReader {
     }
 
     /** The number of entries of a map, or -1 if they end with {@link #readBreak}. */
-    int readMap() {
+    public int readMap() {
         skipTags();
         int next = peek();
         if (next >> 5 != CborWriter.MAP) {
@@ -215,7 +215,7 @@ final class CborReader {
     }
 
     /** Consumes the end of an item of indefinite length, if it is next. */
-    boolean readBreak() {
+    public boolean readBreak() {
         if (peek() == BREAK) {
             at++;
             return true;
@@ -224,7 +224,7 @@ final class CborReader {
     }
 
     /** Skips the next item with everything inside it. */
-    void skip() {
+    public void skip() {
         skipTags();
         int next = peek();
         int major = next >> 5;

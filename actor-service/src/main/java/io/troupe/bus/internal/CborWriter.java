@@ -1,10 +1,10 @@
-package io.troupe.bus;
+package io.troupe.bus.internal;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
 /** Writes the items of CBOR (RFC 8949): definite lengths only, each number in its shortest form. For one value. */
-final class CborWriter {
+public final class CborWriter {
     static final int UNSIGNED = 0;
     static final int NEGATIVE = 1;
     static final int BYTES = 2;
@@ -26,11 +26,11 @@ final class CborWriter {
     private byte[] bytes;
     private int size;
 
-    CborWriter(int expectedSize) {
+    public CborWriter(int expectedSize) {
         bytes = new byte[expectedSize];
     }
 
-    byte[] toBytes() {
+    public byte[] toBytes() {
         return Arrays.copyOf(bytes, size);
     }
 
@@ -38,15 +38,15 @@ final class CborWriter {
         return size;
     }
 
-    void writeNull() {
+    public void writeNull() {
         writeByte(NULL);
     }
 
-    void writeBoolean(boolean value) {
+    public void writeBoolean(boolean value) {
         writeByte(value ? TRUE : FALSE);
     }
 
-    void writeLong(long value) {
+    public void writeLong(long value) {
         if (value >= 0) {
             writeHead(UNSIGNED, value);
         } else {
@@ -55,7 +55,7 @@ final class CborWriter {
     }
 
     /** As 32 bits if these hold the same value. */
-    void writeDouble(double value) {
+    public void writeDouble(double value) {
         float narrow = (float) value;
         if (narrow == value || value != value) {
             writeFloat(narrow);
@@ -66,14 +66,14 @@ final class CborWriter {
         }
     }
 
-    void writeFloat(float value) {
+    public void writeFloat(float value) {
         makeRoom(LONGEST_HEAD);
         bytes[size++] = (byte) FLOAT;
         put(Integer.toUnsignedLong(Float.floatToIntBits(value)), 4);
     }
 
     /** @throws IllegalArgumentException if the text has half a surrogate pair, which UTF-8 cannot express */
-    void writeText(String text) {
+    public void writeText(String text) {
         int length = text.length();
         makeRoom(LONGEST_HEAD + length);
         int at = size + headLength(length);
@@ -98,21 +98,21 @@ final class CborWriter {
         writeRaw(encoded);
     }
 
-    void writeBytes(byte[] value) {
+    public void writeBytes(byte[] value) {
         writeHead(BYTES, value.length);
         writeRaw(value);
     }
 
-    void writeArray(int elements) {
+    public void writeArray(int elements) {
         writeHead(ARRAY, elements);
     }
 
-    void writeMap(int entries) {
+    public void writeMap(int entries) {
         writeHead(MAP, entries);
     }
 
     /** Appends items that have been encoded already. */
-    void writeRaw(byte[] items) {
+    public void writeRaw(byte[] items) {
         makeRoom(items.length);
         System.arraycopy(items, 0, bytes, size, items.length);
         size += items.length;

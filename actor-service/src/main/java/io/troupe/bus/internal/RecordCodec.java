@@ -1,4 +1,4 @@
-package io.troupe.bus;
+package io.troupe.bus.internal;
 
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
@@ -44,7 +44,7 @@ import org.jspecify.annotations.Nullable;
  * exceeds a multiple of their number. If the constructor of a record rejects its values, that is an
  * {@link UnreadableException} too.
  */
-final class RecordCodec {
+public final class RecordCodec {
     private static final int EXPECTED_SIZE = 256;
     private static final Object MISSING = new Object();
 
@@ -63,14 +63,14 @@ final class RecordCodec {
     }
 
     /** @throws IllegalArgumentException if the value has parts that cannot be encoded */
-    byte[] encode(Record value) {
+    public byte[] encode(Record value) {
         var out = new CborWriter(EXPECTED_SIZE);
         write(value.getClass(), value, out);
         return out.toBytes();
     }
 
     /** @throws UnreadableException if the bytes are no value of the type */
-    <T extends Record> T decode(byte[] bytes, Class<T> type) {
+    public <T extends Record> T decode(byte[] bytes, Class<T> type) {
         var in = new CborReader(bytes);
         T value = type.cast(read(type, in));
         in.expectEnd();
@@ -78,7 +78,7 @@ final class RecordCodec {
     }
 
     /** Appends a value. */
-    void write(Type type, Object value, CborWriter out) {
+    public void write(Type type, Object value, CborWriter out) {
         try {
             plan(type).write(value, out);
         } catch (RuntimeException | Error failure) {
@@ -90,7 +90,7 @@ final class RecordCodec {
     }
 
     /** Reads the next value. */
-    Object read(Type type, CborReader in) {
+    public Object read(Type type, CborReader in) {
         try {
             return plan(type).read(in);
         } catch (UnreadableException unreadable) {
