@@ -6,24 +6,26 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import java.time.Duration;
+import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
-import org.junit.jupiter.api.AfterEach;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicReference;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 
-class ActorSpaceTest {
-    interface Greeter {
-        Promise<String> greet(String name);
-    }
+@Timeout(30)
+class ActorSpaceTest extends InTestSpace {
+    private static final Duration FOREVER = ChronoUnit.FOREVER.getDuration();
 
-    private final TestSpace test = new TestSpace();
-
-    @AfterEach
-    void nothingIsLeft() {
-        test.close();
-    }
+    private final Doer doer = test.spawn(Doer.class, Doer::new);
 
     @Test
     void request_isAnsweredThroughAPromise() {
+        interface Greeter {
+            Promise<String> greet(String name);
+        }
         Greeter greeter = test.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
         Promise<String> answer = greeter.greet("Ada");
         assertThat(answer.isDone()).isFalse();
@@ -33,57 +35,36 @@ class ActorSpaceTest {
     @Test
     void listener_ofAStoppedActor_isNotCalled() {
         var promise = new Deferred<String>();
-        var calls = new ArrayList<String>();
-        interface Waiter {
-            void await();
-        }
-        Waiter waiter = test.spawn(Waiter.class, () -> () -> promise.thenAccept(calls::add));
-        waiter.await();
-        test.space().stop(waiter);
+        doer.run(me -> promise.thenAccept(log::add));
+        test.space().stop(doer);
         test.crank();
         promise.resolve("late");
         test.crank();
-        assertThat(calls).isEmpty();
+        assertThat(log).isEmpty();
+    }
+
+    private Promise<Integer> countDown(int from) {
+        return from == 0
+                ? Promise.of(0)
+                : Promise.of(1).thenCompose(one -> countDown(from - one)).thenApply(depth -> depth + 1);
     }
 
     @Test
     void recursionThroughPromises_mayBeOfAnyDepth() {
-        interface Counting {
-            Promise<Integer> countDown(int from);
+        assertThat(values(doer.ask(me -> countDown(100_000)))).containsExactly(100_000);
+    }
 
-            Promise<Integer> one();
+    private void pass(int left) {
+        log.add("pass " + left);
+        if (left > 0) {
+            doer.run(me -> pass(left - 1));
         }
-        Counting counting = test.spawn(Counting.class, () -> new Counting() {
-            @Override
-            public Promise<Integer> countDown(int from) {
-                return from == 0
-                        ? Promise.of(0)
-                        : one().thenCompose(one -> countDown(from - one)).thenApply(depth -> depth + 1);
-            }
-
-            @Override
-            public Promise<Integer> one() {
-                return Promise.of(1);
-            }
-        });
-        assertThat(test.get(counting.countDown(100_000))).isEqualTo(100_000);
     }
 
     @Test
     void onIdle_waitsForEverythingThatComesOfWhatWaits() {
-        var log = new ArrayList<String>();
-        interface Relay {
-            void pass(int left);
-        }
-        var relay = new Relay[1];
-        relay[0] = test.spawn(Relay.class, () -> left -> {
-            log.add("pass " + left);
-            if (left > 0) {
-                relay[0].pass(left - 1);
-            }
-        });
         test.space().onIdle(() -> log.add("idle"));
-        relay[0].pass(2);
+        doer.run(me -> pass(2));
         test.crank();
         assertThat(log).containsExactly("pass 2", "pass 1", "pass 0", "idle");
     }
@@ -107,13 +88,61 @@ class ActorSpaceTest {
         try (var space = ActorSpace.create(SpaceSettings.named("threaded"))) {
             assertThatThrownBy(space::crank)
                     .isInstanceOf(IllegalStateException.class)
-                    .hasMessageContaining("threaded")
-                    .hasMessageContaining("thread of its own");
+                    .hasMessageContainingAll("threaded", "thread of its own");
         }
     }
 
     @Test
     void globalSpace_cannotBeClosed() {
         assertThatThrownBy(() -> ActorSpace.global().close()).hasMessageContaining("cannot be closed");
+    }
+
+    @Test
+    void stallLimitAndGet_longerThanNanosecondsCanCount_work() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("patient").withOnStall(FOREVER, stall -> {}))) {
+            var served = new CountDownLatch(1);
+            space.execute(served::countDown);
+            assertThat(served.await(3, TimeUnit.SECONDS)).isTrue();
+            assertThat(space.sequential(() -> 1).get(FOREVER)).isEqualTo(1);
+        }
+    }
+
+    @Test
+    void completableFuture_whatFollowsInIt_isNotOnBehalfOfTheLastActor() {
+        var promise = new AtomicReference<Promise<Integer>>();
+        var deferred = new Deferred<Integer>();
+        test.run(() -> promise.set(deferred.thenApply(one -> one)));
+        deferred.resolve(1);
+        test.crank();
+        doer.run(me -> {});
+        promise.get()
+                .toCompletableFuture()
+                .thenAccept(one -> test.space().delay(Duration.ofSeconds(1)).thenRun(() -> log.add("alarm")));
+        test.crank();
+        test.space().stop(doer);
+        test.crank();
+        test.advance(Duration.ofSeconds(2));
+        assertThat(log).containsExactly("alarm");
+    }
+
+    @Test
+    void factory_answersTheSameObjectForTwoActors_firstKeepsItsOwnSelf() {
+        var one = new Doer();
+        Doer first = test.spawn(Doer.class, () -> one);
+        test.spawn(Doer.class, () -> one); // rejecting it would also be correct
+        test.takeProblems();
+        assertThat(values(first.ask(me -> Promise.of(me.self().toString())))).containsExactly(first.toString());
+    }
+
+    @Test
+    void runningSpace_whoseWakerCouldNotUnparkIt_isNotTakenForAsleep_andIsWokenAgain() {
+        var lifeline = new IdleStrategy();
+        lifeline.noteNotWoken();
+        assertThat(lifeline.isAsleep()).isFalse();
+        assertThat(lifeline.wake()).isTrue();
+        assertThat(lifeline.phase).isZero();
+        lifeline.close();
+        lifeline.noteNotWoken();
+        assertThat(lifeline.isClosed()).isTrue();
     }
 }

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.LONG;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -10,7 +11,7 @@ import io.troupe.actor.time.ManualClock;
 import java.time.Duration;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.function.Supplier;
+import java.util.function.Function;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -21,35 +22,25 @@ import org.junit.jupiter.params.provider.EnumSource;
 @Tag("threads")
 @Timeout(60)
 class AnyThrowableTest {
-    private static final Duration LONG = Duration.ofSeconds(30);
-
     private final Queue<Throwable> reported = new ConcurrentLinkedQueue<>();
 
     enum Kind {
-        OUT_OF_MEMORY(() -> new OutOfMemoryError("on purpose")),
-        INTERNAL(() -> new InternalError("on purpose")),
-        UNKNOWN(() -> new UnknownError("on purpose")),
-        STACK_OVERFLOW(() -> new StackOverflowError("on purpose")),
-        LINKAGE(() -> new NoClassDefFoundError("on purpose")),
-        ASSERTION(() -> new AssertionError("on purpose"));
+        OUT_OF_MEMORY(OutOfMemoryError::new),
+        INTERNAL(InternalError::new),
+        UNKNOWN(UnknownError::new),
+        STACK_OVERFLOW(StackOverflowError::new),
+        LINKAGE(NoClassDefFoundError::new),
+        ASSERTION(AssertionError::new);
 
-        private final Supplier<Error> made;
+        private final Function<String, Error> constructor;
 
-        Kind(Supplier<Error> made) {
-            this.made = made;
+        Kind(Function<String, Error> constructor) {
+            this.constructor = constructor;
         }
 
         Error make() {
-            return made.get();
+            return constructor.apply("on purpose");
         }
-    }
-
-    interface Worker {
-        void fail();
-
-        Promise<Integer> failRequest();
-
-        Promise<Integer> answer();
     }
 
     /** Fails everywhere it can. */
@@ -85,19 +76,8 @@ class AnyThrowableTest {
         }
     }
 
-    private static final class Steady implements Worker {
-        @Override
-        public void fail() {}
-
-        @Override
-        public Promise<Integer> failRequest() {
-            return Promise.of(0);
-        }
-
-        @Override
-        public Promise<Integer> answer() {
-            return Promise.of(1);
-        }
+    private static Promise<Integer> answerOf(ActorSpace space) {
+        return space.spawn(Doer.class, Doer::new).ask(steady -> Promise.of(1));
     }
 
     @ParameterizedTest
@@ -120,8 +100,7 @@ class AnyThrowableTest {
             space.crank();
             assertThat(asked.error()).isInstanceOf(kind.make().getClass());
             space.stop(failing);
-            Worker steady = space.spawn(Worker.class, Steady::new);
-            Promise<Integer> answer = steady.answer();
+            Promise<Integer> answer = answerOf(space);
             space.crank();
             assertThat(answer.getNow()).isEqualTo(1);
         }
@@ -147,8 +126,7 @@ class AnyThrowableTest {
             space.stop(failing);
             failing.fail(); // a dead letter
             new Deferred<Integer>(space).reject(kind.make()); // without a listener
-            Worker steady = space.spawn(Worker.class, Steady::new);
-            assertThat(steady.answer().get(LONG)).isEqualTo(1);
+            assertThat(answerOf(space).get(LONG)).isEqualTo(1);
             assertThat(space.metrics().errors()).isPositive();
         }
         assertThat(reported).isNotEmpty();
@@ -183,16 +161,17 @@ class AnyThrowableTest {
                     throw new OutOfMemoryError("on purpose");
                 });
         var space = ActorSpace.create(settings);
-        Worker steady = space.spawn(Worker.class, Steady::new);
+        Doer steady = space.spawn(Doer.class, Doer::new);
         var waits = new Deferred<Promise<Integer>>();
         space.execute(() -> {
             space.close();
-            waits.resolve(steady.answer()); // behind the end
+            waits.resolve(steady.ask(me -> Promise.of(1))); // behind the end
         });
         Promise<Integer> waiting = waits.get(LONG);
         assertThatThrownBy(() -> waiting.get(LONG)).isInstanceOf(ActorStoppedException.class);
         assertThat(space.close(LONG).requests()).isEqualTo(1);
-        assertThatThrownBy(() -> steady.answer().get(LONG)).isInstanceOf(ActorStoppedException.class);
+        Promise<Integer> late = steady.ask(me -> Promise.of(1));
+        assertThatThrownBy(() -> late.get(LONG)).isInstanceOf(ActorStoppedException.class);
         assertThat(reported).hasAtLeastOneElementOfType(InternalError.class);
     }
 }

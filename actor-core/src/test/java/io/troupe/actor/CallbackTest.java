@@ -1,19 +1,27 @@
 package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CancellationException;
-import org.junit.jupiter.api.AfterEach;
+import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
-class CallbackTest {
+class CallbackTest extends InTestSpace {
     interface Source {
         void send(int count, Callback<Integer> results);
 
         void finishWith(Callback<Integer> results, String error);
+
+        Promise<Integer> sendAndAnswer(Callback<Integer> results);
+
+        void each(Consumer<Integer> consumer);
     }
 
     static final class Counting implements Source {
@@ -38,17 +46,22 @@ class CallbackTest {
                 results.fail(new IllegalStateException(error));
             }
         }
-    }
 
-    public static class Reader extends Actor {
-        private final Source source;
-        private final List<String> log;
-
-        Reader(Source source, List<String> log) {
-            this.source = source;
-            this.log = log;
+        @Override
+        public Promise<Integer> sendAndAnswer(Callback<Integer> results) {
+            return Promise.of(1);
         }
 
+        @Override
+        public void each(Consumer<Integer> consumer) {
+            consumer.accept(8);
+        }
+    }
+
+    private final Counting counting = new Counting();
+    private final Source source = test.spawn(Source.class, () -> counting);
+
+    private class Reader extends Actor {
         public void read() {
             source.send(3, (result, error) -> log.add("result " + result));
             log.add("asked");
@@ -60,22 +73,18 @@ class CallbackTest {
         }
     }
 
-    private final TestSpace test = new TestSpace();
-    private final Counting counting = new Counting();
-    private final Source source = test.spawn(Source.class, () -> counting);
-    private final List<String> log = new ArrayList<>();
-
-    @AfterEach
-    void nothingIsLeft() {
-        test.close();
-    }
-
     @Test
-    void results_arriveInOrder_inTheCallersCallbackQueue_beforeItsMessages() {
-        Reader reader = test.spawn(Reader.class, () -> new Reader(source, log));
+    void results_arriveInOrder_inTheCallersCallbackQueue_beforeItsMessages_untilItStops() {
+        Reader reader = test.spawn(Reader.class, Reader::new);
         reader.read();
         test.crank();
         assertThat(log).containsExactly("asked", "result 0", "result 1", "result 2", "mail");
+        test.space().stop(reader);
+        test.crank();
+        Callback<Integer> kept = counting.kept.getFirst();
+        test.run(() -> kept.next(99));
+        assertThat(log).hasSize(5);
+        assertThat(kept.isCancelled()).isTrue();
     }
 
     @Test
@@ -86,19 +95,22 @@ class CallbackTest {
         assertThat(log).containsExactly("7/null", "null/broken");
     }
 
+    private Callback.Stream<Integer> stream() {
+        return new Callback.Stream<>(
+                result -> log.add("next " + result),
+                end -> log.add("end " + (end == null ? null : end.getClass().getSimpleName())));
+    }
+
     @Test
     void stream_isNotifiedOfItsEnd() {
-        source.finishWith(
-                new Callback.Stream<>(result -> log.add("next " + result), end -> log.add("end " + end)), null);
+        source.finishWith(stream(), null);
         test.crank();
         assertThat(log).containsExactly("next 7", "end null");
     }
 
     @Test
     void cancelledStream_getsNothingMore_andTheActorSeesIt() {
-        var stream = new Callback.Stream<Integer>(
-                result -> log.add("next " + result),
-                end -> log.add("end " + end.getClass().getSimpleName()));
+        var stream = stream();
         source.send(2, stream);
         test.crank();
         stream.cancel();
@@ -125,15 +137,136 @@ class CallbackTest {
     }
 
     @Test
-    void readerThatHasStopped_looksCancelled() {
-        Reader reader = test.spawn(Reader.class, () -> new Reader(source, log));
-        reader.read();
+    void callback_givenToAnActorThatHasStopped_isFailed_butOneThatItHadStaysOpen() {
+        var results = test.<Integer>callback();
+        source.send(1, results);
+        test.space().stop(source);
+        assertThat(results.results()).containsExactly(0);
+        results.expectOpen();
+        source.send(1, (result, error) -> log.add("stream: " + error));
+        Promise<Integer> answer = source.sendAndAnswer((result, error) -> log.add("request: " + error));
+        assertThat(test.error(answer)).isInstanceOf(ActorStoppedException.class);
+        assertThat(log)
+                .satisfiesExactly(
+                        first -> assertThat(first).contains("stream: ", "ActorStoppedException", "was not begun"),
+                        second -> assertThat(second).contains("request: ", "ActorStoppedException", "was not begun"));
+        assertThat(test.takeDeadLetters()).hasSize(1);
+    }
+
+    @Test
+    void callback_ofACallThatAFullMailboxRejectsOrACancelSkips_isFailed() {
+        var settings = ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT);
+        Source small = test.spawn(Source.class, Counting::new, settings);
         test.crank();
-        test.space().stop(reader);
+        Promise<Integer> taken = small.sendAndAnswer((result, error) -> log.add("first: " + error));
+        small.send(1, (result, error) -> log.add("second: " + error));
+        taken.cancel();
         test.crank();
-        Callback<Integer> kept = counting.kept.getFirst();
-        test.run(() -> kept.next(99));
-        assertThat(log).doesNotContain("result 99");
-        assertThat(kept.isCancelled()).isTrue();
+        assertThat(log) // the second is a callback, which does not wait for messages
+                .satisfiesExactly(
+                        second -> assertThat(second).contains("second: ", "MailboxFullException"),
+                        first -> assertThat(first).contains("first: ", "CancellationException", "before it began"));
+        assertThat(test.takeDeadLetters()).hasSize(1);
+    }
+
+    @Test
+    void dropOldest_keepsNoMoreThanItsCapacityQueued() {
+        var settings = ActorSettings.DEFAULT.withMailbox(3, Overflow.DROP_OLDEST);
+        Source small = test.spawn(Source.class, Counting::new, settings);
+        for (int call = 0; call < 1000; call++) {
+            small.send(0, (result, error) -> {});
+        }
+        assertThat(test.takeDeadLetters()).hasSize(997);
+        assertThat(test.space().metrics().waiting() - 997).isEqualTo(3); // and 997 queued callbacks of rejected calls
+        test.crank();
+    }
+
+    @Test
+    void functionalArgument_runsOnTheActorsBehalf_unlessItIsACallback() {
+        Source named = test.spawn(Source.class, Counting::new, ActorSettings.named("source"));
+        Doer reader = test.spawn(Doer.class, Doer::new, ActorSettings.named("reader"));
+        reader.run(me -> {
+            Consumer<Integer> noteOwner = result ->
+                    log.add(result + " on behalf of " + me.space().home.owner());
+            named.each(noteOwner);
+            named.send(1, (result, error) -> noteOwner.accept(result));
+        });
+        test.crank();
+        assertThat(log).containsExactly("8 on behalf of source", "0 on behalf of reader");
+    }
+
+    // ---- which parameters are callbacks
+
+    interface Harmless<T extends Comparable<T>> {
+        <U extends Comparable<U>> void sort(
+                List<U> values, T most, Map<String, ? super T[]> least, List<String>[] names);
+
+        void both(Callback<? super List<Integer>> first, @SuppressWarnings("rawtypes") Callback second);
+    }
+
+    @Test
+    void otherGenericParameters_areNotRejected() {
+        Harmless<?> proxy = test.spawn(Harmless.class, () -> null);
+        assertThat(proxy).hasToString("Harmless#2");
+        assertThat(test.takeProblems()).hasSize(1); // the factory
+    }
+
+    interface Follower<T> {
+        void wander(String where, T colours);
+    }
+
+    interface Overriding extends Follower<Callback<Integer>> {
+        @Override
+        void wander(String where, Callback<Integer> colours);
+    }
+
+    interface Walking {
+        void wander(String where, Callback<Integer> colours);
+    }
+
+    /** The descriptor with Object is inherited here a second time, and the compiler has generated no bridge. */
+    interface Twice extends Follower<Callback<Integer>>, Walking {}
+
+    abstract static class Wanderer<T> extends Actor {
+        public void wander(String where, T colours) {}
+    }
+
+    public static class Robot extends Wanderer<Callback<Integer>> {
+        @Override
+        public void wander(String where, Callback<Integer> colours) {
+            colours.next(9);
+        }
+    }
+
+    @Test
+    void callbackThroughAGenericSupertype_runsInTheCallersSpace() {
+        try (var callee = new TestSpace()) {
+            Overriding overriding = callee.spawn(Overriding.class, () -> (where, colours) -> colours.next(7));
+            Twice twice = callee.spawn(Twice.class, () -> new Twice() {
+                @Override
+                public void wander(String where, Callback<Integer> colours) {
+                    colours.next(8);
+                }
+            });
+            Wanderer<Callback<Integer>> robot = callee.spawn(Robot.class, Robot::new);
+            Callback<Integer> seen = (colour, error) -> log.add("" + colour);
+            for (Follower<Callback<Integer>> follower : List.of(overriding, twice)) {
+                test.run(() -> follower.wander("here", seen));
+            }
+            test.run(() -> robot.wander("here", seen));
+            test.run(() -> ((Walking) twice).wander("here", seen));
+            callee.crank();
+            assertThat(log).isEmpty();
+            test.crank();
+            assertThat(log).containsExactlyInAnyOrder("7", "8", "8", "9");
+        }
+    }
+
+    @Test
+    void callbackOfTheWrongClass_throwsInTheCaller() {
+        Overriding overriding = test.spawn(Overriding.class, () -> (where, colours) -> colours.next(7));
+        @SuppressWarnings({"unchecked", "rawtypes"}) // on purpose
+        Consumer<Object> raw = colours -> ((Follower) overriding).wander("here", colours);
+        assertThatThrownBy(() -> raw.accept("no callback")).isInstanceOf(ClassCastException.class);
     }
 }

@@ -1,11 +1,12 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.LONG;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -17,7 +18,6 @@ import org.junit.jupiter.api.Timeout;
 @Tag("threads")
 @Timeout(120)
 class EndOfTheStackTest {
-    private static final Duration LONG = Duration.ofSeconds(30);
     private static final int SMALL_STACK_BYTES = 200_000;
 
     interface Counter {
@@ -61,23 +61,17 @@ class EndOfTheStackTest {
         }
     }
 
-    private static void onASmallStack(Runnable task) throws InterruptedException {
+    /** Calls where a small stack is exhausted; returns whether a call succeeded. */
+    private static boolean callWhereTheStackEnds(Runnable call) throws InterruptedException {
         var failure = new AtomicReference<@Nullable Throwable>();
-        var thread = new Thread(
-                null,
-                () -> {
-                    try {
-                        task.run();
-                    } catch (Throwable thrown) {
-                        failure.set(thrown);
-                    }
-                },
-                "deep",
-                SMALL_STACK_BYTES);
+        var deep = new Deep(call);
+        Runnable task = () -> failure.set(catchThrowable(deep::recurse));
+        var thread = new Thread(null, task, "deep", SMALL_STACK_BYTES);
         thread.setDaemon(true);
         thread.start();
         thread.join();
         assertThat(failure.get()).isNull();
+        return deep.done;
     }
 
     private static Thread threadOf(ActorSpace space) throws Exception {
@@ -88,12 +82,9 @@ class EndOfTheStackTest {
 
     private static void callWhileItSleeps(ActorSpace space, Counter counter, int rounds) throws Exception {
         Thread served = threadOf(space);
-        space.execute(
-                () -> { // the virtual machine never links what is first used where the stack is exhausted
-                    for (int call = 0; call < 3; call++) {
-                        counter.add();
-                    }
-                });
+        for (int call = 0; call < 3; call++) { // the JVM never links what is first used where the stack is exhausted
+            space.execute(counter::add);
+        }
         threadOf(space);
         assertThat(counter.count().get(LONG)).isPositive();
         int least = 0;
@@ -101,9 +92,7 @@ class EndOfTheStackTest {
             while (served.getState() == Thread.State.RUNNABLE) {
                 Thread.onSpinWait(); // until it sleeps
             }
-            var deep = new Deep(counter::add);
-            onASmallStack(deep::recurse);
-            least += deep.done ? 1 : 0;
+            least += callWhereTheStackEnds(counter::add) ? 1 : 0;
             assertThat(counter.count().get(LONG)).isGreaterThanOrEqualTo(least);
         }
         assertThat(least).isPositive();
@@ -159,9 +148,7 @@ class EndOfTheStackTest {
         space.close(LONG);
         assertThat(counter.count().isDone()).isTrue(); // and everything is linked
         for (int round = 0; round < 80; round++) {
-            var deep = new Deep(counter::count);
-            onASmallStack(deep::recurse);
-            assertThat(deep.done).isTrue();
+            assertThat(callWhereTheStackEnds(counter::count)).isTrue();
             Promise<Integer> next = counter.count();
             assertThat(next.isDone())
                     .as("the request of the next caller, in round %s", round)
@@ -183,13 +170,12 @@ class EndOfTheStackTest {
         space.home.enqueueMessage(entries[0]);
         assertThat(refusals[0]).isEqualTo(1);
         var attempts = new int[] {1};
-        var deep = new Deep(() -> {
+        boolean done = callWhereTheStackEnds(() -> {
             int attempt = attempts[0]++;
             space.home.enqueueMessage(entries[attempt]);
             returned[attempt] = true;
         });
-        onASmallStack(deep::recurse);
-        assertThat(deep.done).isTrue();
+        assertThat(done).isTrue();
         assertThat(attempts[0]).isGreaterThan(2); // else the stack did not overflow within a call
         space.home.enqueueMessage(new Entry(() -> {}, () -> {})); // finds what was left
         for (int attempt = 1; attempt < attempts[0]; attempt++) {

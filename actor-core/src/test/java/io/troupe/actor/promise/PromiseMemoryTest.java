@@ -2,30 +2,48 @@ package io.troupe.actor.promise;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.Actor;
+import io.troupe.actor.Doer;
+import io.troupe.actor.InTestSpace;
 import io.troupe.actor.Reachable;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
-import io.troupe.actor.testkit.TestSpace;
 import java.io.IOException;
+import java.lang.ref.WeakReference;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
-import org.junit.jupiter.api.AfterEach;
+import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** What promises retain, and for how long. */
-class PromiseMemoryTest {
-    private final TestSpace test = new TestSpace();
+@Timeout(60)
+class PromiseMemoryTest extends InTestSpace {
+    private static final Duration SECOND = Duration.ofSeconds(1);
+    private static final Duration HOUR = Duration.ofHours(1);
 
-    @AfterEach
-    void nothingIsLeft() {
-        test.close();
-    }
+    private final Deferred<Integer> source = new Deferred<>(test.space());
 
     private static long kept(Object root, Class<?> type) {
         return Reachable.from(root).stream().filter(type::isInstance).count();
+    }
+
+    private void settleSource() {
+        source.resolve(1);
+        test.crank();
+    }
+
+    /** The source, or a promise made of it that belongs to the space alone. */
+    private Promise<Integer> longLived(boolean local) {
+        var promises = new ArrayList<Promise<Integer>>();
+        test.run(() -> promises.add(local ? source.thenApply(value -> value) : source));
+        return promises.getFirst();
     }
 
     /** One race is always pending, so that the newest listener is always needed when the next one is registered. */
@@ -44,80 +62,101 @@ class PromiseMemoryTest {
 
     @Test
     void overlappingRaces_onASharedPromise_leaveNoMoreThanAFewListeners() {
-        var longLived = new Deferred<Integer>(test.space());
-        overlappingRaces(longLived, 10_000);
-        assertThat(kept(longLived, Listeners.Follower.class)).isBetween(1L, 20L);
-        longLived.resolve(1);
-        test.crank();
+        overlappingRaces(source, 10_000);
+        assertThat(kept(source, Listeners.Follower.class)).isBetween(1L, 20L);
+        settleSource();
     }
 
     @Test
     void overlappingRaces_onALocalPromise_leaveNoMoreThanAFewListeners() {
-        var source = new Deferred<Integer>(test.space());
-        var local = new ArrayList<Promise<Integer>>();
+        Promise<Integer> local = longLived(true);
+        test.run(() -> overlappingRaces(local, 10_000));
+        assertThat(kept(local, Listeners.Follower.class)).isBetween(1L, 20L);
+        settleSource();
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void manyListeners_someOfThemGone_allOthersRunInTheOrderOfTheirRegistration(boolean local) {
+        Promise<Integer> promise = longLived(local);
+        var ran = new ArrayList<Integer>();
         test.run(() -> {
-            local.add(source.thenApply(value -> value));
-            overlappingRaces(local.getFirst(), 10_000);
-        });
-        assertThat(kept(local.getFirst(), Listeners.Follower.class)).isBetween(1L, 20L);
-        source.resolve(1);
-        test.crank();
-    }
-
-    @Test
-    void manyListeners_someOfThemGone_allOthersRunInTheOrderOfTheirRegistration() {
-        for (boolean local : new boolean[] {false, true}) {
-            var source = new Deferred<Integer>(test.space());
-            var log = new ArrayList<Integer>();
-            test.run(() -> {
-                Promise<Integer> promise = local ? source.thenApply(value -> value) : source;
-                for (int number = 0; number < 1_000; number++) {
-                    int id = number;
-                    Promise<Integer> stage = promise.then(value -> log.add(id));
-                    if (id % 3 != 0) {
-                        stage.cancel();
-                    }
+            for (int number = 0; number < 1_000; number++) {
+                int id = number;
+                Promise<Integer> stage = promise.then(value -> ran.add(id));
+                if (id % 3 != 0) {
+                    stage.cancel();
                 }
-            });
-            source.resolve(1);
-            test.crank();
-            assertThat(log).hasSize(334).isSorted().allMatch(id -> id % 3 == 0);
-        }
-    }
-
-    /** Has a body that waits for ever. */
-    public static class Patient extends Actor {
-        private final Promise<Integer> source;
-
-        Patient(Promise<Integer> source) {
-            this.source = source;
-        }
-
-        @Override
-        protected void started() {
-            space().sequential(source::await).exceptionally(stopped -> -1);
-        }
+            }
+        });
+        settleSource();
+        assertThat(ran).hasSize(334).isSorted().allMatch(id -> id % 3 == 0);
     }
 
     @Test
     void bodiesThatWaited_andWereCancelled_areRemoved() {
-        var longLived = new Deferred<Integer>(test.space());
         for (int actor = 0; actor < 300; actor++) {
-            Patient patient = test.spawn(Patient.class, () -> new Patient(longLived));
+            Doer patient = test.spawn(Doer.class, Doer::new);
+            patient.run(me -> test.space().sequential(source::await).exceptionally(stopped -> -1));
+            test.crank();
             test.space().stop(patient);
             test.crank();
         }
-        longLived.then(value -> {});
-        assertThat(kept(longLived, Listeners.Inline.class)).isLessThan(20);
-        longLived.resolve(1);
+        source.then(value -> {});
+        assertThat(kept(source, Listeners.Inline.class)).isLessThan(20);
+        settleSource();
+    }
+
+    @Test
+    void promiseThatLivesLong_keepsNothingOfThoseWhoGaveUp() {
+        var races = new ArrayList<WeakReference<Promise<Integer>>>();
+        for (int round = 0; round < 10; round++) {
+            races.add(new WeakReference<>(Promise.race(List.of(source, Promise.of(round)))));
+        }
+        source.then(value -> {}); // the next registration removes dead listeners
+        for (int attempt = 0; attempt < 50 && races.stream().anyMatch(race -> race.get() != null); attempt++) {
+            System.gc();
+        }
+        assertThat(races).allMatch(race -> race.get() == null);
+        settleSource();
+    }
+
+    @Test
+    void rejectionOfAPromiseWithManyListeners_isReportedWithoutItsLock() {
+        var lockHeld = new ArrayList<Boolean>();
+        var listeners = new ArrayList<Node>();
+        var promise = new Promise<Integer>() {
+            @Override
+            protected @Nullable Home home() {
+                listeners.forEach(node -> lockHeld.add(Thread.holdsLock(node)));
+                return Home.of(test.space());
+            }
+        };
+        for (int count = 0; count < 20; count++) {
+            promise.register(new Listeners.Inline(() -> {}, () -> false));
+        }
+        Reachable.from(promise).stream()
+                .filter(Listeners.Many.class::isInstance)
+                .forEach(each -> listeners.add((Node) each));
+        assertThat(listeners).hasSize(1);
+        promise.settleError(new IllegalStateException("failed"));
+        assertThat(lockHeld).isNotEmpty().containsOnly(false);
+    }
+
+    @Test
+    void answersOfOtherThreads_areNotKeptByAnIdleSpace() {
+        var answer = new Deferred<byte[]>(test.space());
+        test.run(() -> answer.thenAccept(value -> {}));
+        answer.resolve(new byte[1_000]);
         test.crank();
+        assertThat(kept(test.space(), Stage.class)).isZero();
     }
 
     @Test
     void retryForEver_keepsNothingOfTheTriesThatFailed() {
         var tries = new int[1];
         var last = new ArrayList<Deferred<Integer>>();
-        Promise<Integer> retried = test.space().retry(Integer.MAX_VALUE, Duration.ofSeconds(1), () -> {
+        Promise<Integer> retried = test.space().retry(Integer.MAX_VALUE, SECOND, () -> {
             if (++tries[0] % 1_000 != 0) {
                 return Promise.failed(new IOException("try " + tries[0]));
             }
@@ -125,7 +164,7 @@ class PromiseMemoryTest {
             return last.getLast();
         });
         for (int second = 0; second < 1_000; second++) {
-            test.advance(Duration.ofSeconds(1));
+            test.advance(SECOND);
         }
         assertThat(last).hasSize(1);
         assertThat(kept(last.getFirst(), Promise.class)).isBetween(1L, 10L);
@@ -136,27 +175,29 @@ class PromiseMemoryTest {
     @Test
     void retryThatIsCancelled_triesNoMore_andTakesItsPauseBack() {
         var tries = new int[1];
-        Promise<Integer> retried = test.space().retry(Integer.MAX_VALUE, Duration.ofSeconds(1), () -> {
+        Promise<Integer> retried = test.space().retry(Integer.MAX_VALUE, SECOND, () -> {
             tries[0]++;
             return Promise.failed(new IOException("not yet"));
         });
-        test.advance(Duration.ofSeconds(1));
+        test.advance(SECOND);
         assertThat(tries[0]).isEqualTo(2);
         assertThat(retried.cancel()).isTrue();
         test.crank();
         assertThat(test.space().metrics().timers()).isZero();
-        test.advance(Duration.ofSeconds(10));
+        test.advance(SECOND.multipliedBy(10));
         assertThat(tries[0]).isEqualTo(2);
     }
 
     @Test
-    void delayThatIsCancelled_takesItsTimerBack() {
-        Promise<?> delay = test.space().delay(Duration.ofHours(1));
-        test.crank();
-        assertThat(test.space().metrics().timers()).isEqualTo(1);
-        delay.cancel();
-        test.crank();
-        assertThat(test.space().metrics().timers()).isZero();
+    void delayAndTimeLimit_thatAreCancelled_takeTheirTimersBack() {
+        for (var made : List.<Supplier<Promise<?>>>of(() -> test.space().delay(HOUR), () -> source.orTimeout(HOUR))) {
+            Promise<?> timed = made.get();
+            test.crank();
+            assertThat(test.space().metrics().timers()).isEqualTo(1);
+            timed.cancel();
+            test.crank();
+            assertThat(test.space().metrics().timers()).isZero();
+        }
     }
 
     private record Ballast(String name) implements Consumer<Integer> {
@@ -166,7 +207,6 @@ class PromiseMemoryTest {
 
     @Test
     void stageThatIsSettled_keepsNoFunction() {
-        var source = new Deferred<Integer>(test.space());
         var ballast = new Ballast("8 MB");
         List<Promise<?>> stages = List.of(
                 source.then(ballast),
@@ -177,8 +217,7 @@ class PromiseMemoryTest {
                 source.thenCompose(value -> Promise.of(ballast.name().length())),
                 source.exceptionallyCompose(error -> Promise.of(ballast.name().length())));
         assertThat(stages).allMatch(stage -> kept(stage, Ballast.class) == 1);
-        source.resolve(1);
-        test.crank();
+        settleSource();
         assertThat(stages).allMatch(Promise::isDone);
         assertThat(stages).allMatch(stage -> kept(stage, Ballast.class) == 0);
     }
