@@ -22,22 +22,10 @@ class ActorSpaceTest extends InTestSpace {
     private final Doer doer = test.spawn(Doer.class, Doer::new);
 
     @Test
-    void request_isAnsweredThroughAPromise() {
-        interface Greeter {
-            Promise<String> greet(String name);
-        }
-        Greeter greeter = test.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
-        Promise<String> answer = greeter.greet("Ada");
-        assertThat(answer.isDone()).isFalse();
-        assertThat(test.get(answer)).isEqualTo("Hello, Ada");
-    }
-
-    @Test
     void listener_ofAStoppedActor_isNotCalled() {
         var promise = new Deferred<String>();
         doer.run(me -> promise.thenAccept(log::add));
-        test.space().stop(doer);
-        test.crank();
+        stop(doer);
         promise.resolve("late");
         test.crank();
         assertThat(log).isEmpty();
@@ -119,8 +107,7 @@ class ActorSpaceTest extends InTestSpace {
                 .toCompletableFuture()
                 .thenAccept(one -> test.space().delay(Duration.ofSeconds(1)).thenRun(() -> log.add("alarm")));
         test.crank();
-        test.space().stop(doer);
-        test.crank();
+        stop(doer);
         test.advance(Duration.ofSeconds(2));
         assertThat(log).containsExactly("alarm");
     }

@@ -42,73 +42,42 @@ class ActorSpaceThreadTest {
 
     // ---- calls
 
-    interface Tally {
-        void add(int sender, int number);
-
-        Promise<Long> count();
-    }
-
-    static final class StrictTally implements Tally {
-        private final int[] last = new int[8];
-        private final List<Integer> disordered = new ArrayList<>();
-        private long count;
-
-        @Override
-        public void add(int sender, int number) {
-            if (number != last[sender] + 1) {
-                disordered.add(number);
-            }
-            last[sender] = number;
-            count++;
+    /** The numbers that arrived of each sender, who sends 0, 1, 2 and so on while the others do. */
+    private static List<ArrayList<Integer>> numbersOf(int senders, int calls, SpaceSettings space, ActorSettings sink) {
+        var taken = IntStream.range(0, senders)
+                .mapToObj(sender -> new ArrayList<Integer>())
+                .toList();
+        try (var receiving = ActorSpace.create(space)) {
+            Doer receiver = receiving.spawn(Doer.class, Doer::new, sink);
+            onThreads(senders, sender -> {
+                for (int call = 0; call < calls; call++) {
+                    int number = call;
+                    receiver.run(me -> taken.get(sender).add(number));
+                }
+            });
         }
-
-        @Override
-        public Promise<Long> count() {
-            return Promise.of(count);
-        }
+        return taken;
     }
 
     @Test
-    void messages_ofSeveralThreads_allArriveInEachSendersOrder() throws Exception {
-        try (var space = space("tally")) {
-            var strict = new StrictTally();
-            Tally tally = space.spawn(Tally.class, () -> strict);
-            int senders = 4;
-            int each = 50_000;
-            onThreads(senders, sender -> {
-                for (int number = 1; number <= each; number++) {
-                    tally.add(sender, number);
-                }
-            });
-            assertThat(tally.count().get(LONG)).isEqualTo((long) senders * each);
-            assertThat(strict.disordered).isEmpty();
-        }
+    void messages_ofSeveralThreads_allArriveInEachSendersOrder() {
+        var all = IntStream.range(0, 50_000).boxed().toList();
+        assertThat(numbersOf(4, 50_000, SpaceSettings.named("tally"), ActorSettings.DEFAULT))
+                .hasSize(4)
+                .allSatisfy(numbers -> assertThat(numbers).isEqualTo(all));
     }
 
     @Test
     void dropOldest_underSeveralSenders_servesOrDropsEachCallOnce_andKeepsTheNewest() {
-        int senders = 3;
-        int calls = 20_000;
         var dropped = new ConcurrentLinkedQueue<String>();
-        var taken = IntStream.range(0, senders)
-                .mapToObj(sender -> new ArrayList<Integer>())
-                .toList();
-        var space = ActorSpace.create(
-                SpaceSettings.named("dropping").withOnDeadLetter(letter -> dropped.add(letter.message())));
-        Doer sink = space.spawn(Doer.class, Doer::new, ActorSettings.DEFAULT.withMailbox(2, Overflow.DROP_OLDEST));
-        onThreads(senders, sender -> {
-            for (int call = 0; call < calls; call++) {
-                int number = call;
-                sink.run(me -> taken.get(sender).add(number));
-            }
-        });
-        space.close();
+        var settings = SpaceSettings.named("dropping").withOnDeadLetter(letter -> dropped.add(letter.message()));
+        var taken = numbersOf(3, 20_000, settings, ActorSettings.DEFAULT.withMailbox(2, Overflow.DROP_OLDEST));
         int handled = taken.stream().mapToInt(List::size).sum();
-        assertThat(handled + dropped.size()).isEqualTo(senders * calls);
-        assertThat(taken).allSatisfy(numbers -> assertThat(numbers).isSorted());
+        assertThat(handled + dropped.size()).isEqualTo(3 * 20_000);
         assertThat(taken)
+                .allSatisfy(numbers -> assertThat(numbers).isSorted())
                 .as("the last sender's last call was not dropped, because none came after it")
-                .anyMatch(numbers -> !numbers.isEmpty() && numbers.getLast() == calls - 1);
+                .anyMatch(numbers -> !numbers.isEmpty() && numbers.getLast() == 20_000 - 1);
     }
 
     interface Fresh {
@@ -131,9 +100,9 @@ class ActorSpaceThreadTest {
     void spacesTalkToEachOther_andListenersRunWhereTheyWereRegistered() throws Exception {
         try (var left = space("left");
                 var right = space("right")) {
-            Tally tally = right.spawn(Tally.class, StrictTally::new);
+            Doer actor = right.spawn(Doer.class, Doer::new);
             var thread = new Deferred<String>();
-            left.execute(() -> tally.count()
+            left.execute(() -> actor.ask(me -> Promise.of(1))
                     .thenRun(() -> thread.resolve(Thread.currentThread().getName())));
             assertThat(thread.get(LONG)).isEqualTo("left");
         }
@@ -142,9 +111,8 @@ class ActorSpaceThreadTest {
     @Test
     void get_onTheSpacesThread_throwsAndNamesTheAlternative() throws Exception {
         try (var space = space("own")) {
-            Tally tally = space.spawn(Tally.class, StrictTally::new);
-            Throwable thrown =
-                    onItsThread(space, () -> catchThrowable(() -> tally.count().get(LONG)));
+            Promise<Integer> never = new Deferred<>(space);
+            Throwable thrown = onItsThread(space, () -> catchThrowable(() -> never.get(LONG)));
             assertThat(thrown).isInstanceOf(IllegalStateException.class).hasMessageContaining("then(..)");
         }
     }
@@ -179,21 +147,27 @@ class ActorSpaceThreadTest {
         }
     }
 
+    interface Sink {
+        void take(int number);
+    }
+
     @Test
     void closedSpace_servesWhatWasQueuedAndRefusesWhatComesLater() throws Exception {
+        var taken = new ArrayList<Integer>();
         var letters = new ArrayList<DeadLetter>();
         var space = ActorSpace.create(SpaceSettings.named("brief").withOnDeadLetter(letters::add));
-        Tally tally = space.spawn(Tally.class, StrictTally::new);
-        tally.add(0, 1);
-        Promise<Long> before = tally.count();
+        Sink sink = space.spawn(Sink.class, () -> taken::add);
+        Doer doer = space.spawn(Doer.class, Doer::new);
+        sink.take(1);
+        Promise<Integer> before = doer.ask(me -> Promise.of(taken.size()));
         space.close();
         assertThat(before.get(LONG)).isEqualTo(1);
-        assertThatThrownBy(() -> tally.count().get(LONG))
+        assertThatThrownBy(() -> doer.ask(me -> Promise.of(2)).get(LONG))
                 .isInstanceOf(ActorStoppedException.class)
                 .hasMessageContaining("space brief is closed");
-        tally.add(0, 2);
-        assertThat(letters).containsExactly(new DeadLetter("Tally#1", "Tally.add(0, 2)", "space brief is closed"));
-        assertThatThrownBy(() -> space.spawn(Tally.class, StrictTally::new)).isInstanceOf(ActorStoppedException.class);
+        sink.take(2);
+        assertThat(letters).containsExactly(new DeadLetter("Sink#1", "Sink.take(2)", "space brief is closed"));
+        assertThatThrownBy(() -> space.spawn(Doer.class, Doer::new)).isInstanceOf(ActorStoppedException.class);
     }
 
     @Test
@@ -205,11 +179,11 @@ class ActorSpaceThreadTest {
                 })
                 .withOnError((where, error) -> problems.add(error.getMessage()));
         try (var space = ActorSpace.create(settings)) {
-            Tally gone = space.spawn(Tally.class, StrictTally::new);
-            Tally alive = space.spawn(Tally.class, StrictTally::new);
+            Doer gone = space.spawn(Doer.class, Doer::new);
+            Doer alive = space.spawn(Doer.class, Doer::new);
             space.stop(gone);
-            gone.add(0, 1);
-            assertThat(alive.count().get(LONG)).isZero();
+            gone.run(me -> {});
+            assertThat(alive.ask(me -> Promise.of(0)).get(LONG)).isZero();
         }
         assertThat(problems).containsExactly("no letters, please");
     }
@@ -220,44 +194,50 @@ class ActorSpaceThreadTest {
         return ActorSpace.create(SpaceSettings.named(name).withOnStall(Duration.ofMillis(20), onStall));
     }
 
-    private static void holdTheThread(CountDownLatch until) {
-        await(until);
-    }
-
     @Test
     void messageThatTakesTooLong_isReportedOnce_withItsStack() throws Exception {
-        var stalls = new ArrayList<Stall>();
-        var reported = new CountDownLatch(1);
-        Consumer<Stall> onStall = stall -> {
-            stalls.add(stall);
-            reported.countDown();
-        };
-        try (var space = watched("slow", onStall)) {
-            space.execute(() -> holdTheThread(reported));
-            assertThat(onItsThread(space, () -> "after")).isEqualTo("after");
-        }
-        Stall stall = stalls.getFirst();
+        Stall stall = stallOf(space -> {
+            space.execute(this::holdTheThread);
+            onItsThread(space, () -> "after");
+        });
         assertThat(stall.space()).isEqualTo("slow");
         assertThat(stall.atLeast()).isGreaterThanOrEqualTo(Duration.ofMillis(20));
-        assertThat(stall.stack()).anyMatch(frame -> frame.getMethodName().equals("holdTheThread"));
         assertThat(stall.toString()).contains("space slow has been busy", "offload", "holdTheThread");
     }
 
     @Test
     void listenerThatTakesTooLong_isReportedAsAMessageIs() throws Exception {
-        var stacks = new ArrayList<StackTraceElement>();
-        var reported = new CountDownLatch(1);
+        stallOf(space -> {
+            var deferred = new Deferred<String>(space);
+            var end = deferred.thenRun(this::holdTheThread);
+            deferred.resolve("now");
+            end.get(LONG);
+        });
+    }
+
+    private final CountDownLatch reported = new CountDownLatch(1);
+
+    private void holdTheThread() {
+        await(reported);
+    }
+
+    private interface Task {
+        void run(ActorSpace space) throws Exception;
+    }
+
+    /** The first stall of a task that holds the thread. */
+    private Stall stallOf(Task task) throws Exception {
+        var stalls = new ArrayList<Stall>();
         Consumer<Stall> onStall = stall -> {
-            stacks.addAll(stall.stack());
+            stalls.add(stall);
             reported.countDown();
         };
         try (var space = watched("slow", onStall)) {
-            var deferred = new Deferred<String>(space);
-            var end = deferred.thenRun(() -> holdTheThread(reported));
-            deferred.resolve("now");
-            end.get(LONG);
+            task.run(space);
         }
-        assertThat(stacks).anyMatch(frame -> frame.getMethodName().equals("holdTheThread"));
+        assertThat(stalls.getFirst().stack())
+                .anyMatch(frame -> frame.getMethodName().equals("holdTheThread"));
+        return stalls.getFirst();
     }
 
     @Test
@@ -296,11 +276,7 @@ class ActorSpaceThreadTest {
 
     // ---- virtual threads that compute occupy all carriers; spaces do not depend on these
 
-    private interface Task {
-        void run() throws Exception;
-    }
-
-    private static void whileAllCarriersAreBusy(Task task) throws Exception {
+    private static void whileAllCarriersAreBusy(ActorSpace space, Task task) throws Exception {
         int processors = Runtime.getRuntime().availableProcessors();
         int carriers = Integer.getInteger("jdk.virtualThreadScheduler.parallelism", processors);
         var computing = new AtomicBoolean(true);
@@ -316,7 +292,7 @@ class ActorSpaceThreadTest {
         }
         try {
             assertThat(begun.await(30, TimeUnit.SECONDS)).isTrue();
-            task.run();
+            task.run(space);
         } finally {
             computing.set(false);
             for (Thread thread : threads) {
@@ -329,7 +305,7 @@ class ActorSpaceThreadTest {
     @Timeout(120)
     void sequentialBody_runsWhileAllCarriersCompute() throws Exception {
         try (var space = space("bodies")) {
-            whileAllCarriersAreBusy(() -> {
+            whileAllCarriersAreBusy(space, busy -> {
                 Promise<Integer> sum = space.sequential(() -> {
                     int first = space.delay(Duration.ZERO).thenApply(over -> 1).await();
                     return first + 1;
@@ -342,10 +318,9 @@ class ActorSpaceThreadTest {
     @Test
     @Timeout(120)
     void stall_isReportedWhileAllCarriersCompute() throws Exception {
-        var reported = new CountDownLatch(1);
         try (var space = watched("watched", stall -> reported.countDown())) {
-            whileAllCarriersAreBusy(() -> {
-                space.execute(() -> await(reported));
+            whileAllCarriersAreBusy(space, busy -> {
+                busy.execute(this::holdTheThread);
                 assertThat(reported.await(30, TimeUnit.SECONDS)).isTrue();
             });
         }

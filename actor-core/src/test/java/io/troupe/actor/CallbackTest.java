@@ -14,56 +14,40 @@ import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
 
 class CallbackTest extends InTestSpace {
-    interface Source {
-        void send(int count, Callback<Integer> results);
-
-        void finishWith(Callback<Integer> results, String error);
-
-        Promise<Integer> sendAndAnswer(Callback<Integer> results);
-
-        void each(Consumer<Integer> consumer);
+    /** What an actor does with a callback. */
+    interface Use {
+        void of(Callback<Integer> results);
     }
 
-    static final class Counting implements Source {
-        private final List<Callback<Integer>> kept = new ArrayList<>();
-        private int sent;
+    interface Source {
+        void give(Callback<Integer> results, Use use);
 
-        @Override
-        public void send(int count, Callback<Integer> results) {
-            for (int i = 0; i < count && !results.isCancelled(); i++) {
-                results.next(i);
-                sent++;
-            }
-            kept.add(results);
-        }
-
-        @Override
-        public void finishWith(Callback<Integer> results, String error) {
-            results.next(7);
-            if (error == null) {
-                results.finish();
-            } else {
-                results.fail(new IllegalStateException(error));
-            }
-        }
-
-        @Override
-        public Promise<Integer> sendAndAnswer(Callback<Integer> results) {
+        default Promise<Integer> ask(Callback<Integer> results) {
             return Promise.of(1);
         }
 
-        @Override
-        public void each(Consumer<Integer> consumer) {
+        default void each(Consumer<Integer> consumer) {
             consumer.accept(8);
         }
     }
 
-    private final Counting counting = new Counting();
-    private final Source source = test.spawn(Source.class, () -> counting);
+    private final List<Callback<Integer>> kept = new ArrayList<>();
+    private final Source source = spawn(ActorSettings.DEFAULT);
+
+    private Source spawn(ActorSettings settings) {
+        return test.spawn(Source.class, () -> (results, use) -> use.of(results), settings);
+    }
+
+    private void sendThree(Callback<Integer> results) {
+        kept.add(results);
+        for (int i = 0; i < 3; i++) {
+            results.next(i);
+        }
+    }
 
     private class Reader extends Actor {
         public void read() {
-            source.send(3, (result, error) -> log.add("result " + result));
+            source.give((result, error) -> log.add("result " + result), CallbackTest.this::sendThree);
             log.add("asked");
             ((Reader) self()).mail();
         }
@@ -79,18 +63,20 @@ class CallbackTest extends InTestSpace {
         reader.read();
         test.crank();
         assertThat(log).containsExactly("asked", "result 0", "result 1", "result 2", "mail");
-        test.space().stop(reader);
-        test.crank();
-        Callback<Integer> kept = counting.kept.getFirst();
-        test.run(() -> kept.next(99));
+        stop(reader);
+        test.run(() -> kept.getFirst().next(99));
         assertThat(log).hasSize(5);
-        assertThat(kept.isCancelled()).isTrue();
+        assertThat(kept.getFirst().isCancelled()).isTrue();
     }
 
     @Test
     void lambda_getsAnErrorAsThePaperHasIt() {
-        source.finishWith(
-                (result, error) -> log.add(result + "/" + (error == null ? null : error.getMessage())), "broken");
+        Callback<Integer> lambda =
+                (result, error) -> log.add(result + "/" + (error == null ? null : error.getMessage()));
+        source.give(lambda, results -> {
+            results.next(7);
+            results.fail(new IllegalStateException("broken"));
+        });
         test.crank();
         assertThat(log).containsExactly("7/null", "null/broken");
     }
@@ -103,7 +89,10 @@ class CallbackTest extends InTestSpace {
 
     @Test
     void stream_isNotifiedOfItsEnd() {
-        source.finishWith(stream(), null);
+        source.give(stream(), results -> {
+            results.next(7);
+            results.finish();
+        });
         test.crank();
         assertThat(log).containsExactly("next 7", "end null");
     }
@@ -111,24 +100,26 @@ class CallbackTest extends InTestSpace {
     @Test
     void cancelledStream_getsNothingMore_andTheActorSeesIt() {
         var stream = stream();
-        source.send(2, stream);
+        source.give(stream, this::sendThree);
         test.crank();
         stream.cancel();
-        assertThat(counting.kept.getFirst().isCancelled()).isTrue();
-        source.send(100, stream);
+        assertThat(kept.getFirst().isCancelled()).isTrue();
+        source.give(stream, results -> {
+            log.add("cancelled: " + results.isCancelled());
+            results.next(100);
+        });
         test.crank();
-        assertThat(counting.sent).isEqualTo(2);
-        assertThat(log).containsExactly("next 0", "next 1", "end " + CancellationException.class.getSimpleName());
+        String end = "end " + CancellationException.class.getSimpleName();
+        assertThat(log).containsExactly("next 0", "next 1", "next 2", end, "cancelled: true");
     }
 
     @Test
     void resultAfterTheEnd_isAnErrorOfTheSender() {
-        source.send(0, (result, error) -> {});
-        test.crank();
-        test.run(() -> {
-            counting.kept.getFirst().finish();
-            counting.kept.getFirst().next(1);
+        source.give((result, error) -> {}, results -> {
+            results.finish();
+            results.next(1);
         });
+        test.crank();
         assertThat(test.takeProblems())
                 .singleElement()
                 .satisfies(problem -> assertThat(problem.error())
@@ -139,12 +130,12 @@ class CallbackTest extends InTestSpace {
     @Test
     void callback_givenToAnActorThatHasStopped_isFailed_butOneThatItHadStaysOpen() {
         var results = test.<Integer>callback();
-        source.send(1, results);
+        source.give(results, callback -> callback.next(0));
         test.space().stop(source);
         assertThat(results.results()).containsExactly(0);
         results.expectOpen();
-        source.send(1, (result, error) -> log.add("stream: " + error));
-        Promise<Integer> answer = source.sendAndAnswer((result, error) -> log.add("request: " + error));
+        source.give((result, error) -> log.add("stream: " + error), this::sendThree);
+        Promise<Integer> answer = source.ask((result, error) -> log.add("request: " + error));
         assertThat(test.error(answer)).isInstanceOf(ActorStoppedException.class);
         assertThat(log)
                 .satisfiesExactly(
@@ -155,11 +146,9 @@ class CallbackTest extends InTestSpace {
 
     @Test
     void callback_ofACallThatAFullMailboxRejectsOrACancelSkips_isFailed() {
-        var settings = ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT);
-        Source small = test.spawn(Source.class, Counting::new, settings);
-        test.crank();
-        Promise<Integer> taken = small.sendAndAnswer((result, error) -> log.add("first: " + error));
-        small.send(1, (result, error) -> log.add("second: " + error));
+        Source small = spawn(ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT));
+        Promise<Integer> taken = small.ask((result, error) -> log.add("first: " + error));
+        small.give((result, error) -> log.add("second: " + error), this::sendThree);
         taken.cancel();
         test.crank();
         assertThat(log) // the second is a callback, which does not wait for messages
@@ -171,10 +160,9 @@ class CallbackTest extends InTestSpace {
 
     @Test
     void dropOldest_keepsNoMoreThanItsCapacityQueued() {
-        var settings = ActorSettings.DEFAULT.withMailbox(3, Overflow.DROP_OLDEST);
-        Source small = test.spawn(Source.class, Counting::new, settings);
+        Source small = spawn(ActorSettings.DEFAULT.withMailbox(3, Overflow.DROP_OLDEST));
         for (int call = 0; call < 1000; call++) {
-            small.send(0, (result, error) -> {});
+            small.give((result, error) -> {}, kept::add);
         }
         assertThat(test.takeDeadLetters()).hasSize(997);
         assertThat(test.space().metrics().waiting() - 997).isEqualTo(3); // and 997 queued callbacks of rejected calls
@@ -183,13 +171,13 @@ class CallbackTest extends InTestSpace {
 
     @Test
     void functionalArgument_runsOnTheActorsBehalf_unlessItIsACallback() {
-        Source named = test.spawn(Source.class, Counting::new, ActorSettings.named("source"));
+        Source named = spawn(ActorSettings.named("source"));
         Doer reader = test.spawn(Doer.class, Doer::new, ActorSettings.named("reader"));
         reader.run(me -> {
             Consumer<Integer> noteOwner = result ->
                     log.add(result + " on behalf of " + me.space().home.owner());
             named.each(noteOwner);
-            named.send(1, (result, error) -> noteOwner.accept(result));
+            named.give((result, error) -> noteOwner.accept(result), results -> results.next(0));
         });
         test.crank();
         assertThat(log).containsExactly("8 on behalf of source", "0 on behalf of reader");

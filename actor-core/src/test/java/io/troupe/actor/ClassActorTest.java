@@ -214,8 +214,10 @@ class ClassActorTest extends InTestSpace {
             return Promise.of(Collections.max(values));
         }
 
+        static final String TEXT = "static";
+
         static String unrelated() {
-            return "static";
+            return TEXT;
         }
     }
 
@@ -234,6 +236,7 @@ class ClassActorTest extends InTestSpace {
                 .containsExactly("UnsatisfiedLinkError");
     }
 
+    /** Is not public, so the compiler generates bridges to its public methods in a public subclass. */
     abstract class Base<T> extends Actor {
         public void put(T value) {
             log.add("base");
@@ -247,6 +250,15 @@ class ClassActorTest extends InTestSpace {
 
         protected Object part() {
             return "base";
+        }
+
+        public Promise<Integer> next(Callback<String> names) {
+            names.next("callback");
+            return Promise.of(1);
+        }
+
+        public void next(Object any) {
+            log.add("object " + any);
         }
     }
 
@@ -270,55 +282,28 @@ class ClassActorTest extends InTestSpace {
         protected String part() {
             return "sub";
         }
+
+        public void next(String text) {
+            log.add("text " + text);
+        }
     }
 
     @Test
-    void bridges_leadToMessages() {
+    void bridges_andMethodsOfASuperclassThatIsNotPublic_areMessages() {
         Sub proxy = test.spawn(Sub.class, Sub::new);
         Base<String> base = proxy;
         proxy.put("a");
         base.put("b");
         base.step("c");
+        proxy.next((Object) 1);
+        proxy.next("d");
+        assertThat(log).isEmpty();
         assertThat(base.answer()).isInstanceOf(Request.class);
         assertThatThrownBy(base::part).hasMessageContaining("Sub.part()");
-        assertThat(test.get(proxy.answer())).isEqualTo("sub");
-        assertThat(log).containsExactly("a", "b", "step c");
+        assertThat(values(proxy.answer(), proxy.next((String name, Throwable error) -> log.add(name))))
+                .containsExactly("sub", 1);
         test.crank();
-    }
-
-    /** Public methods of a class that is not public: the compiler generates bridges to them in a public subclass. */
-    abstract static class Unseen extends Actor {
-        private int count;
-
-        void count(int more) {
-            count += more;
-        }
-
-        public Promise<Integer> next(Callback<String> names) {
-            names.next("n" + ++count);
-            return Promise.of(count);
-        }
-
-        public void next(Object any) {
-            count += 10;
-        }
-    }
-
-    public static class Seen extends Unseen {
-        public void next(String text) {
-            count(100);
-        }
-    }
-
-    @Test
-    void methodsOfAnUnseenSuperclass_areMessages() {
-        Seen proxy = test.spawn(Seen.class, Seen::new);
-        proxy.next((Object) 1);
-        proxy.next("text");
-        Promise<Integer> answer = proxy.next((String name, Throwable error) -> log.add(name));
-        assertThat(test.get(answer)).isEqualTo(111);
-        test.crank();
-        assertThat(log).containsExactly("n111");
+        assertThat(log).containsExactly("a", "b", "step c", "object 1", "text d", "callback");
     }
 
     private static class Hidden extends Actor {

@@ -220,22 +220,20 @@ class JavadocSamplesTest extends InTestSpace {
         void watch(Callback<Integer> colours);
     }
 
-    static class FakeCamera implements Camera {
-        @Override
-        public void watch(Callback<Integer> colours) {
-            colours.next(0xFF0000);
-            colours.next(0x00FF00);
-            colours.finish();
-        }
-    }
-
     @Test
-    void callback_bringsManyResults_andItsEndToAStream() {
-        Camera camera = space.spawn(Camera.class, FakeCamera::new);
+    void callback_bringsManyResults_andItsEnd_toALambda_aStream_orAProbe() {
+        Camera camera = space.spawn(Camera.class, () -> seen -> {
+            seen.next(0xFF0000);
+            seen.next(0x00FF00);
+            seen.finish();
+        });
         camera.watch((colour, error) -> log.add("saw " + colour));
         var stream = new Callback.Stream<Integer>(colour -> log.add("got " + colour), end -> log.add("end " + end));
         camera.watch(stream); // stream.cancel() ends it
-        test.crank();
+        CallbackProbe<Integer> colours = test.callback();
+        camera.watch(colours);
+        assertThat(colours.results()).containsExactly(0xFF0000, 0x00FF00);
+        colours.expectFinished();
         assertThat(log).containsExactly("saw 16711680", "saw 65280", "got 16711680", "got 65280", "end null");
     }
 
@@ -344,15 +342,6 @@ class JavadocSamplesTest extends InTestSpace {
         shop.expectCall("price(lamp)");
         shop.answer(20);
         assertThat(test.get(advice)).isEqualTo("wait");
-    }
-
-    @Test
-    void callbackProbe_recordsResults() {
-        Camera camera = test.spawn(Camera.class, FakeCamera::new);
-        CallbackProbe<Integer> colours = test.callback();
-        camera.watch(colours);
-        assertThat(colours.results()).containsExactly(0xFF0000, 0x00FF00);
-        colours.expectFinished();
     }
 
     @Test

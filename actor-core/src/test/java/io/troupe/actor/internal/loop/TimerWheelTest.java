@@ -38,38 +38,6 @@ class TimerWheelTest {
     }
 
     @Test
-    void timer_runsAtItsDeadlineAndNotBefore() {
-        set("ring", 5 * MILLI, 0);
-        advanceMillis(4);
-        assertThat(log).isEmpty();
-        assertThat(wheel.isDue()).isFalse();
-        advanceMillis(1);
-        assertThat(log).containsExactly("ring");
-        assertThat(wheel.isEmpty()).isTrue();
-    }
-
-    @Test
-    void timers_runByDeadlineThenByTheOrderInWhichTheyWereSet() {
-        set("b", 2 * MILLI + 500, 0);
-        set("a", 2 * MILLI + 499, 0);
-        set("c", 2 * MILLI + 500, 0);
-        advanceMillis(3);
-        assertThat(log).containsExactly("a", "b", "c");
-    }
-
-    @Test
-    void timer_beyondOneRound_waitsForItsRound() {
-        set("late", 1_000 * MILLI, 0);
-        set("early", 488 * MILLI, 0); // the same slot, one round earlier
-        advanceMillis(600);
-        assertThat(log).containsExactly("early");
-        advanceMillis(399);
-        assertThat(log).containsExactly("early");
-        advanceMillis(1);
-        assertThat(log).containsExactly("early", "late");
-    }
-
-    @Test
     void periodicTimer_runsOncePerPeriodThatIsOver_untilCancelled() {
         Timer timer = set("tick", 100 * MILLI, 100 * MILLI);
         advanceMillis(1_050);
