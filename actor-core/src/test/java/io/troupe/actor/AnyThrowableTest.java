@@ -43,13 +43,17 @@ class AnyThrowableTest {
             this.constructor = constructor;
         }
 
+        void raise() {
+            throw make();
+        }
+
         Error make() {
             return constructor.apply("on purpose");
         }
     }
 
     /** Fails everywhere it can. */
-    public static class Failing extends Actor {
+    private static class Failing extends Doer {
         private final Kind kind;
 
         Failing(Kind kind) {
@@ -58,26 +62,14 @@ class AnyThrowableTest {
 
         @Override
         protected void started() {
-            after(Duration.ZERO, () -> {
-                throw kind.make();
-            });
-            Promise.done().thenRun(() -> {
-                throw kind.make();
-            });
-            throw kind.make();
-        }
-
-        public void fail() {
-            throw kind.make();
-        }
-
-        public Promise<Integer> failRequest() {
-            throw kind.make();
+            after(Duration.ZERO, kind::raise);
+            Promise.done().thenRun(kind::raise);
+            kind.raise();
         }
 
         @Override
         protected void stopped() {
-            throw kind.make();
+            kind.raise();
         }
     }
 
@@ -94,14 +86,12 @@ class AnyThrowableTest {
                 .withOnError((where, error) -> reported.add(error));
         try (var space = ActorSpace.create(settings)) {
             Failing failing = space.spawn(Failing.class, () -> new Failing(kind));
-            failing.fail();
-            Promise<Integer> asked = failing.failRequest();
-            space.execute(() -> {
+            failing.run(me -> kind.raise());
+            Promise<Integer> asked = failing.ask(me -> {
                 throw kind.make();
             });
-            space.onIdle(() -> {
-                throw kind.make();
-            });
+            space.execute(kind::raise);
+            space.onIdle(kind::raise);
             space.crank();
             assertThat(asked.error()).isInstanceOf(kind.make().getClass());
             space.stop(failing);
@@ -120,16 +110,14 @@ class AnyThrowableTest {
         var settings = SpaceSettings.named("broken-handlers")
                 .withOnError((where, error) -> {
                     reported.add(error);
-                    throw kind.make();
+                    kind.raise();
                 })
-                .withOnDeadLetter(letter -> {
-                    throw kind.make();
-                });
+                .withOnDeadLetter(letter -> kind.raise());
         try (var space = ActorSpace.create(settings)) {
             Failing failing = space.spawn(Failing.class, () -> new Failing(kind));
-            failing.fail();
+            failing.run(me -> kind.raise());
             space.stop(failing);
-            failing.fail(); // a dead letter
+            failing.run(me -> kind.raise()); // a dead letter
             new Deferred<Integer>(space).reject(kind.make()); // without a listener
             assertThat(answerOf(space).get(LONG)).isEqualTo(1);
             assertThat(space.metrics().errors()).isPositive();

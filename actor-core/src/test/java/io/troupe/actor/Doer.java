@@ -5,7 +5,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
-/** An actor that does what its test gives it, on the thread of its space and on its own behalf. */
+/** An actor that does what its test gives it, on the thread of its space. */
 public class Doer extends Actor {
     public void run(Consumer<Doer> task) {
         task.accept(this);

@@ -93,13 +93,14 @@ class EndOfThingsTest extends InTestSpace {
     void timers_ofAnActorThatStops_leaveTheWheelAtOnce() {
         worker.run(me -> {
             me.every(SECOND, () -> {});
-            me.after("key", HOUR, () -> {});
+            me.after("once", HOUR, () -> {});
+            me.every("again", SECOND, () -> {});
             for (int timer = 0; timer < 20; timer++) {
                 me.after(HOUR, () -> {});
             }
         });
         test.crank();
-        assertThat(test.space().metrics().timers()).isEqualTo(22);
+        assertThat(test.space().metrics().timers()).isEqualTo(23);
         stop(worker);
         assertThat(test.space().metrics().timers()).isZero();
     }

@@ -21,39 +21,28 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Calls that fail, that no actor handles, or that are not answered in time; and user code of the space that throws. */
-@Timeout(30)
+@Timeout(20)
 class FailedCallTest extends InTestSpace {
     private static final Duration SECOND = Duration.ofSeconds(1);
 
     interface Counter {
         Promise<Integer> add(int amount);
 
-        void fail(String why);
-
-        Promise<Integer> failing(String why);
-    }
-
-    private static final class FailingCounter implements Counter {
-        private int sum;
-
-        @Override
-        public Promise<Integer> add(int amount) {
-            sum += amount;
-            return Promise.of(sum);
-        }
-
-        @Override
-        public void fail(String why) {
+        default void fail(String why) {
             throw new IllegalArgumentException(why);
         }
 
-        @Override
-        public Promise<Integer> failing(String why) {
+        default Promise<Integer> failing(String why) {
             throw new IllegalArgumentException(why);
         }
     }
 
-    private final Counter counter = test.spawn(Counter.class, FailingCounter::new);
+    private static Counter failingCounter() {
+        var sum = new int[1];
+        return amount -> Promise.of(sum[0] += amount);
+    }
+
+    private final Counter counter = test.spawn(Counter.class, FailedCallTest::failingCounter);
 
     private void assertReported(String where, String message) {
         assertThat(test.takeProblems()).singleElement().satisfies(problem -> {
@@ -85,7 +74,7 @@ class FailedCallTest extends InTestSpace {
     void exception_goesToTheActorsOwnHandlerFirst() {
         var settings =
                 ActorSettings.named("tally").withOnError((where, error) -> log.add(where + ": " + error.getMessage()));
-        test.spawn(Counter.class, FailingCounter::new, settings).fail("mine");
+        test.spawn(Counter.class, FailedCallTest::failingCounter, settings).fail("mine");
         test.crank();
         assertThat(log).containsExactly("Counter.fail(String) of tally: mine");
     }
@@ -226,7 +215,7 @@ class FailedCallTest extends InTestSpace {
     @Test
     void errorHandler_throwsWhatItWasGiven_spaceGoesOn() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("rethrowing").withOnError(FailedCallTest::rethrow))) {
-            Counter failing = space.spawn(Counter.class, FailingCounter::new);
+            Counter failing = space.spawn(Counter.class, FailedCallTest::failingCounter);
             failing.fail("failed");
             assertThat(failing.add(1).get(LONG)).isEqualTo(1);
         }

@@ -128,17 +128,6 @@ class KeyedTimersTest extends InTestSpace {
     }
 
     @Test
-    void stoppedActor_hasNoTimers() {
-        run(me -> {
-            me.after("once", SECOND, () -> log.add("once"));
-            me.every("again", SECOND, () -> log.add("again"));
-        });
-        test.space().stop(actor);
-        advanceSeconds(3);
-        assertThat(log).isEmpty();
-    }
-
-    @Test
     void restartedActor_beginsWithoutTimers_evenIfTheFactoryAnswersTheSameObject() {
         run(me -> set(me, true, "old"));
         run(me -> {
