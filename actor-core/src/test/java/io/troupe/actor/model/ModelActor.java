@@ -1,9 +1,13 @@
 package io.troupe.actor.model;
 
+import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.Supervision.Directive;
-import io.troupe.actor.model.ModelMailbox.Call;
+import io.troupe.actor.model.Act.Cast;
+import io.troupe.actor.model.ModelSpace.Task;
+import io.troupe.actor.model.ModelSpace.Timer;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** An actor of the model: its mailbox, its instances and its failures. */
@@ -21,7 +25,7 @@ final class ModelActor {
     static final class Instance {
         final ModelActor actor;
         final String name;
-        final List<ModelTimers.Timer> timers = new ArrayList<>();
+        final List<Timer> timers = new ArrayList<>();
         final List<OpenRequest> openRequests = new ArrayList<>();
         boolean over;
 
@@ -31,12 +35,28 @@ final class ModelActor {
         }
     }
 
+    /**
+     * A queued call.
+     *
+     * @param answer of a request
+     * @param callback among its arguments
+     * @param handler what the actor does with it
+     */
+    record Call(
+            int id, @Nullable ModelPromise answer, @Nullable ModelStream callback, Consumer<Instance> handler) {
+        void failCallback(String error) {
+            if (callback != null) {
+                callback.abandon(error);
+            }
+        }
+    }
+
     private final ModelRun run;
     private final ModelSpace space;
     private final Act born;
     private final Cast cast;
     private final String name;
-    private final ModelMailbox mailbox;
+    private final List<Call> mailbox = new ArrayList<>();
     private final List<Long> failures = new ArrayList<>();
     private final ModelPromise ended;
     private @Nullable Instance instance;
@@ -49,28 +69,47 @@ final class ModelActor {
         this.born = born;
         this.cast = Cast.of(born.number());
         this.name = "A" + born.target();
-        this.mailbox = new ModelMailbox(cast);
         this.ended = ModelPromise.shared(space, true);
     }
 
+    private boolean dropsOldest() {
+        return cast.capacity() > 0 && cast.overflow() == Overflow.DROP_OLDEST;
+    }
+
     void send(Call call) {
-        mailbox.add(
-                call,
-                () -> space.enqueue(ModelTask.call(() -> deliver(call))),
-                dropped -> dropped.turnAway(space, name, "MailboxFullException", "full"));
+        if (cast.capacity() == 0 || mailbox.size() < cast.capacity()) {
+            mailbox.add(call);
+            space.enqueue(Task.call(() -> deliver(call)));
+        } else if (dropsOldest()) {
+            mailbox.add(call); // delivered for the entry of another call
+            turnAway(mailbox.removeFirst(), "MailboxFullException", "full");
+        } else {
+            turnAway(call, "MailboxFullException", "full");
+        }
     }
 
     private void deliver(Call queued) {
         begin();
-        Call call = mailbox.take(queued);
+        Call call = dropsOldest() ? mailbox.removeFirst() : queued;
+        mailbox.removeIf(each -> each == call);
         Instance now = instance;
-        if (call.isCancelled()) {
+        if (call.answer != null && call.answer.isDone()) {
             call.failCallback("CancellationException");
         } else if (now == null) {
-            call.turnAway(space, name, "ActorStoppedException", space.stopping ? "closed" : "stopped");
+            turnAway(call, "ActorStoppedException", space.stopping ? "closed" : "stopped");
         } else {
-            guarded(now, () -> call.handler().accept(now));
+            guarded(now, () -> call.handler.accept(now));
         }
+    }
+
+    /** Rejects a call: notifies its sender and its callback. */
+    private void turnAway(Call call, String error, String reason) {
+        if (call.answer != null) {
+            call.answer.settle("!" + error);
+        } else {
+            space.history.add("dead letter " + call.id + " to " + name + ": " + reason);
+        }
+        call.failCallback(error);
     }
 
     /** Each watcher has a separate promise. */
@@ -96,7 +135,7 @@ final class ModelActor {
         if (stopped) {
             return;
         }
-        long now = space.timers.now;
+        long now = space.now;
         failures.removeIf(each -> each <= now - cast.windowTicks());
         failures.add(now);
         if (cast.limit() >= 0 && failures.size() > cast.limit() || cast.directive() == Directive.STOP) {
@@ -144,7 +183,7 @@ final class ModelActor {
         if (instance != null) {
             space.history.add(instance.name + " ends");
             instance.over = true;
-            instance.timers.forEach(ModelTimers.Timer::cancel);
+            instance.timers.forEach(Timer::cancel);
             instance.openRequests.forEach(OpenRequest::reject);
             instance = null;
         }

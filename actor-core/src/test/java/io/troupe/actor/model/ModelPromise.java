@@ -6,21 +6,26 @@ import org.jspecify.annotations.Nullable;
 
 /** A promise of the model: an outcome, as text, and a list of listeners. */
 final class ModelPromise {
-    /** A listener. */
     interface Listener {
         void tell();
 
         /** True if it no longer needs the outcome. */
         boolean isIdle();
 
-        /** True if it runs in the space. */
-        boolean isAtHome();
+        /** True if it runs in the space; otherwise on the thread that settles its source. */
+        default boolean isAtHome() {
+            return false;
+        }
 
         /** Like {@link #tell}, behind listeners that were notified from outside. */
-        void tellBehind();
+        default void tellBehind() {
+            tell();
+        }
 
         /** True if it runs in a separate turn. */
-        boolean hasTurn();
+        default boolean hasTurn() {
+            return false;
+        }
     }
 
     private record Follower(ModelPromise leader, ModelPromise promise) implements Listener {
@@ -32,21 +37,6 @@ final class ModelPromise {
         @Override
         public boolean isIdle() {
             return promise.isDone();
-        }
-
-        @Override
-        public boolean isAtHome() {
-            return false; // it runs on the thread that settles its source
-        }
-
-        @Override
-        public void tellBehind() {
-            tell();
-        }
-
-        @Override
-        public boolean hasTurn() {
-            return false;
         }
     }
 
@@ -110,14 +100,14 @@ final class ModelPromise {
             return false;
         }
         if (local && !space.inside) {
-            space.enqueue(ModelTask.callback(() -> settle(end)));
+            space.enqueue(ModelSpace.Task.callback(() -> settle(end)));
             return true;
         }
         outcome = end;
         if (!listeners.isEmpty()) {
             heard = true;
         } else if (atHome && isError(end) && !end.equals("!CancellationException")) {
-            space.rejections.rejected(this);
+            space.rejected(this);
         }
         tellAll();
         return true;
@@ -138,7 +128,7 @@ final class ModelPromise {
 
     void register(Listener listener) {
         if (local && !space.inside) {
-            space.enqueue(ModelTask.callback(() -> registerHere(listener)));
+            space.enqueue(ModelSpace.Task.callback(() -> registerHere(listener)));
         } else {
             registerHere(listener);
         }

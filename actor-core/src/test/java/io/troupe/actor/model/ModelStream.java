@@ -78,7 +78,7 @@ final class ModelStream {
         if (!isCancelled()) {
             // in the order in which they were sent, independent of the order of turns
             line.add(() -> deliver(delivery));
-            space.enqueue(ModelTask.callback(() -> line.removeFirst().run()));
+            space.enqueue(ModelSpace.Task.callback(() -> line.removeFirst().run()));
         }
     }
 

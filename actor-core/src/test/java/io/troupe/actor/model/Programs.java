@@ -3,6 +3,7 @@ package io.troupe.actor.model;
 import io.troupe.actor.model.Act.Answer;
 import io.troupe.actor.model.Act.Kind;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Random;
@@ -22,9 +23,53 @@ final class Programs {
     private static final List<Integer> DELAYS = List.of(0, 1, 2, 3, 20, 20, 100, 1_100);
     private static final Set<Kind> NONE = EnumSet.noneOf(Kind.class);
 
+    /**
+     * Whether and when a program closes its space, and which kinds of acts it leaves out. A callback whose reader
+     * belongs to no actor receives no results after its space is closed, but in the model it does. So no such callback
+     * is open then.
+     */
+    private enum Ending {
+        NEVER,
+        /** When all acts are done. */
+        AT_THE_END,
+        /** At any act. */
+        ANY_TIME;
+
+        private static final Set<Kind> CALLBACKS =
+                EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.FINISH, Kind.FAIL);
+
+        /** The kinds of acts that the program does not contain. */
+        boolean leavesOut(Kind kind) {
+            return this != ANY_TIME && kind == Kind.CLOSE;
+        }
+
+        /** The kinds of acts that are not done outside an actor. */
+        Set<Kind> notByNobody() {
+            return this == ANY_TIME ? EnumSet.of(Kind.OPEN) : EnumSet.noneOf(Kind.class);
+        }
+
+        /** The kinds of acts that listeners do not do. */
+        Set<Kind> notInListeners() {
+            return switch (this) {
+                case NEVER -> EnumSet.noneOf(Kind.class);
+                case AT_THE_END -> CALLBACKS;
+                case ANY_TIME -> EnumSet.of(Kind.OPEN);
+            };
+        }
+
+        List<Act> lastActs() {
+            var close = Act.of(Kind.CLOSE, 0, 0, 0);
+            return switch (this) {
+                case NEVER -> List.of();
+                case AT_THE_END -> List.of(CRANK, close);
+                case ANY_TIME -> List.of(close);
+            };
+        }
+    }
+
     private final Random random;
     private final Ending ending;
-    private final Deck deck;
+    private final List<Kind> deck = new ArrayList<>();
     private final List<Integer> promises = new ArrayList<>(List.of(0));
     private final List<Integer> deferreds = new ArrayList<>(List.of(0));
     private final List<Integer> streams = new ArrayList<>(List.of(0));
@@ -34,7 +79,23 @@ final class Programs {
     private Programs(long seed) {
         random = new Random(seed);
         ending = Ending.values()[random.nextInt(3)];
-        deck = new Deck(random, ending);
+        for (Kind kind : Kind.values()) {
+            if (kind != Kind.READER && !ending.leavesOut(kind)) {
+                deck.addAll(Collections.nCopies(frequency(kind, random.nextInt(7)), kind));
+            }
+        }
+    }
+
+    /** Some kinds are frequent and some do not occur, so that rare ones meet. */
+    private int frequency(Kind kind, int number) {
+        int often = Math.max(0, number - 2);
+        return switch (kind) {
+            case ADVANCE, THROW -> 2 + random.nextInt(3);
+            case TELL, ASK -> 6;
+            case CLOSE -> often / 4; // nothing follows it
+            case STOP, STOP_SELF -> often / 3; // little happens to a stopped actor
+            default -> often;
+        };
     }
 
     static List<Act> random(long seed) {
@@ -83,9 +144,9 @@ final class Programs {
     }
 
     private Act act(int depth, Set<Kind> banned, Set<Kind> notHere) {
-        Kind kind = deck.draw();
+        Kind kind = deck.get(random.nextInt(deck.size()));
         while (banned.contains(kind) || notHere.contains(kind)) {
-            kind = random.nextBoolean() ? Kind.TELL : deck.draw();
+            kind = random.nextBoolean() ? Kind.TELL : deck.get(random.nextInt(deck.size()));
         }
         var below = union(OUTSIDE_ONLY, banned);
         below.removeAll(INSIDE_ONLY);
@@ -127,7 +188,7 @@ final class Programs {
     }
 
     private Act spawn(int actor, int depth) {
-        int variant = random.nextInt(3) == 0 ? random.nextInt(5) : random.nextInt(Cast.VARIANTS);
+        int variant = random.nextInt(3) == 0 ? random.nextInt(5) : random.nextInt(Act.Cast.VARIANTS);
         var banned = union(EnumSet.of(Kind.SPAWN, Kind.THROW), OUTSIDE_ONLY);
         return new Act(Kind.SPAWN, ++lastId, actor, variant, script(depth + 2, banned));
     }
