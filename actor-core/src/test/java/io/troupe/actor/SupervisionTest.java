@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -186,25 +187,14 @@ class SupervisionTest extends TestSpaceBench {
         Fragile other = spawn(Supervision.RESUME);
         assertThat(test.get(other.count())).isEqualTo(1);
         instances = 0;
-        advanceMillis(9);
-        assertThat(instances).isZero();
-        advanceMillis(1);
-        assertThat(instances).isOne();
-        advanceMillis(20);
-        assertThat(instances).isEqualTo(2);
-        advanceMillis(39);
-        assertThat(instances).isEqualTo(2);
-        advanceMillis(1);
-        assertThat(instances).isEqualTo(3);
-        advanceMillis(80 + 160 + 320 + 640 + 1_280 + 2_560 + 5_120);
-        assertThat(instances).isEqualTo(3 + 7);
-        advanceMillis(100_000); // no pause is longer than 10 s
-        assertThat(instances).isEqualTo(10 + 10);
+        var started = new ArrayList<Integer>();
+        int rising = 80 + 160 + 320 + 640 + 1_280 + 2_560 + 5_120;
+        for (int millis : new int[] {9, 1, 20, 39, 1, rising, 100_000}) { // no pause is longer than 10 s
+            test.advance(Duration.ofMillis(millis));
+            started.add(instances);
+        }
+        assertThat(started).containsExactly(0, 1, 2, 2, 3, 3 + 7, 10 + 10);
         assertThat(test.takeProblems()).hasSizeGreaterThan(20);
-    }
-
-    private void advanceMillis(int millis) {
-        test.advance(Duration.ofMillis(millis));
     }
 
     @Test

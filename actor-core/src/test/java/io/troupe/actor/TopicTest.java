@@ -115,17 +115,6 @@ class TopicTest extends TestSpaceBench {
     }
 
     @Test
-    void spaces_receiveEachOnItsThread_andASlowOneHoldsUpNobody() {
-        robotThat(test, () -> topic.subscribe(value -> log.add("here " + value)));
-        robotThat(elsewhere, () -> topic.subscribe(value -> log.add("there " + value)));
-        assertThat(topic.publish(1) + topic.publish(2)).isEqualTo(4);
-        test.crank();
-        assertThat(log).containsExactly("here 1", "here 2");
-        elsewhere.crank();
-        assertThat(log).containsExactly("here 1", "here 2", "there 1", "there 2");
-    }
-
-    @Test
     void subscriberOfALatestTopic_receivesTheLastValueFirst_evenIfNobodyReceivedIt() {
         assertThat(latest.publish(0)).isZero();
         latest.subscribe(value -> log.add("early " + value));

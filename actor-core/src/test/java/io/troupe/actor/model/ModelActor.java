@@ -139,9 +139,9 @@ final class ModelActor {
         failures.removeIf(each -> each <= now - cast.windowTicks());
         failures.add(now);
         if (cast.limit() >= 0 && failures.size() > cast.limit() || cast.directive() == Directive.STOP) {
-            space.afterTurn(this::stop);
+            space.ends.add(this::stop);
         } else if (cast.directive() == Directive.RESTART) {
-            space.afterTurn(this::restart);
+            space.ends.add(this::restart);
         }
     }
 

@@ -19,7 +19,7 @@ final class ModelRun {
     final ModelSpace space = new ModelSpace();
     private final Map<Integer, ModelPromise> promises = new TreeMap<>();
     private final Set<Integer> byHand = new HashSet<>();
-    private final Map<ModelPromise, Delay> delays = new HashMap<>();
+    private final Map<ModelPromise, Timer> delays = new HashMap<>();
     private final Map<Integer, ModelStream> handles = new HashMap<>();
     private final Map<Integer, ModelStream> readers = new HashMap<>();
     private final Map<Integer, Timer> timers = new HashMap<>();
@@ -33,7 +33,7 @@ final class ModelRun {
         run.play(program, null);
         run.space.crank();
         run.promises.forEach((id, promise) ->
-                run.space.history.add("promise " + id + " " + (promise.isDone() ? promise.outcome() : "pending")));
+                run.space.history.add("promise " + id + " " + (promise.isDone() ? promise.outcome : "pending")));
         return run.space.history;
     }
 
@@ -78,7 +78,7 @@ final class ModelRun {
         }
         switch (act.kind()) {
             case EXECUTE -> space.execute(() -> space.guarded(() -> task("executes " + act.id(), act)));
-            case ON_IDLE -> space.execute(() -> space.whenIdle(() -> task("is idle for " + act.id(), act)));
+            case ON_IDLE -> space.execute(() -> space.idle.add(() -> task("is idle for " + act.id(), act)));
             default -> {
                 var fresh = new ModelActor(this, act);
                 actors.put(act.target(), fresh);
@@ -152,7 +152,7 @@ final class ModelRun {
 
     private void playAsActor(Act act, Instance self) {
         switch (act.kind()) {
-            case STOP_SELF -> space.afterTurn(self.actor::stop);
+            case STOP_SELF -> space.ends.add(self.actor::stop);
             case AFTER -> setTimer(act, self, 0);
             case EVERY -> setTimer(act, self, act.number());
             default -> {
@@ -165,20 +165,14 @@ final class ModelRun {
     }
 
     private void setTimer(Act act, Instance self, int period) {
-        var set = new Timer[1];
-        Runnable tick = () -> {
-            if (self.over) {
-                set[0].cancel();
-                return;
-            }
-            self.actor.guarded(self, () -> {
-                space.history.add("timer " + act.id() + " of " + self.name);
-                play(act.script(), self);
-            });
-        };
-        set[0] = space.setTimer(act.number(), period, tick, () -> {});
-        timers.put(act.id(), set[0]);
-        self.timers.add(set[0]);
+        Runnable tick = () -> self.actor.guarded(self, () -> {
+            space.history.add("timer " + act.id() + " of " + self.name);
+            play(act.script(), self);
+        });
+        var timer = new Timer(tick, () -> {}, space.now + act.number(), period);
+        space.begin(timer);
+        timers.put(act.id(), timer);
+        self.timers.add(timer);
     }
 
     private void answer(Act act, ModelPromise request, Instance actor) {
@@ -232,155 +226,90 @@ final class ModelRun {
                 }
             }
             case CANCEL -> space.history.add(told + cancel(promise));
-            default -> {
-                var listener = new Reaction(promise, act, self);
-                promise.register(listener);
-                promises.put(act.id(), listener.result);
-            }
+            default -> promises.put(act.id(), listen(promise, act, self));
         }
     }
 
     /** Cancels a promise. A cancelled delay cancels its timer; if cancelled outside, when the space processes that. */
     private boolean cancel(ModelPromise promise) {
         boolean done = promise.settle("!CancellationException");
-        Delay delay = delays.get(promise);
+        Timer delay = delays.get(promise);
         if (done && delay != null) {
             if (space.inside) {
-                delay.withdraw();
+                delay.cancel();
             } else {
-                space.enqueue(Task.entry(delay::withdraw, () -> {}));
+                space.enqueue(Task.entry(delay::cancel, () -> {}));
             }
         }
         return done;
     }
 
     private void delay(Act act) {
-        var delay = new Delay(act.number());
-        promises.put(act.id(), delay.promise);
-        delays.put(delay.promise, delay);
+        var promise = ModelPromise.shared(space, true);
+        Runnable drop = () -> promise.settle("!CancellationException");
+        var timer = new Timer(() -> promise.settle("=null"), drop, space.now + act.number(), 0);
+        promises.put(act.id(), promise);
+        delays.put(promise, timer);
         if (!space.inside) {
-            space.enqueue(Task.entry(delay::begin, delay::drop));
+            space.enqueue(Task.entry(() -> space.begin(timer), drop));
         } else if (space.closed) {
-            delay.drop();
+            drop.run();
         } else {
-            delay.begin();
+            space.begin(timer);
         }
     }
 
-    private final class Delay {
-        private final ModelPromise promise = ModelPromise.shared(space, true);
-        private final long deadline;
-        private @Nullable Timer timer;
-        private boolean withdrawn;
-
-        Delay(int ticks) {
-            this.deadline = space.now + ticks;
-        }
-
-        void begin() {
-            if (!withdrawn) {
-                timer = space.setTimer(deadline - space.now, 0, () -> promise.settle("=null"), this::drop);
-            }
-        }
-
-        void drop() {
-            promise.settle("!CancellationException");
-        }
-
-        void withdraw() {
-            withdrawn = true;
-            if (timer != null) {
-                timer.cancel();
-            }
-        }
-    }
-
-    /** A listener that plays a script, and the promise of its result. */
-    private final class Reaction implements ModelPromise.Listener {
-        private final ModelPromise source;
-        private final Act act;
-        private final @Nullable Instance self;
-        private final @Nullable Instance owner = space.inside ? space.current : null;
-        private final ModelPromise result;
-
-        Reaction(ModelPromise source, Act act, @Nullable Instance self) {
-            this.source = source;
-            this.act = act;
-            this.self = self;
-            this.result = ModelPromise.local(space, space.inside || source.atHome);
-        }
-
-        /**
-         * The source is settled: from now on the listener is in its callback queue. A listener without a space is
-         * queued in the space of the thread that settles the source, if there is one.
-         */
-        @Override
-        public void tell() {
-            if (result.atHome || space.inside) {
-                space.enqueue(Task.callback(this::takeTurn));
-            } else {
-                space.runDetached(this::takeTurn);
-            }
-        }
-
-        @Override
-        public void tellBehind() {
-            if (result.atHome) {
-                space.enqueueBehind(Task.callback(this::takeTurn));
-            } else {
-                tell();
-            }
-        }
-
-        @Override
-        public boolean hasTurn() {
-            return true;
-        }
-
-        @Override
-        public boolean isIdle() {
-            return result.isDone();
-        }
-
-        @Override
-        public boolean isAtHome() {
-            return result.atHome;
-        }
-
-        private void takeTurn() {
+    /** Registers a listener that plays a script, and returns the promise of its result. */
+    private ModelPromise listen(ModelPromise source, Act act, @Nullable Instance self) {
+        var result = ModelPromise.local(space, space.inside || source.atHome);
+        var owner = space.inside ? space.current : null;
+        Runnable turn = () -> {
             source.arrived();
-            if (result.isDone()) {
-                return;
+            if (!result.isDone()) {
+                hear(String.valueOf(source.outcome), result, act, self, owner);
             }
-            String outcome = String.valueOf(source.outcome());
-            if (owner == null) {
-                hear(outcome);
-            } else if (owner.over) {
-                result.settle(ModelPromise.isError(outcome) ? outcome : "!CancellationException");
-            } else {
-                space.as(owner, () -> hear(outcome));
-            }
-        }
+        };
+        source.register(new ModelPromise.Listener(result, true, behind -> notify(result, turn, behind)));
+        return result;
+    }
 
-        private void hear(String outcome) {
-            boolean thenOnly = act.kind() == Kind.THEN || act.kind() == Kind.COMPOSE;
-            if (ModelPromise.isError(outcome) ? thenOnly : act.kind() == Kind.RESCUE) {
-                result.settle(outcome);
-                return;
-            }
-            try {
-                space.history.add("listener " + act.id() + " of " + name(self) + " hears " + outcome);
-                play(act.script(), self);
-            } catch (History.Boom boom) {
-                result.settle("!" + boom.getMessage());
-                return;
-            }
-            ModelPromise leader = promises.get(act.number());
-            if (act.kind() == Kind.COMPOSE && leader != null) {
-                result.follow(leader);
-            } else {
-                result.settle(act.kind() == Kind.WHEN ? outcome : "=" + act.id());
-            }
+    /**
+     * The source is settled: from now on the listener is in its callback queue. A listener without a space is queued in
+     * the space of the thread that settles the source, if there is one.
+     */
+    private void notify(ModelPromise result, Runnable turn, boolean behind) {
+        if (behind && result.atHome) {
+            space.enqueueBehind(Task.callback(turn));
+        } else if (result.atHome || space.inside) {
+            space.enqueue(Task.callback(turn));
+        } else {
+            space.runDetached(turn);
+        }
+    }
+
+    private void hear(String outcome, ModelPromise result, Act act, @Nullable Instance self, @Nullable Instance owner) {
+        boolean error = ModelPromise.isError(outcome);
+        boolean thenOnly = act.kind() == Kind.THEN || act.kind() == Kind.COMPOSE;
+        if (owner != null && owner.over) {
+            result.settle(error ? outcome : "!CancellationException");
+        } else if (error ? thenOnly : act.kind() == Kind.RESCUE) {
+            result.settle(outcome);
+        } else {
+            space.as(owner, () -> {
+                try {
+                    space.history.add("listener " + act.id() + " of " + name(self) + " hears " + outcome);
+                    play(act.script(), self);
+                } catch (History.Boom boom) {
+                    result.settle("!" + boom.getMessage());
+                    return;
+                }
+                ModelPromise leader = promises.get(act.number());
+                if (act.kind() == Kind.COMPOSE && leader != null) {
+                    result.follow(leader);
+                } else {
+                    result.settle(act.kind() == Kind.WHEN ? outcome : "=" + act.id());
+                }
+            });
         }
     }
 
@@ -414,7 +343,7 @@ final class ModelRun {
         }
         int times = act.kind() == Kind.NEXT ? act.number() : 1;
         for (int i = 0; i < times; i++) {
-            if (handle.hasEnded()) {
+            if (handle.ended) {
                 space.history.add("stream " + act.target() + " refuses " + act.id());
                 return;
             }

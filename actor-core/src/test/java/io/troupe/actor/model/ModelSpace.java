@@ -46,8 +46,8 @@ final class ModelSpace {
     private final List<Task> messages = new ArrayList<>();
     private final Map<Task, Task> lastCallbackBefore = new IdentityHashMap<>();
     private int owed = QUOTA;
-    private final List<Runnable> ends = new ArrayList<>();
-    private final List<Runnable> idle = new ArrayList<>();
+    final List<Runnable> ends = new ArrayList<>(); // run when the current turn is over, before anything else
+    final List<Runnable> idle = new ArrayList<>();
     private final List<Runnable> detached = new ArrayList<>();
     boolean inside;
     boolean closing;
@@ -90,15 +90,6 @@ final class ModelSpace {
 
     private void refuseTask() {
         history.add("dead letter a task to space: closed");
-    }
-
-    /** When the current turn is over, before anything else. */
-    void afterTurn(Runnable action) {
-        ends.add(action);
-    }
-
-    void whenIdle(Runnable action) {
-        idle.add(action);
     }
 
     /** Runs an action on behalf of an instance, or of no actor. */
@@ -312,10 +303,9 @@ final class ModelSpace {
         }
     }
 
-    Timer setTimer(long delay, int period, Runnable task, Runnable ifClosed) {
-        var timer = new Timer(task, ifClosed, now + Math.max(0, delay), period);
+    void begin(Timer timer) {
+        timer.deadline = Math.max(now, timer.deadline);
         timers.add(timer);
-        return timer;
     }
 
     /** By deadline, and then in the order in which they were set. */
@@ -343,7 +333,7 @@ final class ModelSpace {
 
     /** One whose caller is outside is kept for a second before it is reported. */
     void rejected(ModelPromise promise) {
-        boolean stopped = String.valueOf(promise.outcome()).contains("ActorStopped");
+        boolean stopped = String.valueOf(promise.outcome).contains("ActorStopped");
         if (closed && (promise.madeOutside || stopped) || inside && stopping && stopped) {
             return;
         }
@@ -355,7 +345,7 @@ final class ModelSpace {
                 held.remove(promise);
                 lost.add(promise);
             };
-            setTimer(GRACE_TICKS, 0, lose, () -> {});
+            begin(new Timer(lose, () -> {}, now + GRACE_TICKS, 0));
         } else {
             lost.add(promise);
         }
@@ -365,8 +355,8 @@ final class ModelSpace {
         var reported = List.copyOf(lost);
         lost.clear();
         for (var promise : reported) {
-            if (!promise.isHandled()) {
-                history.add("unheard " + String.valueOf(promise.outcome()).substring(1));
+            if (!promise.heard) {
+                history.add("unheard " + String.valueOf(promise.outcome).substring(1));
             }
         }
     }

@@ -11,7 +11,7 @@ final class ModelStream {
     private final ModelActor.@Nullable Instance owner;
     private final Runnable onNext;
     private final ArrayDeque<Runnable> line = new ArrayDeque<>();
-    private boolean ended;
+    boolean ended;
     private boolean over;
     private boolean readerGone;
 
@@ -21,10 +21,6 @@ final class ModelStream {
         this.who = who;
         this.owner = space.current;
         this.onNext = onNext;
-    }
-
-    boolean hasEnded() {
-        return ended;
     }
 
     boolean isCancelled() {

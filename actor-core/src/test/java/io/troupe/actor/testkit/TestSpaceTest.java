@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Actor;
-import io.troupe.actor.ActorSettings;
 import io.troupe.actor.TestSpaceBench;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
@@ -130,12 +129,6 @@ class TestSpaceTest extends TestSpaceBench {
         assertFails(() -> test.get(delay), "timers that wait for advance(..): 1");
         test.advance(SECOND);
         assertThat(delay.isDone()).isTrue();
-    }
-
-    @Test
-    void spawn_takesSettings() {
-        assertThat(test.spawn(Silent.class, Silent::new, ActorSettings.named("silent")))
-                .hasToString("silent");
     }
 
     // ---- what fails a test
