@@ -1,22 +1,25 @@
 package io.troupe.actor.model;
 
+import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.Supervision.Directive;
 import io.troupe.actor.model.Act.Answer;
+import io.troupe.actor.model.Act.Cast;
 import io.troupe.actor.model.Act.Kind;
-import io.troupe.actor.model.ModelActor.Call;
-import io.troupe.actor.model.ModelActor.Instance;
 import io.troupe.actor.model.ModelSpace.Task;
 import io.troupe.actor.model.ModelSpace.Timer;
+import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** Runs a program on the model. */
 final class ModelRun {
-    final ModelSpace space = new ModelSpace();
+    private final ModelSpace space = new ModelSpace();
     private final Map<Integer, ModelPromise> promises = new TreeMap<>();
     private final Set<Integer> byHand = new HashSet<>();
     private final Map<ModelPromise, Timer> delays = new HashMap<>();
@@ -37,11 +40,7 @@ final class ModelRun {
         return run.space.history;
     }
 
-    int nextInstance(int actor) {
-        return instances.merge(actor, 1, Integer::sum);
-    }
-
-    void play(List<Act> acts, @Nullable Instance self) {
+    private void play(List<Act> acts, @Nullable Instance self) {
         for (Act act : acts) {
             if (!space.history.isFull()) {
                 play(act, self);
@@ -80,7 +79,7 @@ final class ModelRun {
             case EXECUTE -> space.execute(() -> space.guarded(() -> task("executes " + act.id(), act)));
             case ON_IDLE -> space.execute(() -> space.idle.add(() -> task("is idle for " + act.id(), act)));
             default -> {
-                var fresh = new ModelActor(this, act);
+                var fresh = new ModelActor(act);
                 actors.put(act.target(), fresh);
                 space.enqueue(Task.entry(fresh::begin, fresh::stop));
             }
@@ -97,6 +96,188 @@ final class ModelRun {
     }
 
     // ---- actors
+
+    /** A request that has begun; if its result was settled outside, the outcome may still be queued. */
+    record OpenRequest(ModelPromise request, ModelPromise answer) {
+        void reject() {
+            if (!answer.isDone()) {
+                request.settle("!ActorStoppedException");
+            }
+        }
+    }
+
+    /** One instance, from its start to its end. */
+    static final class Instance {
+        final ModelActor actor;
+        final String name;
+        final List<Timer> timers = new ArrayList<>();
+        final List<OpenRequest> openRequests = new ArrayList<>();
+        boolean over;
+
+        Instance(ModelActor actor, String name) {
+            this.actor = actor;
+            this.name = name;
+        }
+    }
+
+    /**
+     * A queued call.
+     *
+     * @param answer of a request
+     * @param callback among its arguments
+     * @param handler what the actor does with it
+     */
+    record Call(
+            int id, @Nullable ModelPromise answer, @Nullable ModelStream callback, Consumer<Instance> handler) {
+        void failCallback(String error) {
+            if (callback != null) {
+                callback.abandon(error);
+            }
+        }
+    }
+
+    /** An actor of the model: its mailbox, its instances and its failures. */
+    final class ModelActor {
+        private final Act born;
+        private final Cast cast;
+        private final String name;
+        private final List<Call> mailbox = new ArrayList<>();
+        private final List<Long> failures = new ArrayList<>();
+        private final ModelPromise ended = ModelPromise.shared(space, true);
+        private @Nullable Instance instance;
+        private boolean begun;
+        private boolean stopped;
+
+        ModelActor(Act born) {
+            this.born = born;
+            this.cast = Cast.of(born.number());
+            this.name = "A" + born.target();
+        }
+
+        private boolean dropsOldest() {
+            return cast.capacity() > 0 && cast.overflow() == Overflow.DROP_OLDEST;
+        }
+
+        void send(Call call) {
+            if (cast.capacity() == 0 || mailbox.size() < cast.capacity()) {
+                mailbox.add(call);
+                space.enqueue(Task.call(() -> deliver(call)));
+            } else if (dropsOldest()) {
+                mailbox.add(call); // delivered for the entry of another call
+                turnAway(mailbox.removeFirst(), "MailboxFullException", "full");
+            } else {
+                turnAway(call, "MailboxFullException", "full");
+            }
+        }
+
+        private void deliver(Call queued) {
+            begin();
+            Call call = dropsOldest() ? mailbox.removeFirst() : queued;
+            mailbox.removeIf(each -> each == call);
+            Instance now = instance;
+            if (call.answer != null && call.answer.isDone()) {
+                call.failCallback("CancellationException");
+            } else if (now == null) {
+                turnAway(call, "ActorStoppedException", space.stopping ? "closed" : "stopped");
+            } else {
+                guarded(now, () -> call.handler.accept(now));
+            }
+        }
+
+        /** Rejects a call: notifies its sender and its callback. */
+        private void turnAway(Call call, String error, String reason) {
+            if (call.answer != null) {
+                call.answer.settle("!" + error);
+            } else {
+                space.history.add("dead letter " + call.id + " to " + name + ": " + reason);
+            }
+            call.failCallback(error);
+        }
+
+        /** Each watcher has a separate promise. */
+        ModelPromise watch() {
+            var own = ModelPromise.shared(space, true);
+            own.follow(ended);
+            return own;
+        }
+
+        /** Runs an action; an exception is a failure. */
+        void guarded(Instance who, Runnable action) {
+            space.as(who, () -> {
+                try {
+                    action.run();
+                } catch (History.Boom boom) {
+                    failed(String.valueOf(boom.getMessage()));
+                }
+            });
+        }
+
+        private void failed(String error) {
+            space.history.add((cast.ownHandler() ? "own handler: failed " : "failed ") + name + " " + error);
+            if (stopped) {
+                return;
+            }
+            long now = space.now;
+            failures.removeIf(each -> each <= now - cast.windowTicks());
+            failures.add(now);
+            if (cast.limit() >= 0 && failures.size() > cast.limit() || cast.directive() == Directive.STOP) {
+                space.ends.add(this::stop);
+            } else if (cast.directive() == Directive.RESTART) {
+                space.ends.add(this::restart);
+            }
+        }
+
+        /**
+         * Starts the actor in the turn of its spawn or of an earlier call, whichever comes first; starts nothing after
+         * the space has stopped.
+         */
+        void begin() {
+            if (!begun && !stopped && !space.stopping) {
+                begun = true;
+                start();
+            }
+        }
+
+        private void start() {
+            space.living.add(this);
+            int number = instances.merge(born.target(), 1, Integer::sum);
+            var fresh = new Instance(this, name + "#" + number);
+            if (number == cast.failingInstance()) {
+                failed("Boom" + born.id());
+                stop();
+                return;
+            }
+            instance = fresh;
+            space.history.add(fresh.name + " starts");
+            guarded(fresh, () -> play(born.script(), fresh));
+        }
+
+        void stop() {
+            if (!stopped) {
+                stopped = true;
+                space.living.remove(this);
+                endInstance();
+                ended.settle("=null");
+            }
+        }
+
+        private void endInstance() {
+            if (instance != null) {
+                space.history.add(instance.name + " ends");
+                instance.over = true;
+                instance.timers.forEach(Timer::cancel);
+                instance.openRequests.forEach(OpenRequest::reject);
+                instance = null;
+            }
+        }
+
+        private void restart() {
+            if (!stopped) {
+                endInstance();
+                start();
+            }
+        }
+    }
 
     private void send(Act act, @Nullable Instance self) {
         ModelActor actor = actors.get(act.target());
@@ -198,7 +379,7 @@ final class ModelRun {
      */
     private static void answerLater(ModelPromise request, ModelPromise answer, Instance actor) {
         if (!answer.isDone() && !answer.isRequest) {
-            actor.openRequests.add(new ModelActor.OpenRequest(request, answer));
+            actor.openRequests.add(new OpenRequest(request, answer));
         }
         request.follow(answer);
     }

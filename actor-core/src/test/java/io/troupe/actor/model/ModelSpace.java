@@ -36,7 +36,7 @@ final class ModelSpace {
     }
 
     final History history = new History();
-    final Set<ModelActor> living = new LinkedHashSet<>();
+    final Set<ModelRun.ModelActor> living = new LinkedHashSet<>();
     private final List<Timer> timers = new ArrayList<>();
     private final List<ModelPromise> lost = new ArrayList<>();
     private final List<ModelPromise> held = new ArrayList<>();
@@ -53,7 +53,7 @@ final class ModelSpace {
     boolean closing;
     boolean stopping;
     boolean closed;
-    ModelActor.@Nullable Instance current;
+    ModelRun.@Nullable Instance current;
     long now;
 
     void enqueue(Task task) {
@@ -93,7 +93,7 @@ final class ModelSpace {
     }
 
     /** Runs an action on behalf of an instance, or of no actor. */
-    void as(ModelActor.@Nullable Instance who, Runnable action) {
+    void as(ModelRun.@Nullable Instance who, Runnable action) {
         var before = current;
         current = who;
         action.run();
@@ -258,7 +258,7 @@ final class ModelSpace {
     }
 
     private void shut() {
-        List.copyOf(living).forEach(ModelActor::stop);
+        List.copyOf(living).forEach(ModelRun.ModelActor::stop);
         var dropped = timersDueBy(Long.MAX_VALUE);
         dropped.forEach(Timer::cancel);
         dropped.forEach(each -> each.ifClosed.run());

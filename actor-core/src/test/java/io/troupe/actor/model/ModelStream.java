@@ -8,7 +8,7 @@ final class ModelStream {
     private final ModelSpace space;
     private final boolean cancellable;
     private final String who;
-    private final ModelActor.@Nullable Instance owner;
+    private final ModelRun.@Nullable Instance owner;
     private final Runnable onNext;
     private final ArrayDeque<Runnable> line = new ArrayDeque<>();
     boolean ended;

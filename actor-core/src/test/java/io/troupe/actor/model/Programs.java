@@ -14,6 +14,7 @@ final class Programs {
     private static final int ACTORS = 3;
     private static final int DEPTH = 4;
     private static final Act CRANK = Act.of(Kind.CRANK, 0, 0, 0);
+    private static final Act CLOSE = Act.of(Kind.CLOSE, 0, 0, 0);
     private static final Set<Kind> OUTSIDE_ONLY = EnumSet.of(Kind.CRANK, Kind.ADVANCE);
     private static final Set<Kind> INSIDE_ONLY =
             EnumSet.of(Kind.THROW, Kind.STOP_SELF, Kind.AFTER, Kind.EVERY, Kind.CANCEL_TIMER);
@@ -29,41 +30,20 @@ final class Programs {
      * is open then.
      */
     private enum Ending {
-        NEVER,
+        NEVER(NONE, NONE),
         /** When all acts are done. */
-        AT_THE_END,
+        AT_THE_END(NONE, EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.FINISH, Kind.FAIL), CRANK, CLOSE),
         /** At any act. */
-        ANY_TIME;
+        ANY_TIME(EnumSet.of(Kind.OPEN), EnumSet.of(Kind.OPEN), CLOSE);
 
-        private static final Set<Kind> CALLBACKS =
-                EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.FINISH, Kind.FAIL);
+        private final Set<Kind> notByNobody; // the kinds of acts that are not done outside an actor
+        private final Set<Kind> notInListeners;
+        private final List<Act> lastActs;
 
-        /** The kinds of acts that the program does not contain. */
-        boolean leavesOut(Kind kind) {
-            return this != ANY_TIME && kind == Kind.CLOSE;
-        }
-
-        /** The kinds of acts that are not done outside an actor. */
-        Set<Kind> notByNobody() {
-            return this == ANY_TIME ? EnumSet.of(Kind.OPEN) : EnumSet.noneOf(Kind.class);
-        }
-
-        /** The kinds of acts that listeners do not do. */
-        Set<Kind> notInListeners() {
-            return switch (this) {
-                case NEVER -> EnumSet.noneOf(Kind.class);
-                case AT_THE_END -> CALLBACKS;
-                case ANY_TIME -> EnumSet.of(Kind.OPEN);
-            };
-        }
-
-        List<Act> lastActs() {
-            var close = Act.of(Kind.CLOSE, 0, 0, 0);
-            return switch (this) {
-                case NEVER -> List.of();
-                case AT_THE_END -> List.of(CRANK, close);
-                case ANY_TIME -> List.of(close);
-            };
+        Ending(Set<Kind> notByNobody, Set<Kind> notInListeners, Act... lastActs) {
+            this.notByNobody = notByNobody;
+            this.notInListeners = notInListeners;
+            this.lastActs = List.of(lastActs);
         }
     }
 
@@ -80,7 +60,7 @@ final class Programs {
         random = new Random(seed);
         ending = Ending.values()[random.nextInt(3)];
         for (Kind kind : Kind.values()) {
-            if (kind != Kind.READER && !ending.leavesOut(kind)) {
+            if (kind != Kind.READER && (kind != Kind.CLOSE || ending == Ending.ANY_TIME)) {
                 deck.addAll(Collections.nCopies(frequency(kind, random.nextInt(7)), kind));
             }
         }
@@ -112,9 +92,9 @@ final class Programs {
         }
         int length = 4 + random.nextInt(36);
         for (int i = 0; i < length; i++) {
-            acts.add(random.nextInt(5) == 0 ? CRANK : act(0, INSIDE_ONLY, ending.notByNobody()));
+            acts.add(random.nextInt(5) == 0 ? CRANK : act(0, INSIDE_ONLY, ending.notByNobody));
         }
-        acts.addAll(ending.lastActs());
+        acts.addAll(ending.lastActs);
         return List.copyOf(acts);
     }
 
@@ -166,7 +146,7 @@ final class Programs {
             case THEN, HANDLE, WHEN, RESCUE, COMPOSE -> {
                 int target = oneOf(promises);
                 int other = oneOf(promises);
-                var script = script(depth + 1, below, ending.notInListeners());
+                var script = script(depth + 1, below, ending.notInListeners);
                 yield new Act(kind, made(promises, false), target, other, script);
             }
             case OPEN -> open(depth, below);
@@ -181,7 +161,7 @@ final class Programs {
             case EXECUTE, ON_IDLE -> {
                 below.addAll(union(INSIDE_ONLY, OUTSIDE_ONLY));
                 below.remove(Kind.THROW);
-                yield new Act(kind, id, 0, 0, script(depth + 1, below, ending.notByNobody()));
+                yield new Act(kind, id, 0, 0, script(depth + 1, below, ending.notByNobody));
             }
             case READER -> throw new IllegalStateException("a reader is no act of its own");
         };
