@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.await;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -15,7 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-class MailboxBoundTest extends TestSpaceBench {
+class MailboxBoundTest extends InTestSpace {
     static class Sink extends Actor {
         private final List<Integer> taken = new ArrayList<>();
 
@@ -93,7 +94,7 @@ class MailboxBoundTest extends TestSpaceBench {
 
     /** Runs a task on a thread until it waits for room in a mailbox, while the space waits for the gate. */
     private static Thread waitingForRoom(ActorSpace space, CountDownLatch gate, Runnable task) {
-        space.execute(() -> awaitLatch(gate));
+        space.execute(() -> await(gate));
         Thread sender = Thread.ofPlatform().start(task);
         while (sender.getState() != Thread.State.WAITING) {
             Thread.onSpinWait();

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.await;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Deferred;
@@ -25,7 +26,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The figures, events and log lines of a space; and a space without the classes that only monitor it. */
-class MetricsTest extends TestSpaceBench {
+class MetricsTest extends InTestSpace {
     private static final int LOOKS_UNTIL_COMPILED = 200_000;
     private static final Runnable NOTHING = () -> {};
 
@@ -52,8 +53,7 @@ class MetricsTest extends TestSpaceBench {
         assertThat(metrics.served() - before).isEqualTo(4);
         assertThat(metrics)
                 .hasToString("served 5, waiting 0, latency PT0S, actors 1, timers 1, errors 1, dead letters 0");
-        test.space().stop(worker);
-        test.crank();
+        stop(worker);
         worker.work(NOTHING);
         test.crank();
         assertThat(metrics.deadLetters()).isEqualTo(1);
@@ -102,7 +102,7 @@ class MetricsTest extends TestSpaceBench {
             Worker worker = space.spawn(Worker.class, () -> Runnable::run);
             var latch = new CountDownLatch(1);
             var served = new CountDownLatch(1);
-            worker.work(() -> awaitLatch(latch));
+            worker.work(() -> await(latch));
             for (int message = 0; message < 1000; message++) {
                 worker.work(NOTHING);
             }
@@ -130,7 +130,7 @@ class MetricsTest extends TestSpaceBench {
                     .withOnStall(Duration.ofMillis(20), stall -> stalled.countDown()))) {
                 Worker worker = space.spawn(Worker.class, () -> Runnable::run, ActorSettings.named("worker"));
                 worker.work(MetricsTest::fail);
-                worker.work(() -> awaitLatch(stalled));
+                worker.work(() -> await(stalled));
                 space.stop(worker);
                 worker.work(NOTHING);
             }
@@ -229,7 +229,7 @@ class MetricsTest extends TestSpaceBench {
                     SpaceSettings.named("stalling").withOnStall(Duration.ofMillis(20), stall -> reported.countDown());
             try (var space = ActorSpace.create(settings)) {
                 var release = new CountDownLatch(1);
-                space.execute(() -> awaitLatch(release));
+                space.execute(() -> await(release));
                 boolean seen = reported.await(10, TimeUnit.SECONDS);
                 release.countDown();
                 return seen;

@@ -13,7 +13,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Requests that have begun and are not answered when the instance that began them ends. */
-class OpenRequestsTest extends TestSpaceBench {
+class OpenRequestsTest extends InTestSpace {
     private final List<Deferred<String>> drivers = new ArrayList<>();
 
     class Desk extends Actor {

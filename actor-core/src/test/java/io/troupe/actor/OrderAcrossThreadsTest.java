@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.onAnotherThread;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Deferred;
@@ -11,7 +12,7 @@ import org.junit.jupiter.api.Test;
  * Order of two entries when the first comes from another thread, and the second from the space's own thread a moment
  * later.
  */
-class OrderAcrossThreadsTest extends TestSpaceBench {
+class OrderAcrossThreadsTest extends InTestSpace {
     interface Source {
         void send(Callback<Integer> results);
     }

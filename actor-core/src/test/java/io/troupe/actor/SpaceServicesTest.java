@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.await;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -17,7 +18,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** The services of a space: delays, retries, loops, blocking work, sequential bodies, time limits set outside. */
-class SpaceServicesTest extends TestSpaceBench {
+class SpaceServicesTest extends InTestSpace {
     private static final Duration SECOND = Duration.ofSeconds(1);
     private static final Duration SOON = Duration.ofMillis(10);
     private static final Duration LONG = Duration.ofHours(1);
@@ -373,7 +374,7 @@ class SpaceServicesTest extends TestSpaceBench {
         var wake = new CountDownLatch(1);
         try (var space = ActorSpace.create(SpaceSettings.named("stalled"))) {
             Sleeper sleeper = space.spawn(Sleeper.class, () -> () -> {
-                awaitLatch(wake);
+                await(wake);
                 return Promise.of("awake");
             });
             Promise<String> asked = sleeper.ask();

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.onAnotherThread;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -12,7 +13,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-class SupervisionTest extends TestSpaceBench {
+class SupervisionTest extends InTestSpace {
     private static final Duration TEN_SECONDS = Duration.ofSeconds(10);
     private static final Duration PAUSE = Duration.ofMillis(10);
 
@@ -129,8 +130,7 @@ class SupervisionTest extends TestSpaceBench {
     @Test
     void whenStopped_isFulfilledForAnActorThatHasStopped() {
         Fragile fragile = spawn(Supervision.RESUME);
-        test.space().stop(fragile);
-        test.crank();
+        stop(fragile);
         assertThat(test.space().whenStopped(fragile).isDone()).isTrue();
         assertThatThrownBy(() -> test.space().whenStopped("nobody")).hasMessageContaining("not a proxy");
     }
@@ -225,8 +225,7 @@ class SupervisionTest extends TestSpaceBench {
         assertThat(timers()).isOne();
         note(stubborn, 1, 2);
         test.crank();
-        test.space().stop(stubborn);
-        test.crank();
+        stop(stubborn);
         assertThat(test.takeDeadLetters()).hasSize(2);
         assertThat(timers()).isZero();
         test.advance(TEN_SECONDS);

@@ -1,5 +1,8 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.await;
+import static io.troupe.actor.Concurrently.onAnotherThread;
+import static io.troupe.actor.Concurrently.onThreads;
 import static java.util.stream.Collectors.groupingBy;
 import static java.util.stream.Collectors.mapping;
 import static java.util.stream.Collectors.toList;
@@ -17,7 +20,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicReference;
-import java.util.function.IntConsumer;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -26,7 +28,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** The values of a topic, its end, when subscriptions are removed, and all this on several threads. */
-class TopicTest extends TestSpaceBench {
+class TopicTest extends InTestSpace {
     private static final Duration LONG = Duration.ofSeconds(30);
     private static final int PUBLISHERS = 3;
     private static final int EACH = 20_000;
@@ -257,8 +259,7 @@ class TopicTest extends TestSpaceBench {
         for (int i = 0; i < 100; i++) {
             Robot robot = robotThat(test, this::subscribe);
             assertThat(topic.subscribers()).isOne();
-            test.space().stop(robot);
-            test.crank();
+            stop(robot);
             assertThat(topic.remembered()).as("the one that has just stopped").isOne();
         }
         assertThat(topic.publish(1)).isZero();
@@ -274,9 +275,7 @@ class TopicTest extends TestSpaceBench {
             throw new IllegalStateException("on purpose"); // ends it before the next entry
         });
         test.crank();
-        assertThat(test.takeProblems())
-                .extracting(problem -> problem.error().getMessage())
-                .containsExactly("on purpose");
+        assertThat(takeErrors()).containsExactly("on purpose");
         assertThat(log).isEmpty();
     }
 
@@ -348,9 +347,7 @@ class TopicTest extends TestSpaceBench {
         assertThat(topic.publish(2)).isEqualTo(2);
         test.crank();
         assertThat(log).containsExactly("heard 1", "heard 2");
-        assertThat(test.takeProblems())
-                .extracting(problem -> problem.error().getMessage())
-                .containsExactly("cannot use 1", "cannot use 2");
+        assertThat(takeErrors()).containsExactly("cannot use 1", "cannot use 2");
     }
 
     @Test
@@ -401,15 +398,6 @@ class TopicTest extends TestSpaceBench {
 
         public Promise<List<Reading>> heard() {
             return Promise.of(heard);
-        }
-    }
-
-    private static void onThreads(int count, IntConsumer task) throws InterruptedException {
-        var threads = IntStream.range(0, count)
-                .mapToObj(number -> Thread.ofPlatform().start(() -> task.accept(number)))
-                .toList();
-        for (var thread : threads) {
-            thread.join();
         }
     }
 
@@ -515,7 +503,7 @@ class TopicTest extends TestSpaceBench {
             slow.execute(() -> {
                 count.subscribe(value -> {
                     stuck.countDown();
-                    awaitLatch(goOn); // an interrupt ends it before it counts
+                    await(goOn); // an interrupt ends it before it counts
                     heardSlowly.countDown();
                 });
                 subscribed.countDown();

@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorTypeException;
 import io.troupe.actor.Callback;
-import io.troupe.actor.TestSpaceBench;
+import io.troupe.actor.InTestSpace;
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.List;
@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** Probes of actors and of callbacks. */
-class ProbeTest extends TestSpaceBench {
+class ProbeTest extends InTestSpace {
     interface Greeter {
         void wave();
 

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Actor;
-import io.troupe.actor.TestSpaceBench;
+import io.troupe.actor.InTestSpace;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.io.IOException;
@@ -14,7 +14,7 @@ import java.util.concurrent.TimeoutException;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
-class TestSpaceTest extends TestSpaceBench {
+class TestSpaceTest extends InTestSpace {
     private static final Duration SECOND = Duration.ofSeconds(1);
 
     static class Silent extends Actor {
