@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.player.wire.ScriptedServer;
 import java.io.IOException;
 import java.io.StringWriter;
 import java.lang.reflect.Constructor;

@@ -9,7 +9,6 @@ import java.io.EOFException;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.ByteBuffer;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
@@ -24,6 +23,12 @@ class WireFuzzTest {
     private static final long SEED = Long.getLong("wire.seed", 1);
     private static final int[] CODES = {1, 4, 5, 6, 7, 31, 62, 10};
     private static final int[] COUNTS = {0, 1, 2, 8, 1 << 16, 1 << 28, 1 << 30, Integer.MAX_VALUE, 1 << 31, -1};
+
+    private final ThreadMXBean threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
+    private final Random random = new Random(SEED);
+    /** The payloads of real messages of all kinds. */
+    private final List<byte[]> payloads = new RandomMessages(random)
+            .all().stream().map(each -> each.encoded().payload()).toList();
 
     /** Decodes a payload in every way in which it could arrive; returns how many attempts were rejected. */
     private static int decode(int code, int subtype, byte[] payload) {
@@ -46,24 +51,11 @@ class WireFuzzTest {
         return refused;
     }
 
-    /** The payloads of real messages of all kinds. */
-    private static List<byte[]> seeds(Random random) {
-        var messages = new RandomMessages(random);
-        var payloads = new ArrayList<byte[]>();
-        messages.data()
-                .forEach(each -> payloads.add(DataCodec.encode(each.data()).payload()));
-        messages.positionCommands()
-                .forEach(each -> payloads.add(CommandCodec.encode(each).payload()));
-        messages.requests()
-                .forEach(each -> payloads.add(RequestCodec.encode(each.interfaceCode(), each.request())
-                        .payload()));
-        messages.replies().forEach(each -> payloads.add(ReplyCodec.encode(each.reply())));
-        messages.playerRequests()
-                .forEach(each -> payloads.add(PlayerDeviceCodec.encode(each).payload()));
-        return payloads;
+    private byte[] anyPayload() {
+        return payloads.get(random.nextInt(payloads.size()));
     }
 
-    private static byte[] damage(Random random, byte[] payload) {
+    private byte[] damage(byte[] payload) {
         byte[] damaged = payload.clone();
         switch (random.nextInt(5)) {
             case 0 -> {
@@ -80,9 +72,8 @@ class WireFuzzTest {
             default -> {
                 if (damaged.length >= 8) { // a valid count, repeated as the format requires
                     int at = 4 * random.nextInt(damaged.length / 4 - 1);
-                    var buffer = ByteBuffer.wrap(damaged);
                     int count = COUNTS[random.nextInt(COUNTS.length)];
-                    buffer.putInt(at, count).putInt(at + 4, count);
+                    ByteBuffer.wrap(damaged).putInt(at, count).putInt(at + 4, count);
                 }
             }
         }
@@ -91,11 +82,9 @@ class WireFuzzTest {
 
     @Test
     void damagedPayloads_areRefused_withWireExceptionOnly() {
-        var random = new Random(SEED);
-        List<byte[]> seeds = seeds(random);
         long refused = 0;
         for (int i = 0; i < CASES; i++) {
-            byte[] payload = damage(random, seeds.get(random.nextInt(seeds.size())));
+            byte[] payload = damage(anyPayload());
             int code = CODES[random.nextInt(CODES.length)];
             int subtype = random.nextInt(20) == 0 ? 255 : random.nextInt(11);
             try {
@@ -110,18 +99,12 @@ class WireFuzzTest {
 
     @Test
     void damagedStreams_areCutOrRefused() {
-        var random = new Random(SEED);
-        List<byte[]> seeds = seeds(random);
         int whole = 0;
         int refused = 0;
         for (int i = 0; i < CASES / 10; i++) {
-            var message = WireMessage.of(
-                    new DeviceAddress(0, 0, 4, 0),
-                    MessageType.REQ,
-                    random.nextInt(256),
-                    1,
-                    seeds.get(random.nextInt(seeds.size())));
-            var reader = new MessageReader(new ByteArrayInputStream(damage(random, message.bytes())), 4096);
+            var to = new DeviceAddress(0, 0, 4, 0);
+            var message = WireMessage.of(to, MessageType.REQ, random.nextInt(256), 1, anyPayload());
+            var reader = new MessageReader(new ByteArrayInputStream(damage(message.bytes())), 4096);
             try {
                 while (reader.read() != null) {
                     whole++;
@@ -138,7 +121,6 @@ class WireFuzzTest {
 
     @Test
     void hugeCounts_takeNoMemory() {
-        var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         decode(5, 1, Hex.bytes("80000000 80000000 00000000")); // loads the classes
         long before = threads.getCurrentThreadAllocatedBytes();
         for (int count : COUNTS) {
@@ -155,34 +137,16 @@ class WireFuzzTest {
     }
 
     @Test
-    void hugeSize_isRefused_andAnnouncedBytesTakeNoMemory() throws Exception {
-        byte[] header = WireMessage.of(new DeviceAddress(0, 0, 4, 0), MessageType.REQ, 1, 0, new byte[0])
-                .bytes();
+    void hugeSize_isRefused_andAnnouncedBytesTakeNoMemory() {
+        byte[] header = RawClient.message(MessageType.REQ, 4, 0, Content.empty(1));
         ByteBuffer.wrap(header).putInt(36, 1 << 31);
         assertThatThrownBy(() -> new MessageReader(new ByteArrayInputStream(header), 65_536).read())
                 .isInstanceOf(WireException.class)
                 .hasMessage("header size is 2147483648, expected 0 to 65536");
         ByteBuffer.wrap(header).putInt(36, Integer.MAX_VALUE);
-        var threads = (ThreadMXBean) ManagementFactory.getThreadMXBean();
         long before = threads.getCurrentThreadAllocatedBytes();
         assertThatThrownBy(() -> new MessageReader(new ByteArrayInputStream(header), Integer.MAX_VALUE).read())
                 .isInstanceOf(EOFException.class);
         assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(1 << 20);
-    }
-
-    @Test
-    void errors_nameFieldValueAndExpectation() {
-        assertThatThrownBy(() -> DataCodec.decode(5, 1, Hex.bytes("00000002 00000003 00000000 00000000")))
-                .isInstanceOf(WireException.class)
-                .hasMessage("sonar DATA 1: count of ranges is 2, then 3, expected the same twice");
-        assertThatThrownBy(() -> DataCodec.decode(5, 1, Hex.bytes("80000000 80000000 00000000")))
-                .hasMessage(
-                        "sonar DATA 1: count of ranges is 2147483648, expected at most 1 for the 4 bytes that follow");
-        assertThatThrownBy(() -> CommandCodec.decode(4, 3, new byte[12]))
-                .hasMessage("position2d CMD 3: size is 12, expected 8 bytes for angle at offset 8");
-        assertThatThrownBy(() -> CommandCodec.decode(4, 3, new byte[20]))
-                .hasMessage("position2d CMD 3: size is 20, expected 16");
-        assertThatThrownBy(() -> PlayerDeviceCodec.request(5, Hex.bytes("00000009")))
-                .hasMessage("player REQ 5: mode is 9, expected 1 (push) or 2 (pull)");
     }
 }
