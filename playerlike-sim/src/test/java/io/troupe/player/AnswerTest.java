@@ -223,7 +223,7 @@ class AnswerTest implements PlayerConstants {
     // ---- on an actor space
 
     @Test
-    void clientOnASpace_seesTheFrameInItsTurn_andAnswersByAskingTwice() {
+    void clientOnASpace_seesTheFrameInItsTurn_andAnswersByAskingTwice_andReadAllWouldHoldTheThread() {
         var own = new ScriptedServer();
         var ownPort = PlayerPorts.open(ScriptedServer.PORT + 1, own);
         try (var test = new TestSpace()) {
@@ -233,6 +233,9 @@ class AnswerTest implements PlayerConstants {
                 var wheels = robot.requestInterfacePosition2D(0, PLAYER_OPEN_MODE);
                 robot.runThreaded(-1, -1);
                 assertThat(robot.isAlive()).isFalse();
+                assertThatThrownBy(robot::readAll)
+                        .isInstanceOf(PlayerException.class)
+                        .hasMessageContaining("use nextData()");
                 robot.nextData().then(ready -> seen.add(wheels.getX()));
                 own.publish(7);
                 seen.addAll(List.of(wheels.isDataReady(), wheels.isDataReady(), own.answered()));
@@ -241,15 +244,6 @@ class AnswerTest implements PlayerConstants {
             assertThat(seen).contains(7.0).containsSubsequence(true, false, -1L, false, 7L);
         } finally {
             ownPort.close();
-        }
-    }
-
-    @Test
-    void readAll_onASpace_isRefused_becauseItWouldHoldTheThread() {
-        try (var test = new TestSpace()) {
-            test.run(() -> assertThatThrownBy(new PlayerClient("localhost", ScriptedServer.PORT)::readAll)
-                    .isInstanceOf(PlayerException.class)
-                    .hasMessageContaining("use nextData()"));
         }
     }
 }

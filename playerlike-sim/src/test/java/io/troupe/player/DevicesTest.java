@@ -308,6 +308,8 @@ class DevicesTest implements PlayerConstants {
     @Test
     void sameDevice_requestedTwice_bothGetTheData_untilItIsClosed() {
         var again = (Position2DInterface) client.requestInterface(PLAYER_POSITION2D_CODE, 0, PLAYER_OPEN_MODE);
+        assertThat(pos.getData()).isNull();
+        assertThatThrownBy(pos::getX).isInstanceOf(NullPointerException.class).hasMessageContaining("isDataReady()");
         read(0);
         assertThat(pos.isDataReady()).isTrue();
         assertThat(again.isDataReady()).isTrue();
@@ -321,23 +323,29 @@ class DevicesTest implements PlayerConstants {
     }
 
     @Test
-    void messages_haveDataOfTheirOwn() {
+    void messages_haveDataOfTheirOwn_aNewArrayForEach() {
         var son = client.requestInterfaceSonar(0, PLAYER_OPEN_MODE);
+        var ranger = (RangerInterface) client.requestInterface(PLAYER_RANGER_CODE, 0, PLAYER_OPEN_MODE);
+        assertThat(ranger.getData()).isNull();
         client.requestDataDeliveryMode(PLAYER_DATAMODE_PULL);
         server.publish(3);
         assertThat(client.readAll()).isEqualTo(PLAYER_MSGTYPE_SYNCH);
+        assertThat(List.of(ranger.isDataReady(), ranger.isDataReady())).containsExactly(true, false);
         var first = son.getData();
-        first.getRanges()[0] = -1;
+        float[] sonars = first.getRanges();
+        sonars[0] = -1;
+        double[] ranges = ranger.getData().getRanges();
+        assertThat(ranges).containsExactly(3, 2);
+        assertThat(ranger.getData().getRanges_count()).isEqualTo(2);
+        ranges[0] = -1;
         read(4);
         assertThat(son.getData()).isNotSameAs(first);
         assertThat(son.getData().getRanges()).containsExactly(4f);
-        assertThat(first.getRanges()).containsExactly(-1f);
-    }
-
-    @Test
-    void position_beforeTheFirstData_saysToWait() {
-        assertThat(pos.getData()).isNull();
-        assertThatThrownBy(pos::getX).isInstanceOf(NullPointerException.class).hasMessageContaining("isDataReady()");
+        assertThat(sonars).containsExactly(-1f);
+        assertThat(ranger.getData().getRanges()).containsExactly(4, 2);
+        assertThat(ranges).containsExactly(-1, 2);
+        assertThat(ranger.isDataIntnsReady()).isFalse();
+        assertThat(ranger.getDataIntns()).isNull();
     }
 
     @Test
@@ -372,24 +380,6 @@ class DevicesTest implements PlayerConstants {
     }
 
     // ---- rangers and lasers
-
-    @Test
-    void ranger_hasRanges_aNewArrayForEachMessage() {
-        client.requestInterfacePosition2D(0, PLAYER_CLOSE_MODE);
-        var ranger = (RangerInterface) client.requestInterface(PLAYER_RANGER_CODE, 0, PLAYER_OPEN_MODE);
-        assertThat(ranger.getData()).isNull();
-        read(3);
-        assertThat(List.of(ranger.isDataReady(), ranger.isDataReady())).containsExactly(true, false);
-        assertThat(ranger.getData().getRanges_count()).isEqualTo(2);
-        double[] ranges = ranger.getData().getRanges();
-        assertThat(ranges).containsExactly(3, 2);
-        ranges[0] = -1;
-        read(4);
-        assertThat(ranger.getData().getRanges()).containsExactly(4, 2);
-        assertThat(ranges).containsExactly(-1, 2);
-        assertThat(ranger.isDataIntnsReady()).isFalse();
-        assertThat(ranger.getDataIntns()).isNull();
-    }
 
     @Test
     void ranger_tellsGeometryAndConfiguration_andSwitches() {

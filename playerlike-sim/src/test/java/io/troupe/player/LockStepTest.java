@@ -172,13 +172,21 @@ class LockStepTest implements PlayerConstants {
     }
 
     @Test
-    void closedSimulation_tellsItsClients_andTicksNoMore() {
+    void closedSimulation_tellsItsClients_andTicksNoMore() throws Exception {
         var client = client(SONAR, WireClient.ANSWER);
+        var threaded = new PlayerClient("localhost", PORT);
+        threaded.requestInterfaceSonar(0, PLAYER_OPEN_MODE);
+        threaded.runThreaded(-1, -1);
+        var promise = threaded.nextData();
         simulation.close();
         assertThat(client.losses).isNotEmpty().allMatch(reason -> reason.contains("closed"));
         assertThatThrownBy(simulation::tick).isInstanceOf(IllegalStateException.class);
         assertThatThrownBy(() -> client.line.answered(0)).isInstanceOf(ConnectionClosedException.class);
         assertThat(PlayerPorts.find(PORT)).isEmpty();
+        threaded.join();
+        assertThatThrownBy(() -> promise.get(Duration.ofSeconds(30))).isInstanceOf(PlayerException.class);
+        assertThatThrownBy(() -> threaded.requestInterfaceSonar(0, PLAYER_OPEN_MODE))
+                .isInstanceOf(PlayerException.class);
     }
 
     @Test
@@ -242,57 +250,6 @@ class LockStepTest implements PlayerConstants {
         ticks(120);
         assertThat(reading(0).pose().x()).isBetween(2.9, 3.1);
         assertThat(reading(1).sonarM().get(1)).isCloseTo(4, within(1e-9));
-    }
-
-    @Test
-    void commands_countFromTheNextTick_andStayUntilTheNextOne() {
-        var client = new PlayerClient("localhost", PORT);
-        var pos = client.requestInterfacePosition2D(0, PLAYER_OPEN_MODE);
-        client.runThreaded(-1, -1);
-        pos.setSpeed(0.5, 0);
-        program(() -> {
-            while (true) {
-                pos.isDataReady();
-            }
-        });
-        for (double expected : new double[] {0.05, 0.10, 0.15}) {
-            simulation.tick();
-            assertX(0, expected);
-        }
-        client.close();
-        simulation.tick();
-        assertX(0, 0.15); // nobody drives it any more
-    }
-
-    @Test
-    void readAll_deliversOneMessageACall_inOrder_orAFrameInPullMode() throws Exception {
-        var read = new ArrayList<String>();
-        for (boolean pull : new boolean[] {false, true}) {
-            var connected = new CountDownLatch(1);
-            var done = new CountDownLatch(1);
-            program(() -> {
-                var robot = new PlayerClient("localhost", PORT);
-                if (pull) {
-                    robot.requestDataDeliveryMode(PLAYER_DATAMODE_PULL);
-                }
-                var son = robot.requestInterfaceSonar(0, PLAYER_OPEN_MODE);
-                var pos = robot.requestInterfacePosition2D(0, PLAYER_OPEN_MODE);
-                connected.countDown();
-                for (int i = 0; i < (pull ? 2 : 4); i++) {
-                    int type = robot.readAll();
-                    read.add(type
-                            + (pos.isDataReady() ? "p" : "")
-                            + (son.isDataReady() ? "s" : "")
-                            + son.getTimestamp());
-                }
-                done.countDown();
-                robot.close();
-            });
-            await(connected);
-            ticks(2);
-            await(done);
-        }
-        assertThat(read).containsExactly("1p0.0", "1s0.0", "1p0.0", "1s0.1", "5ps0.2", "5ps0.3");
     }
 
     @Test
@@ -361,44 +318,6 @@ class LockStepTest implements PlayerConstants {
         assertThatThrownBy(() -> open(0, wall("east", 3, 0, 0.2, 1, RED)))
                 .isInstanceOf(PlayerException.class)
                 .hasMessageContaining("port " + PORT + " is in use");
-    }
-
-    @Test
-    void closedWorld_endsEveryWaitingCall() throws Exception {
-        var reader = new PlayerClient("localhost", PORT);
-        reader.requestInterfaceSonar(0, PLAYER_OPEN_MODE);
-        var busy = new PlayerClient("localhost", PORT);
-        var sonar = busy.requestInterfaceSonar(0, PLAYER_OPEN_MODE);
-        busy.runThreaded(-1, -1);
-        var promise = busy.nextData();
-        List<ProgramsTest.Program> calls = List.of(
-                () -> {
-                    while (true) {
-                        reader.readAll();
-                    }
-                },
-                () -> {
-                    while (!sonar.isDataReady())
-                        ;
-                },
-                () -> promise.get(Duration.ofSeconds(30)));
-        var ended = new CountDownLatch(calls.size());
-        for (var call : calls) {
-            Thread.ofPlatform().daemon().start(() -> {
-                try {
-                    call.run();
-                } catch (PlayerException expected) {
-                    ended.countDown();
-                } catch (Exception e) {
-                    throw new IllegalStateException(e);
-                }
-            });
-        }
-        simulation.close();
-        await(ended);
-        busy.join();
-        assertThatThrownBy(() -> busy.requestInterfaceSonar(0, PLAYER_OPEN_MODE))
-                .isInstanceOf(PlayerException.class);
     }
 
     // ---- actor spaces

@@ -33,11 +33,11 @@ class UserProgramTest {
             List.of(PlayerClient.class, ActorSpace.class, NullMarked.class);
 
     /** The packages below {@code io.troupe.player.structures}. */
-    private static final String STRUCTURES =
-            "actarray aio audio audiodsp audiomixer blinkenlight blobfinder bumper camera dio fiducial gps graphics2d "
-                    + "graphics3d gripper health imu ir joystick laser limb localize log map mcom opaque planner player "
-                    + "pointcloud3d position1d position2d position3d power ptz ranger rfid simulation sonar sound speech "
-                    + "speechrecognition stereo waveform wifi wsn";
+    private static final String STRUCTURES = """
+            actarray aio audio audiodsp audiomixer blinkenlight blobfinder bumper camera dio fiducial gps graphics2d \
+            graphics3d gripper health imu ir joystick laser limb localize log map mcom opaque planner player \
+            pointcloud3d position1d position2d position3d power ptz ranger rfid simulation sonar sound speech \
+            speechrecognition stereo waveform wifi wsn""";
 
     /** Written for javaclient3 except for the import prefix; it mentions the unsupported interfaces too. */
     private static final String MENTIONS_EVERYTHING = """

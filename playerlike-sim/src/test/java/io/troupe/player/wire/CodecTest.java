@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.util.List;
 import java.util.Random;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -15,11 +16,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Messages of real clients and servers, byte for byte; random messages, which must come back as they were. */
 class CodecTest {
     private static final int SEEDS = 300;
-    private static final float R0 = Float.intBitsToFloat(0x409907c6);
-    private static final float R1 = Float.intBitsToFloat(0x4031773e);
-    private static final float R2 = Float.intBitsToFloat(0x3fceb517);
-    private static final float R3 = Float.intBitsToFloat(0x3f91e931);
-    private static final float R4 = Float.intBitsToFloat(0x3f58e111);
 
     /** The content of a message that has arrived. */
     static Object decode(MessageType type, int code, int subtype, byte[] payload) throws WireException {
@@ -79,6 +75,8 @@ class CodecTest {
     private record Golden(Object content, double timeSeconds, String hex) {}
 
     static List<Golden> goldenMessages() {
+        int[] bits = {0x40a00000, 0x40a00000, 0x40a00000, 0x409907c6, 0x4031773e, 0x3fceb517, 0x3f91e931, 0x3f58e111};
+        var ranges = IntStream.of(bits).mapToObj(Float::intBitsToFloat).toList();
         return List.of(
                 new Golden(new PlayerRequest.DataMode(Delivery.PULL), Double.NaN, """
                         00000000 00000000 00000001 00000000 00000003 00000005 41dac04347905a32 00000000 00000004
@@ -118,7 +116,7 @@ class CodecTest {
                 new Golden(new DeviceCommand.Velocity(0.2, 0, 0.1, true), Double.NaN, """
                         00000000 00001a09 00000004 00000000 00000002 00000001 41dac04347b36a55 00000000 0000001c
                         | 3fc999999999999a 0000000000000000 3fb999999999999a 00000001"""),
-                new Golden(new DeviceData.SonarRanges(List.of(5f, 5f, 5f, R0, R1, R2, R3, R4)), 2.9, """
+                new Golden(new DeviceData.SonarRanges(ranges), 2.9, """
                         0100007f 00001a09 00000005 00000000 00000001 00000001 4007333333333333 00000000 00000028
                         | 00000008 00000008 40a00000 40a00000 40a00000 409907c6 4031773e 3fceb517 3f91e931 3f58e111"""),
                 new Golden(new DeviceData.Blobs(0, 0, List.of()), 3.6, """
@@ -145,55 +143,47 @@ class CodecTest {
     static List<Payload> goldenPayloads() {
         double vx = Double.longBitsToDouble(0x3fd3d49300000000L);
         double va = Double.longBitsToDouble(0x3fed0d87e0000000L);
-        String zeros = "0".repeat(16);
+        String zero = "0".repeat(16);
         String pose = "3ff0000000000000 4000000000000000 3fe0000000000000";
+        String stage = "00000006 00000006 73746167 65000000";
+        String r1 = "00000003 00000003 72310000";
+        String scan = "bfc90fdb 3fc90fdb 3e2950b8 41000000 00000013 00000013" + "41000000".repeat(19)
+                + "00000013 00000013" + "01".repeat(19) + "00 0000000a";
         float quarter = (float) (StrictMath.PI / 2);
         float step = Float.intBitsToFloat(0x3e2950b8);
-        var scan = new DeviceData.LaserScan(-quarter, quarter, step, 8, nCopies(19, 8f), nCopies(19, (byte) 1), 10);
-        var mount = new DeviceReply.SonarMount(0.075, 0.130, StrictMath.PI / 2);
+        var close = new PlayerRequest.Access(new DeviceAddress(0, 0, 5, 0), PlayerRequest.CLOSE);
+        var closed = new PlayerReply.Access(at(5), PlayerRequest.CLOSE, "stage");
+        var body = new DeviceReply.Position2dGeometry(-0.04, 0, 0, 0.44, 0.33);
+        var velocity = new DeviceCommand.Velocity(vx, 0, va, true);
+        var standing = new DeviceCommand.Velocity(-0.2, 0, 0, false); // the state of a command may be zero
+        var going = new DeviceCommand.GoTo(1, 0, 0, 0, 0, 0, false);
+        String mount = "00000001 00000001 3fb3333333333333 3fc0a3d70a3d70a4" + zero.repeat(3) + "3ff921fb54442d18";
+        var sonar = new DeviceReply.SonarMount(0.075, 0.130, StrictMath.PI / 2);
         return List.of(
-                new Payload(
-                        1,
-                        3,
-                        "00000000 00000000 00000005 00000000 00000002 00000000 00000000",
-                        new PlayerRequest.Access(new DeviceAddress(0, 0, 5, 0), PlayerRequest.CLOSE)),
-                new Payload(
-                        1,
-                        3,
-                        "0100007f 00001a09 00000005 00000000 00000002 00000006 00000006 73746167 65000000",
-                        new PlayerReply.Access(at(5), PlayerRequest.CLOSE, "stage")),
+                new Payload(1, 3, "00000000 00000000 00000005 00000000 00000002 00000000 00000000", close),
+                new Payload(1, 3, "0100007f 00001a09 00000005 00000000 00000002" + stage, closed),
                 new Payload(1, 2, "00000007", 7),
-                new Payload(
-                        4,
-                        1,
-                        "3fd3d49300000000" + zeros + "3fed0d87e0000000 00000001",
-                        new DeviceCommand.Velocity(vx, 0, va, true)),
+                new Payload(4, 1, "3fd3d49300000000" + zero + "3fed0d87e0000000 00000001", velocity),
+                new Payload(4, 1, "bfc999999999999a" + zero.repeat(2) + "00000000", standing),
+                new Payload(4, 2, "3ff0000000000000" + zero.repeat(5) + "00000000", going),
                 new Payload(4, 3, "3fb999999999999a 3fa999999999999a", new DeviceCommand.Car(0.1, 0.05)),
-                new Payload(
-                        4, 2, pose + zeros.repeat(3) + "00000001", new DeviceCommand.GoTo(1, 2, 0.5, 0, 0, 0, true)),
+                new Payload(4, 2, pose + zero.repeat(3) + "00000001", new DeviceCommand.GoTo(1, 2, 0.5, 0, 0, 0, true)),
                 new Payload(4, 5, pose, new DeviceRequest.SetOdometry(1, 2, 0.5)),
                 new Payload(4, 2, "00000001", new DeviceRequest.Power(true)),
                 new Payload(4, 1, "", new DeviceRequest.Geometry()),
                 new Payload(4, 6, "", new DeviceRequest.ResetOdometry()),
                 new Payload(4, 7, "3f800000 40000000 3f000000", new DeviceRequest.SpeedPid(1, 2, 0.5f)),
                 new Payload(
-                        4,
-                        1,
-                        "bfa47ae147ae147b" + zeros.repeat(5) + "3fd51eb851eb851f 3fdc28f5c28f5c29" + zeros,
-                        new DeviceReply.Position2dGeometry(-0.04, 0, 0, 0.44, 0.33)),
-                new Payload(
-                        5,
-                        1,
-                        "00000001 00000001 3fb3333333333333 3fc0a3d70a3d70a4" + zeros.repeat(3) + "3ff921fb54442d18",
-                        new DeviceReply.SonarGeometry(List.of(mount))),
+                        4, 1, "bfa47ae147ae147b" + zero.repeat(5) + "3fd51eb851eb851f 3fdc28f5c28f5c29" + zero, body),
+                new Payload(5, 1, mount, new DeviceReply.SonarGeometry(List.of(sonar))),
                 new Payload(
                         6,
                         1,
-                        "bfc90fdb 3fc90fdb 3e2950b8 41000000 00000013 00000013" + "41000000".repeat(19)
-                                + "00000013 00000013" + "01".repeat(19) + "00 0000000a",
-                        scan),
-                new Payload(31, 2, "00000003 00000003 72310000" + pose, new DeviceRequest.SetPose("r1", 1, 2, 0.5)),
-                new Payload(31, 1, "00000003 00000003 72310000" + pose, new DeviceReply.ModelPose("r1", 1, 2, 0.5)));
+                        scan,
+                        new DeviceData.LaserScan(
+                                -quarter, quarter, step, 8, nCopies(19, 8f), nCopies(19, (byte) 1), 10)),
+                new Payload(31, 2, r1 + pose, new DeviceRequest.SetPose("r1", 1, 2, 0.5)),
+                new Payload(31, 1, r1 + pose, new DeviceReply.ModelPose("r1", 1, 2, 0.5)));
     }
 
     @ParameterizedTest
@@ -206,20 +196,14 @@ class CodecTest {
         String laser = "bf800000 3f800000 3c23d70a 41000000 3c23d70a 00000001";
         var with = new LaserConfiguration(-1, 1, 0.01f, 8, 0.01f, true, 10);
         var without = new LaserConfiguration(-1, 1, 0.01f, 8, 0.01f, true, 0);
+        String doubles = "3ff0000000000000 4000000000000000 3fe0000000000000";
+        String imager = "00000001 00000002 00000003 00000004 00000000 00000000";
         return List.of(
                 new Payload(1, 1, "00000000 00000000", new PlayerRequest.DeviceList()),
-                new Payload(
-                        4,
-                        7,
-                        "3ff0000000000000 4000000000000000 3fe0000000000000",
-                        new DeviceRequest.SpeedPid(1, 2, 0.5f)),
+                new Payload(4, 7, doubles, new DeviceRequest.SpeedPid(1, 2, 0.5f)),
                 new Payload(6, 2, laser + "41200000", new DeviceRequest.SetLaserConfiguration(with)),
                 new Payload(6, 2, laser, new DeviceRequest.SetLaserConfiguration(without)),
-                new Payload(
-                        7,
-                        2,
-                        "00000001 00000002 00000003 00000004 00000000 00000000",
-                        new DeviceRequest.SetImager(1, 2, 3, 4)),
+                new Payload(7, 2, imager, new DeviceRequest.SetImager(1, 2, 3, 4)),
                 new Payload(5, 1, "00".repeat(392), new DeviceRequest.Geometry()),
                 new Payload(62, 5, "00".repeat(56), new DeviceRequest.GetConfiguration()));
     }
@@ -314,8 +298,10 @@ class CodecTest {
             sonar DATA 1: count of ranges is 2, then 3, expected the same twice
             DATA | 5 | 1 | 800000008000000000000000 | \
             sonar DATA 1: count of ranges is 2147483648, expected at most 1 for the 4 bytes that follow
-            CMD | 4 | 3 | 000000000000000000000000 | position2d CMD 3: size is 12, expected 8 bytes for angle at offset 8
-            CMD | 4 | 3 | 0000000000000000000000000000000000000000 | position2d CMD 3: size is 20, expected 16
+            CMD | 4 | 3 | 000000000000000000000000 | \
+            position2d CMD 3: size is 12, expected 8 bytes for angle at offset 8
+            CMD | 4 | 3 | 0000000000000000000000000000000000000000 | \
+            position2d CMD 3: size is 20, expected 16
             REQ | 1 | 5 | 00000009 | player REQ 5: mode is 9, expected 1 (push) or 2 (pull)
             """)
     void error_namesFieldValueAndExpectation(MessageType type, int code, int subtype, String hex, String message) {

@@ -334,25 +334,6 @@ class ConversationTest {
                         + "00000005 00000000" + here + "00000007 00000000" + here + "00000004 00000000")));
     }
 
-    @Test
-    void commands_whoseStateIsZero_drive() throws Exception {
-        serveBoxes();
-        var client = served.client();
-        client.subscribe(POSITION2D);
-        client.send(Hex.bytes("00000000 00000000 00000004 00000000 00000002 00000002 0000000000000000 00000000"
-                + "00000034 3ff0000000000000" + "0000000000000000".repeat(5) + "00000000"));
-        client.sync();
-        served.tick(2);
-        assertThat(robot().pose().x()).as("on its way to (1, 0)").isPositive();
-        client.next(MessageType.DATA, 4, 1); // one for each tick
-        client.next(MessageType.DATA, 4, 1);
-        client.send(Hex.bytes("00000000 00000000 00000004 00000000 00000002 00000001 0000000000000000 00000000"
-                + "0000001c bfc999999999999a" + "0000000000000000".repeat(2) + "00000000"));
-        client.sync();
-        served.tick(2);
-        assertThat(robot().odometry().forwardMps()).isEqualTo(-0.2);
-    }
-
     private RobotReading robot() {
         return served.simulation.latest().robots().getFirst();
     }

@@ -253,17 +253,6 @@ class TcpServerTest {
         }
     }
 
-    @Test
-    void closedWorld_disconnectsItsClients() throws Exception {
-        try (var served = Served.open()) {
-            var client = served.client();
-            client.subscribe(POSITION2D);
-            served.simulation.close();
-            client.awaitEnd();
-            refused(served, 1);
-        }
-    }
-
     private static void refused(Served served, int times) throws IOException {
         for (int i = 0; i < times; i++) {
             var late = served.connect();
@@ -273,13 +262,17 @@ class TcpServerTest {
     }
 
     @Test
-    void closedServer_freesItsPort_andTheWorldGoesOn() throws Exception {
+    void closedServer_freesItsPort_andTheWorldGoesOn_whileAClosedWorldDisconnectsItsClients() throws Exception {
         try (var served = Served.open()) {
             int port = served.port();
             served.server.close();
             try (var again = TcpServer.open(PlayerPorts.find(Served.PORT).orElseThrow(), port)) {
                 assertThat(again.port()).isEqualTo(port);
-                served.client().sync();
+                var client = served.client();
+                client.subscribe(POSITION2D);
+                served.simulation.close();
+                client.awaitEnd();
+                refused(served, 1);
             }
         }
     }
