@@ -231,11 +231,11 @@ class AnswerTest implements PlayerConstants {
             test.run(() -> {
                 var robot = new PlayerClient("localhost", ScriptedServer.PORT + 1);
                 var wheels = robot.requestInterfacePosition2D(0, PLAYER_OPEN_MODE);
-                robot.runThreaded(-1, -1);
-                assertThat(robot.isAlive()).isFalse();
                 assertThatThrownBy(robot::readAll)
                         .isInstanceOf(PlayerException.class)
                         .hasMessageContaining("use nextData()");
+                robot.runThreaded(-1, -1);
+                assertThat(robot.isAlive()).isFalse();
                 robot.nextData().then(ready -> seen.add(wheels.getX()));
                 own.publish(7);
                 seen.addAll(List.of(wheels.isDataReady(), wheels.isDataReady(), own.answered()));

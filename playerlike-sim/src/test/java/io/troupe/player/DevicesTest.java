@@ -311,9 +311,11 @@ class DevicesTest implements PlayerConstants {
         assertThat(pos.getData()).isNull();
         assertThatThrownBy(pos::getX).isInstanceOf(NullPointerException.class).hasMessageContaining("isDataReady()");
         read(0);
-        assertThat(pos.isDataReady()).isTrue();
-        assertThat(again.isDataReady()).isTrue();
+        assertThat(List.of(pos.isDataReady(), again.isDataReady())).containsExactly(true, true);
         assertThat(pos.getData()).isNotSameAs(again.getData());
+        PlayerPose pose = pos.getData().getPos();
+        PlayerPose2d sameAgain = pos.getData().getPos();
+        assertThat(pose).isSameAs(sameAgain);
         var ended = client.requestInterfacePosition2D(0, PLAYER_CLOSE_MODE);
         assertThat(ended.getDeviceAccess()).isEqualTo((byte) PLAYER_CLOSE_MODE);
         var son = client.requestInterfaceSonar(0, PLAYER_OPEN_MODE);
@@ -387,13 +389,14 @@ class DevicesTest implements PlayerConstants {
         assertThat(new PlayerRangerConf().getMax_range()).isNaN();
         var poses = List.of(Pose3d.flat(7, 8, 9), Pose3d.flat(10, 11, 12));
         var sizes = List.of(new Size3d(0.4, 0.5, 0.6));
-        server.replier = request -> switch (request) {
-            case DeviceRequest.Geometry geometry ->
-                new DeviceReply.RangerGeometry(new Pose3d(1, 2, 3, 4, 5, 6), new Size3d(0.1, 0.2, 0.3), poses, sizes);
-            case DeviceRequest.GetConfiguration get ->
-                new DeviceReply.OfRanger(new RangerConfiguration(-1, 1, 0.5, 0.1, 8, 0.01, 10));
-            default -> new DeviceReply.Ack();
-        };
+        var body = new Size3d(0.1, 0.2, 0.3);
+        server.replier = request -> new DeviceReply.Ack();
+        server.reply(
+                new DeviceRequest.Geometry(),
+                new DeviceReply.RangerGeometry(new Pose3d(1, 2, 3, 4, 5, 6), body, poses, sizes));
+        server.reply(
+                new DeviceRequest.GetConfiguration(),
+                new DeviceReply.OfRanger(new RangerConfiguration(-1, 1, 0.5, 0.1, 8, 0.01, 10)));
         ranger.queryGeometry();
         assertThat(ranger.isGeomReady()).isTrue();
         var geometry = ranger.getGeom();
@@ -438,14 +441,12 @@ class DevicesTest implements PlayerConstants {
     @Test
     void laser_tellsGeometryAndConfiguration_whichCanBeSet() {
         var laser = client.requestInterfaceLaser(0, PLAYER_OPEN_MODE);
-        server.replier = request -> switch (request) {
-            case DeviceRequest.Geometry geometry ->
-                new DeviceReply.LaserGeometry(Pose3d.flat(0.1, 0, 0.5), new Size3d(0.1, 0.2, 0.3));
-            case DeviceRequest.GetConfiguration get ->
-                new DeviceReply.OfLaser(new LaserConfiguration(-1, 1, 0.5f, 8, 0.01f, true, 10));
-            case DeviceRequest.SetLaserConfiguration set -> new DeviceReply.OfLaser(set.configuration());
-            default -> new DeviceReply.Ack();
-        };
+        var eightMetres = new LaserConfiguration(-1, 1, 0.5f, 8, 0.01f, true, 10);
+        var fourMetres = new LaserConfiguration(-1, 1, 0.5f, 4, 0.01f, true, 10);
+        var geometry = new DeviceReply.LaserGeometry(Pose3d.flat(0.1, 0, 0.5), new Size3d(0.1, 0.2, 0.3));
+        server.reply(new DeviceRequest.Geometry(), geometry);
+        server.reply(new DeviceRequest.GetConfiguration(), new DeviceReply.OfLaser(eightMetres));
+        server.reply(new DeviceRequest.SetLaserConfiguration(fourMetres), new DeviceReply.OfLaser(fourMetres));
         laser.queryGeometry();
         assertThat(laser.isReadyPlgeom()).isTrue();
         assertThat(laser.getPlayerLaserGeom())
@@ -457,9 +458,7 @@ class DevicesTest implements PlayerConstants {
         assertThat(config.getIntensity()).isEqualTo((byte) 1);
         config.setMax_range(4);
         laser.setScanProperties(config);
-        assertThat(server.requests.getLast())
-                .isEqualTo(new DeviceRequest.SetLaserConfiguration(
-                        new LaserConfiguration(-1, 1, 0.5f, 4, 0.01f, true, 10)));
+        assertThat(server.requests.getLast()).isEqualTo(new DeviceRequest.SetLaserConfiguration(fourMetres));
         assertThat(laser.isReadyPlconfig()).isTrue();
         assertThat(laser.getPlayerLaserConfig().getMax_range()).isEqualTo(4);
         laser.setPower(0);

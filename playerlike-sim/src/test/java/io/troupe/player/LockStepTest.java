@@ -14,7 +14,6 @@ import static org.assertj.core.api.Assertions.within;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.player.structures.PlayerConstants;
-import io.troupe.player.structures.PlayerPose;
 import io.troupe.player.structures.PlayerPose2d;
 import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.player.wire.DeviceData;
@@ -250,36 +249,6 @@ class LockStepTest implements PlayerConstants {
         ticks(120);
         assertThat(reading(0).pose().x()).isBetween(2.9, 3.1);
         assertThat(reading(1).sonarM().get(1)).isCloseTo(4, within(1e-9));
-    }
-
-    @Test
-    void programThatExtendsPlayerClient_andOldAndNewPoses_work() {
-        class MyRobot extends PlayerClient {
-            private final Position2DInterface wheels = requestInterfacePosition2D(1, PLAYER_OPEN_MODE);
-
-            MyRobot() {
-                super("localhost", PORT);
-                wheels.setVelocity(new PlayerPose2d(0.3, 0, 0), 1);
-                wheels.setVelocity(new PlayerPose(0.2, 0, 0), 1);
-            }
-        }
-        var robot = new MyRobot();
-        robot.runThreaded(-1, -1);
-        robot.wheels.queryGeometry();
-        assertThat(List.of(robot.wheels.isGeomReady(), robot.wheels.isGeomReady()))
-                .containsExactly(true, false);
-        assertThat(robot.wheels.getGeom().getSize().getSl()).isEqualTo(0.4);
-        program(() -> {
-            while (true) {
-                robot.wheels.isDataReady();
-            }
-        });
-        simulation.tick();
-        assertX(1, -0.02); // it faces west
-        PlayerPose pose = robot.wheels.getData().getPos();
-        PlayerPose2d sameAgain = robot.wheels.getData().getPos();
-        assertThat(pose).isSameAs(sameAgain);
-        robot.close();
     }
 
     @Test

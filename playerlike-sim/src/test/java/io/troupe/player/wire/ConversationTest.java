@@ -19,7 +19,6 @@ import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -80,11 +79,8 @@ class ConversationTest {
     void playerprintOfARanger_asCaptured_receivesTheSameBytes() throws Exception {
         List<Hex.Line> lines = Hex.capture("playerprint-ranger.txt");
         var ranger = new ScriptedServer(RANGER);
-        var refusal = new DeviceReply.Nack("not in the script");
-        Map<DeviceRequest, DeviceReply> replies = Map.of(
-                new DeviceRequest.GetConfiguration(), captured(lines, 5),
-                new DeviceRequest.Geometry(), captured(lines, 1));
-        ranger.replier = request -> replies.getOrDefault(request, refusal);
+        ranger.reply(new DeviceRequest.GetConfiguration(), captured(lines, 5));
+        ranger.reply(new DeviceRequest.Geometry(), captured(lines, 1));
         try (var server = TcpServer.open(ranger, 0);
                 var client = new RawClient(server.port())) {
             client.banner();

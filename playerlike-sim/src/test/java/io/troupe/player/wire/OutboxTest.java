@@ -155,13 +155,19 @@ class OutboxTest {
     }
 
     @Test
-    void push_thenPull_nothingIsLeftToEnd() {
+    void push_thenPull_nothingIsLeftToEnd_andBackToPush_releasesWhatWaits() {
         push();
         frame(0, position(0));
         outbox.mode(Delivery.PULL);
         sent();
         assertThat(ask()).as("answered").isZero();
         assertThat(sent()).containsExactly("ACK 4");
+        frame(1, position(1));
+        assertThat(sent()).containsExactly("position 1", "SYNCH 1 0");
+        frame(2, position(2));
+        outbox.mode(Delivery.PUSH);
+        frame(3, position(3));
+        assertThat(sent()).containsExactly("position 2", "position 3");
     }
 
     @Test
@@ -179,13 +185,20 @@ class OutboxTest {
     }
 
     @Test
-    void push_toAClientThatDoesNotRead_keepsABoundedNumber() {
+    void push_toAClientThatDoesNotRead_keepsABoundedNumber_orTheNewestByARule() {
         push();
-        for (int tick = 0; tick < 5000; tick++) {
-            frame(tick, position(tick));
+        for (boolean replaces : new boolean[] {false, true}) {
+            for (int tick = 0; tick < 5000; tick++) {
+                frame(tick, position(tick));
+            }
+            assertThat(outbox.dropped()).isEqualTo(5000 - Outbox.MAX_DATA);
+            if (replaces) {
+                assertThat(sent()).containsExactly("position 4999");
+            } else {
+                assertThat(sent()).hasSize(1 + Outbox.MAX_DATA);
+                rule(-1, 1, -1, ReplaceRule.REPLACE);
+            }
         }
-        assertThat(outbox.dropped()).isEqualTo(5000 - Outbox.MAX_DATA);
-        assertThat(sent()).hasSize(1 + Outbox.MAX_DATA);
     }
 
     @Test
@@ -204,17 +217,6 @@ class OutboxTest {
         ask();
         frame(3, position(3), sonar());
         assertThat(sent()).containsExactly("ACK 4", "position 3", "sonar", "SYNCH 1 0");
-    }
-
-    @Test
-    void rules_inPushMode_replaceWhatHasNotBeenWritten() {
-        push();
-        rule(-1, 1, -1, ReplaceRule.REPLACE);
-        for (int tick = 0; tick < 5000; tick++) {
-            frame(tick, position(tick));
-        }
-        assertThat(outbox.dropped()).isZero();
-        assertThat(sent()).containsExactly("ACK 3", "position 4999");
     }
 
     @Test
@@ -271,15 +273,6 @@ class OutboxTest {
         frame(1, position(1), sonar());
         ask();
         assertThat(sent()).containsExactly("position 0", "ACK 3", "ACK 4", "position 1", "SYNCH 1 0");
-    }
-
-    @Test
-    void backToPush_releasesWhatWaits() {
-        pull();
-        frame(0, position(0));
-        outbox.mode(Delivery.PUSH);
-        frame(1, position(1));
-        assertThat(sent()).containsExactly("position 0", "position 1");
     }
 
     @Test

@@ -3,6 +3,7 @@ package io.troupe.player.wire;
 import io.troupe.actor.ActorSpace;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -29,7 +30,10 @@ public class ScriptedServer implements PlayerServer, PlayerConnection {
     public final AtomicBoolean closed = new AtomicBoolean();
     public volatile boolean repliesLater;
     public volatile @Nullable Duration replyLimit;
+    /** Replies to the requests that {@link #reply} does not name. */
     public volatile Function<DeviceRequest, DeviceReply> replier = request -> new DeviceReply.Nack("not in the script");
+
+    private final Map<DeviceRequest, DeviceReply> script = new ConcurrentHashMap<>();
     public volatile Runnable whileSubscribing = () -> {};
     private final Set<DeviceAddress> subscribed = ConcurrentHashMap.newKeySet();
     private final List<DeviceAddress> devices;
@@ -59,6 +63,10 @@ public class ScriptedServer implements PlayerServer, PlayerConnection {
     /** Publishes a frame with one message of the first device. */
     public void publish(double seconds, @Nullable DeviceData data) {
         sink.frame(new Frame(published++, seconds, List.of(new DeviceDataMessage(devices.getFirst(), seconds, data))));
+    }
+
+    public void reply(DeviceRequest request, DeviceReply reply) {
+        script.put(request, reply);
     }
 
     public void vanish() {
@@ -142,7 +150,7 @@ public class ScriptedServer implements PlayerServer, PlayerConnection {
     @Override
     public DeviceReply request(DeviceAddress device, DeviceRequest request) {
         requests.add(request);
-        return replier.apply(request);
+        return script.containsKey(request) ? script.get(request) : replier.apply(request);
     }
 
     @Override
