@@ -444,6 +444,7 @@ class DevicesTest implements PlayerConstants {
         var eightMetres = new LaserConfiguration(-1, 1, 0.5f, 8, 0.01f, true, 10);
         var fourMetres = new LaserConfiguration(-1, 1, 0.5f, 4, 0.01f, true, 10);
         var geometry = new DeviceReply.LaserGeometry(Pose3d.flat(0.1, 0, 0.5), new Size3d(0.1, 0.2, 0.3));
+        server.replier = request -> new DeviceReply.Ack();
         server.reply(new DeviceRequest.Geometry(), geometry);
         server.reply(new DeviceRequest.GetConfiguration(), new DeviceReply.OfLaser(eightMetres));
         server.reply(new DeviceRequest.SetLaserConfiguration(fourMetres), new DeviceReply.OfLaser(fourMetres));
