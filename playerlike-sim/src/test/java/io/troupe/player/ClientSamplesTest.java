@@ -83,10 +83,10 @@ class ClientSamplesTest {
 
     @Test
     void blobfinder_findsColours() {
+        List<String> log = new ArrayList<>();
         BlobfinderInterface camera = robot.requestInterfaceBlobfinder(0, PlayerConstants.PLAYER_OPEN_MODE);
         while (!camera.isDataReady())
             ;
-        List<String> log = new ArrayList<>();
         for (PlayerBlobfinderBlob blob : camera.getData().getBlobs()) {
             log.add("a blob of " + blob.getArea() + " square pixels");
         }

@@ -89,7 +89,7 @@ class LockStepTest implements PlayerConstants {
         assertX(0, 0.01);
         client.drive(0, 0.2); // between two ticks: newer than the 0.5, and also after the answer
         simulation.tick();
-        assertX(0, 0.02); // 0.1 again, said in the delivery of the second tick
+        assertX(0, 0.02); // 0.1 again, sent in the delivery of the second tick
     }
 
     @Test

@@ -23,7 +23,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.function.Executable;
 
-/** A world, of one robot unless said otherwise, a server for it, and clients that are closed with it. */
+/** A world of one robot or of a scenario, a server for it, and clients that are closed with it. */
 final class Served implements AutoCloseable {
     static final int PORT = 6781;
 
