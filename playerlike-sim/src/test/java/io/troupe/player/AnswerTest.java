@@ -13,6 +13,7 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -178,6 +179,7 @@ class AnswerTest implements PlayerConstants {
     }
 
     @Test
+    @Tag("threads")
     void runThreaded_fromSeveralThreads_startsOne() throws Exception {
         var inFirst = new CountDownLatch(1);
         var goOn = new CountDownLatch(1);
