@@ -101,9 +101,8 @@ public final class Arena {
         return hash;
     }
 
-    // ---- crowds: a square of tiles of 16 m by 16 m inside walls; each tile has six black boxes, three coloured
-    // columns
-    // and up to 64 robots with 16 sonars of 5 m and a camera of 80 columns over 60 degrees and 8 m
+    // ---- crowds: square tiles of 16 m inside walls, each with six black boxes, three coloured columns and up to 64
+    // robots, which have 16 sonars of 5 m and a camera of 80 columns over 60 degrees and 8 m
 
     private static final double TILE_M = 16;
     private static final int ROBOTS_ON_A_TILE = 64;

@@ -101,7 +101,7 @@ class CollisionTest {
     }
 
     @Test
-    void robotsThatMeet_giveOneContact_theLowerIndexFirst() {
+    void robotsThatMeet_giveOneContact_theLowerIndexFirst_andAnIdleOneIsPushed() {
         World world = driven(0.4, start(List.of(robot("left", -1, 0, 0), robot("right", 1, 0, StrictMath.PI))));
         Snapshot end = run(world, 40);
         assertThat(contacts).hasSize(1);
@@ -112,6 +112,12 @@ class CollisionTest {
         assertThat(end.robots()).allMatch(robot -> robot.odometry().stalled());
         assertThat(end.robots().get(1).pose().x() - first(end).pose().x() - 2 * FRONT_M)
                 .isBetween(0.0, MOST_GAP_M);
+        World idle = start(List.of(robot("pusher", 0, 0, 0), robot("pushed", 0.6, 0, 0)));
+        idle.command(0, 0.4, 0);
+        RobotReading pushed = run(idle, 50).robots().get(1);
+        assertThat(pushed.pose().x()).isGreaterThan(0.7);
+        assertThat(pushed.odometry().pose().x()).isCloseTo(pushed.pose().x() - 0.6, within(1e-9));
+        assertThat(pushed.odometry().stalled()).isFalse();
     }
 
     @Test
@@ -154,16 +160,6 @@ class CollisionTest {
     }
 
     @Test
-    void robotDrivenAgainstAnother_pushesIt() {
-        World world = start(List.of(robot("pusher", 0, 0, 0), robot("pushed", 0.6, 0, 0)));
-        world.command(0, 0.4, 0);
-        RobotReading pushed = run(world, 50).robots().get(1);
-        assertThat(pushed.pose().x()).isGreaterThan(0.7);
-        assertThat(pushed.odometry().pose().x()).isCloseTo(pushed.pose().x() - 0.6, within(1e-9));
-        assertThat(pushed.odometry().stalled()).isFalse();
-    }
-
-    @Test
     void gap_isTheExactDistanceToTheNearestEdgeOrCorner() {
         // a square of side 1 turned by 45 degrees points a corner at the robot's front
         World world = start(R1, Specs.box("diamond", new Pose(2, 0.1, StrictMath.PI / 4), 1, 1, Specs.BLUE));
@@ -173,7 +169,7 @@ class CollisionTest {
     // ---- fast robots and thin walls
 
     @Test
-    void fastRobot_doesNotPassAThinWall_whereverItStartsFrom() {
+    void fastRobot_passesNeitherAThinWall_whereverItStartsFrom_norAnotherRobot() {
         for (double x = -0.8; x < 4.8; x += 0.1) {
             World world =
                     driven(15, World.create(Specs.world(robot("r1", x, 0, 0), wall("thin", 5, 0, 0.01, 4)), VERY_FAST));
@@ -183,6 +179,13 @@ class CollisionTest {
             assertThat(contacts).as("from %s", x).extracting(Contact::other).containsExactly("thin");
             contacts.clear();
         }
+        World world = driven(
+                15,
+                World.create(
+                        Specs.world(List.of(robot("left", -5, 0, 0), robot("right", 5, 0, StrictMath.PI))), VERY_FAST));
+        Snapshot end = run(world, 20);
+        assertThat(first(end).pose().x()).isLessThan(end.robots().get(1).pose().x());
+        assertThat(contacts).hasSize(1);
     }
 
     /** A bar of 1 m x 1 cm at an angle in its own frame: its bounding box does not show how thin it is. */
@@ -210,17 +213,6 @@ class CollisionTest {
 
     private static RobotSpec thinRobot(Pose pose, Shape shape) {
         return Specs.with(Specs.with(robot("r1", pose), "origin", Pose.ORIGIN), "shape", shape);
-    }
-
-    @Test
-    void fastRobot_doesNotPassAnother() {
-        World world = driven(
-                15,
-                World.create(
-                        Specs.world(List.of(robot("left", -5, 0, 0), robot("right", 5, 0, StrictMath.PI))), VERY_FAST));
-        Snapshot end = run(world, 20);
-        assertThat(first(end).pose().x()).isLessThan(end.robots().get(1).pose().x());
-        assertThat(contacts).hasSize(1);
     }
 
     /** The robots push one another at full speed; at these speeds they used to pass through walls. */

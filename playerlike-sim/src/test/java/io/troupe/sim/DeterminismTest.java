@@ -150,9 +150,15 @@ class DeterminismTest {
     }
 
     @Test
-    void seed_decidesEverything_butNothingWithoutJitter() {
+    void seed_decidesEverything_butNothingWithoutJitterAndNoise_whichAreNoOtherRobotsConcern() {
         assertThat(minute(Arena.seed(7))).isEqualTo(minute(Arena.seed(7))).isNotEqualTo(minute(Arena.seed(8)));
         assertThat(minute(WorldSettings.DEFAULT.withSeed(8))).isEqualTo(minute(WorldSettings.DEFAULT.withSeed(7)));
+        assertThat(firstReadings(Arena.spec(2))).isEqualTo(firstReadings(Arena.spec(1)));
+        var plain = robot("r", Pose.ORIGIN).withRangers(List.of(Arena.laser(RangeNoise.NONE)));
+        WorldSpec spec = Specs.world(plain, Specs.wall("ahead", 3, 0, 1, 5));
+        World one = World.create(spec, WorldSettings.DEFAULT.withSeed(1));
+        World other = World.create(spec, WorldSettings.DEFAULT.withSeed(2));
+        assertThat(SnapshotHash.of(one.latest())).isEqualTo(SnapshotHash.of(other.latest()));
     }
 
     @Test
@@ -216,16 +222,6 @@ class DeterminismTest {
     private static Snapshot with(Snapshot snapshot, RobotReading first) {
         List<RobotReading> robots = List.of(first, snapshot.robots().get(1));
         return new Snapshot(snapshot.tick(), snapshot.timeMicros(), robots, List.of());
-    }
-
-    @Test
-    void noise_dependsOnSeedAndRobotOnly_andIsOffUnlessAskedFor() {
-        assertThat(firstReadings(Arena.spec(2))).isEqualTo(firstReadings(Arena.spec(1)));
-        var plain = robot("r", Pose.ORIGIN).withRangers(List.of(Arena.laser(RangeNoise.NONE)));
-        WorldSpec spec = Specs.world(plain, Specs.wall("ahead", 3, 0, 1, 5));
-        World one = World.create(spec, WorldSettings.DEFAULT.withSeed(1));
-        World other = World.create(spec, WorldSettings.DEFAULT.withSeed(2));
-        assertThat(SnapshotHash.of(one.latest())).isEqualTo(SnapshotHash.of(other.latest()));
     }
 
     /** Laser and odometry of the first robot, which turns on the spot and sees no other robot. */

@@ -166,18 +166,13 @@ class RecordingTest {
     // ---- damaged and wrong recordings
 
     @Test
-    void recordingThatIsCutOff_isRefused_whereverItIsCut() {
+    void recording_cutOffOrWithADamagedCharacter_isRefusedOrDoesNotReplay() {
         String text = recorded();
         for (int end = 0; end < text.length() - 10; end += 37) {
             assertUnreadable(text.substring(0, end));
         }
         assertUnreadable(text.substring(0, text.lastIndexOf("\n250 end") + 1))
                 .hasMessageMatching("the recording is cut off after line \\d+: it does not end with .*");
-    }
-
-    @Test
-    void recordingWithADamagedCharacter_isRefusedOrDoesNotReplay() {
-        String text = recorded();
         var random = new SplittableRandom(1);
         int from = text.indexOf("start ");
         for (int i = 0; i < 60; i++) {

@@ -60,7 +60,7 @@ public final class Specs {
         return World.create(ScenarioReader.readText(text, Path.of("t.world")).world(), WorldSettings.DEFAULT);
     }
 
-    /** The world, in which all robots have been told to drive straight on. */
+    /** The world, with the command to all its robots to drive straight on. */
     static World driven(double forwardMps, World world) {
         for (int robot = 0; robot < world.spec().robots().size(); robot++) {
             world.command(robot, forwardMps, 0);

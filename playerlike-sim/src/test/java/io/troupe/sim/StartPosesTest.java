@@ -66,14 +66,7 @@ class StartPosesTest {
     }
 
     @Test
-    void odometry_startsFromTheJitteredPose() {
-        RobotReading reading = reading(ALONE, jitter(3), 0);
-        assertThat(reading.pose()).isNotEqualTo(FIRST);
-        assertThat(reading.odometry().pose()).isEqualTo(Pose.ORIGIN);
-    }
-
-    @Test
-    void jitter_ofARobot_dependsOnSeedAndRobotOnly() {
+    void jitter_ofARobot_dependsOnSeedAndRobotOnly_andOdometryStartsFromIt() {
         Pose alone = start(ALONE, jitter(5), 0);
         RobotSpec one = robot("r1", FIRST);
         RobotSpec other = robot("r2", -2, 2, -3);
@@ -83,6 +76,9 @@ class StartPosesTest {
         WorldSpec world = Specs.world(List.of(R1, robot("r2", 0, 2, 0)));
         assertThat(start(world, jitter(5), 1).x())
                 .isNotEqualTo(start(world, jitter(5), 0).x());
+        RobotReading reading = reading(ALONE, jitter(3), 0);
+        assertThat(reading.pose()).isNotEqualTo(FIRST);
+        assertThat(reading.odometry().pose()).isEqualTo(Pose.ORIGIN);
     }
 
     private static WorldSpec between(double distanceM) {

@@ -54,12 +54,8 @@ class SensorsTest {
 
     // ---- sonars
 
-    private static List<Double> read(SonarSpec sonar, Pose at, ObstacleSpec... obstacles) {
-        return read(sonar, Specs.world(robot("r1", at), obstacles));
-    }
-
     private static List<Double> read(SonarSpec sonar, ObstacleSpec... obstacles) {
-        return read(sonar, Pose.ORIGIN, obstacles);
+        return read(sonar, Specs.world(R1, obstacles));
     }
 
     /** Readings of robot 0 with these sonars. */
@@ -75,7 +71,8 @@ class SensorsTest {
         assertThat(read(sonars(90, -90), wall("left", 0, 2, 1, 2), wall("right", 0, -4, 1, 2)))
                 .containsExactly(1.0, 3.0);
         // the robot stands at (1, 1) and faces north; the wall's face is y = 3
-        List<Double> ring = read(Specs.pioneerFront(), new Pose(1, 1, 90 * DEGREE), wall("north", 1, 4, 12, 2));
+        WorldSpec world = Specs.world(robot("r1", 1, 1, 90 * DEGREE), wall("north", 1, 4, 12, 2));
+        List<Double> ring = read(Specs.pioneerFront(), world);
         assertThat(ring.get(3)).isCloseTo((2 - 0.170) / StrictMath.cos(10 * DEGREE), EXACT);
         assertThat(ring.get(2)).isCloseTo((2 - 0.150) / StrictMath.cos(30 * DEGREE), EXACT);
         assertThat(ring.get(6)).isCloseTo((2 - 0.115) / StrictMath.cos(50 * DEGREE), EXACT);
@@ -92,7 +89,8 @@ class SensorsTest {
         // faces and rays on whole metres, where the cells of the grid meet; two boxes share the corner (3, 0)
         assertThat(read(sonars(0), wall("above", 3.5, 0.5, 1, 1), wall("below", 3.5, -0.5, 1, 1)))
                 .containsExactly(3.0);
-        assertRanges(read(sonars(45), new Pose(-1, -1, 0), wall("box", 1, 1, 2, 2)), StrictMath.sqrt(2));
+        assertRanges(
+                read(sonars(45), Specs.world(robot("r1", -1, -1, 0), wall("box", 1, 1, 2, 2))), StrictMath.sqrt(2));
     }
 
     @Test
@@ -262,38 +260,36 @@ class SensorsTest {
     }
 
     @Test
-    void box_fillsTheColumnsItsFaceSpans() {
-        // its outermost corners, seen from the camera: near left (2, 0.5) and far right (2.2, 0.3), 0.75 degrees a
-        // column
+    void blob_fillsTheColumnsThatAFaceSpans_withTheHeightOfItsMeanRange() {
+        // its outermost corners, seen from the camera: near left (2, 0.5) and far right (2.2, 0.3)
         ColourBlob blob = see(box(2.1, 0.4, 0.2, 0.2, RED)).getFirst();
         assertThat(List.of(blob.colour(), blob.left(), blob.right(), blob.x())).containsExactly(RED, 21, 29, 25);
         assertThat(blob.rangeM()).isBetween(2.0, 2.2);
-    }
-
-    @Test
-    void blobOfAWideWall_fillsTheImage_withTheHeightOfItsMeanRange() {
-        ColourBlob blob = see(wall("wall", 2.5, 0, 1, 20)).getFirst();
+        ColourBlob wide = see(wall("wall", 2.5, 0, 1, 20)).getFirst();
         double sum = 0;
         for (int column = 0; column < 80; column++) {
             sum += 2 / StrictMath.cos((30 - (column + 0.5) * 0.75) * DEGREE);
         }
-        assertThat(blob.rangeM()).isCloseTo(sum / 80, within(1e-9));
+        assertThat(wide.rangeM()).isCloseTo(sum / 80, within(1e-9));
         // atan(0.3 / 2.09) is 8.2 degrees, a row is one degree
-        assertThat(blob).isEqualTo(new ColourBlob(BLACK, 79 * 16, blob.x(), 30, 0, 79, 22, 38, blob.rangeM()));
+        assertThat(wide).isEqualTo(new ColourBlob(BLACK, 79 * 16, wide.x(), 30, 0, 79, 22, 38, wide.rangeM()));
     }
 
     @Test
-    void image_clipsWhatIsNear_andLeavesOutWhatIsFarOrBehind() {
+    void image_clipsWhatIsNear_leavesOutWhatIsFarOrBehind_andLooksWhereItsMountSays() {
         assertThat(see(wall("wall", 0.75, 0, 1, 4)))
                 .first()
                 .extracting(ColourBlob::top, ColourBlob::bottom)
                 .containsExactly(0, 60);
         WorldSpec world = Specs.world(R1, box(4, 0, 0.5, 0.5, RED), box(-1, 0, 0.5, 0.5, RED));
         assertThat(new Blobfinder(camera(3)).read(new Scene(world), 0)).isEqualTo(new BlobImage(80, 60, List.of()));
+        var left = new BlobfinderSpec(new Pose(0, 0, 90 * DEGREE), 80, 60, 8, 60 * DEGREE, List.of());
+        ColourBlob blob = see(left, box(0, 3, 0.4, 0.4, RED)).getFirst();
+        assertThat(blob.left() + blob.right()).isEqualTo(79);
     }
 
     @Test
-    void twoColours_areReportedFromLeftToRight_sharingNoColumnAndSkippingNone() {
+    void twoColours_areReportedFromLeftToRight_sharingNoColumn_butNeighboursOfOneColourAreOneBlob() {
         List<ColourBlob> blobs = see(box(3, -0.5, 0.4, 0.4, GREEN), box(3, 0.5, 0.4, 0.4, BLUE));
         assertThat(colours(blobs)).containsExactly(BLUE, GREEN);
         assertThat(blobs.get(0).right()).isLessThan(40);
@@ -303,10 +299,6 @@ class SensorsTest {
         assertThat(touching).hasSize(2);
         assertThat(touching.get(0).right()).isEqualTo(39);
         assertThat(touching.get(1).left()).isEqualTo(40);
-    }
-
-    @Test
-    void neighboursOfOneColour_areOneBlob_butAGapParts() {
         assertThat(see(box(3, 0.25, 0.5, 0.5, RED), box(3, -0.25, 0.5, 0.5, RED)))
                 .hasSize(1);
         assertThat(see(box(3, 0.5, 0.5, 0.5, RED), box(3, -0.5, 0.5, 0.5, RED))).hasSize(2);
@@ -338,13 +330,6 @@ class SensorsTest {
         };
         assertThat(colours(see(camera(8, BLUE, RED), boxes))).containsExactly(RED, BLUE);
         assertThat(colours(see(boxes))).containsExactly(BLACK, RED, BLACK, 0xFE0000, BLACK, BLUE, BLACK);
-    }
-
-    @Test
-    void pannedCamera_looksWhereItsMountSays() {
-        var left = new BlobfinderSpec(new Pose(0, 0, 90 * DEGREE), 80, 60, 8, 60 * DEGREE, List.of());
-        ColourBlob blob = see(left, box(0, 3, 0.4, 0.4, RED)).getFirst();
-        assertThat(blob.left() + blob.right()).isEqualTo(79);
     }
 
     @ParameterizedTest

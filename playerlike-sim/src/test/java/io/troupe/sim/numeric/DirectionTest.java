@@ -2,7 +2,6 @@ package io.troupe.sim.numeric;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import java.util.List;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
 
@@ -11,12 +10,12 @@ class DirectionTest {
 
     private void assertSameAsStrictMath(double angleRad) {
         direction.set(angleRad);
-        double cos = StrictMath.cos(angleRad);
-        double sin = StrictMath.sin(angleRad);
-        if (Double.compare(direction.cos(), cos) != 0 || Double.compare(direction.sin(), sin) != 0) {
-            assertThat(List.of(direction.cos(), direction.sin()))
+        if (Double.doubleToRawLongBits(direction.cos()) != Double.doubleToRawLongBits(StrictMath.cos(angleRad))
+                || Double.doubleToRawLongBits(direction.sin())
+                        != Double.doubleToRawLongBits(StrictMath.sin(angleRad))) {
+            assertThat(new double[] {direction.cos(), direction.sin()})
                     .as("of %s", angleRad)
-                    .containsExactly(cos, sin);
+                    .containsExactly(StrictMath.cos(angleRad), StrictMath.sin(angleRad));
         }
     }
 

@@ -75,12 +75,6 @@ class EntityParserTest extends WorldFiles {
     }
 
     @Test
-    void text_closedOnTheNextLine_isRefused() {
-        assertThatThrownBy(() -> Lexer.tokens("name \"a\nb\"", FILE))
-                .hasMessage("t.world:1:6: this text has no closing '\"' on its line");
-    }
-
-    @Test
     void entities_nested_keepPropertiesChildrenAndPositions_andIndicesAreNoTuples() {
         Document document = parse("a 1\nouter ( b \"t\" inner ( c [ 1 2 ] ) d 4 )");
         Entity outer = document.entities().getFirst();
@@ -166,6 +160,12 @@ class EntityParserTest extends WorldFiles {
         assertThat(problem("include \"..\"")).startsWith("t.world:1:9: ").endsWith(" is not a file");
         assertThat(problemOf(() -> ScenarioReader.readWorld(file("gone.world"))))
                 .isEqualTo("there is no file gone.world");
+    }
+
+    @Test
+    void text_closedOnTheNextLine_isRefused() {
+        assertThatThrownBy(() -> Lexer.tokens("name \"a\nb\"", FILE))
+                .hasMessage("t.world:1:6: this text has no closing '\"' on its line");
     }
 
     // ---- limits

@@ -124,7 +124,7 @@ class ScenarioReaderTest extends WorldFiles {
     // ---- the configuration itself
 
     @Test
-    void config_ofTheArena_bindsEveryDevice() {
+    void config_ofTheArena_bindsEveryDevice_andNamesItsWorldRelatively() throws IOException {
         Scenario scenario = config(CONFIG);
         assertThat(scenario.world().name()).isEqualTo("arena");
         assertThat(scenario.devices())
@@ -138,10 +138,6 @@ class ScenarioReaderTest extends WorldFiles {
                         "6665 sonar:1 r1",
                         "6667 blobfinder:2 r1");
         assertThat(scenario.devices().get(2).where()).hasToString(file("t.cfg") + ":2:49");
-    }
-
-    @Test
-    void worldFile_isRelativeToTheConfiguration() throws IOException {
         Files.createDirectories(file("sub"));
         Path config = write("sub/t.cfg", STAGE.replace("w.world", "../w.world"));
         assertThat(ScenarioReader.readConfig(config).world().file()).isEqualTo(file("w.world"));
@@ -234,14 +230,10 @@ class ScenarioReaderTest extends WorldFiles {
     }
 
     @Test
-    void ring_ofSonars_isProvidedByBothInterfaces() {
+    void ring_ofSonars_isProvidedByBothInterfaces_inBothDialects_andAScanIsNot() {
         assertThat(devices("\"ranger:0\" \"sonar:0\""))
                 .extracting(device -> device.interfaceName() + ":" + device.index() + " " + device.ranger())
                 .containsExactly("simulation:0 0", "ranger:0 " + DeviceBinding.SONAR_RING, "sonar:0 0");
-    }
-
-    @Test
-    void ring_inTheDialectOfStage4_isProvidedByBothInterfaces_andAScanIsNot() {
         write("w.world", """
                 position ( name "full" ranger ( sensor ( samples 180 ) )
                   ranger ( sensor ( samples 1 ) sensor ( samples 1 ) ) )

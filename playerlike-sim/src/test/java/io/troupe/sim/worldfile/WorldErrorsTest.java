@@ -221,10 +221,6 @@ class WorldErrorsTest extends WorldFiles {
                         + " the limit is 5000 m");
         assertThat(world("model ( size [ 1200 600 ] boundary 1 )").obstacles()).hasSize(1);
         assertThat(problem(robot("far", 900, 0, 0))).contains("robot \"far\" lies 900.500 m");
-    }
-
-    @Test
-    void body_beyond150Metres_isWarnedAbout() {
         assertThat(LoggedWarnings.of(
                         WorldChecks.class, () -> world(robot("near", 149, 0, 0) + robot("far", 0, 150, 0))))
                 .containsExactly("WARNING " + file("t.world")
