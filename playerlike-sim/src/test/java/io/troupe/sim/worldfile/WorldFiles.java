@@ -1,7 +1,13 @@
 package io.troupe.sim.worldfile;
 
+import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
+import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -9,10 +15,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.assertj.core.data.Offset;
+import org.junit.jupiter.api.io.TempDir;
 
-/** World files for tests, written to a temporary directory. */
-final class Worlds {
+/** Tests with world files, in a temporary directory. */
+abstract class WorldFiles {
     /** A Pioneer 2DX with its 16 sonars, in the classic dialect. */
     static final String PIONEER = """
             # the ring of sixteen sonars
@@ -78,11 +87,10 @@ final class Worlds {
             driver ( name "stage" provides [ "6666:position2d:0" "odometry:::sonar:1" "::6667:blobfinder:2" ] model "r1" )
             """;
 
-    private final Path dir;
+    static final Offset<Double> EXACT = within(1e-12);
 
-    Worlds(Path dir) {
-        this.dir = dir;
-    }
+    @TempDir
+    Path dir;
 
     Path file(String name) {
         return dir.resolve(name);
@@ -100,6 +108,18 @@ final class Worlds {
         return ScenarioReader.readWorld(write("t.world", text));
     }
 
+    ObstacleSpec obstacle(String text) {
+        return world(text).obstacles().getFirst();
+    }
+
+    RobotSpec robot(String text) {
+        return world(text).robots().getFirst();
+    }
+
+    Scenario config(String text) {
+        return ScenarioReader.readConfig(write("t.cfg", text));
+    }
+
     /** The error message for a world file {@code t.world}, without the directory. */
     String problem(String text) {
         Path file = write("t.world", text);
@@ -112,23 +132,41 @@ final class Worlds {
         return problemOf(() -> ScenarioReader.readConfig(file));
     }
 
+    String problemOf(ThrowingCallable reading) {
+        var problem = catchThrowableOfType(WorldFileException.class, reading);
+        assertThat(problem).as("the file was read without complaint").isNotNull();
+        return withoutDirectory(String.valueOf(problem.getMessage()));
+    }
+
     /** The warnings of the strict reader for a world file {@code t.world}, without the directory. */
     List<String> warnings(String text) {
         return warningsOf(write("t.world", text));
     }
 
-    /** The warnings of the strict reader for a file, without the directory. */
     List<String> warningsOf(Path file) {
         var warnings = new ArrayList<String>();
-        ScenarioReader.read(file, warning -> warnings.add(warning.toString().replace(dir + "/", "")));
+        ScenarioReader.read(file, into(warnings));
         return warnings;
     }
 
-    String problemOf(ThrowingCallable reading) {
-        var problem = catchThrowableOfType(WorldFileException.class, reading);
-        if (problem == null) {
-            throw new AssertionError("the file was read without complaint");
-        }
-        return String.valueOf(problem.getMessage()).replace(dir + "/", "");
+    /** The warnings of the lenient reader for a world file {@code t.world}, without the directory. */
+    List<String> lenientWarnings(String text) {
+        var warnings = new ArrayList<String>();
+        ScenarioReader.readLeniently(write("t.world", text), into(warnings));
+        return warnings;
+    }
+
+    Consumer<WorldFileWarning> into(List<String> warnings) {
+        return warning -> warnings.add(withoutDirectory(warning.toString()));
+    }
+
+    private String withoutDirectory(String message) {
+        return message.replace(dir + "/", "");
+    }
+
+    static void assertPose(Pose pose, double x, double y, double degrees) {
+        assertThat(pose.x()).isCloseTo(x, EXACT);
+        assertThat(pose.y()).isCloseTo(y, EXACT);
+        assertThat(pose.headingRad()).isCloseTo(Math.toRadians(degrees), EXACT);
     }
 }
