@@ -87,16 +87,12 @@ class MeasuringJvmTest {
     }
 
     @Test
-    void jvmThatEnds_isReportedWithItsStatus() throws IOException {
+    void jvmThatEnds_orCannotBegin_isReportedWithItsStatusAtTheRequest() throws IOException {
         try (var jvm = child().withProcessors(2).start()) {
             assertFails(
                     jvm, "exit", "exit: the JVM that measures (told 2 cores) has ended: exit status 1, see " + log());
         }
         assertThat(log()).content().contains("AssertionError: an error ends the child");
-    }
-
-    @Test
-    void jvmThatCannotBegin_isReportedAtItsFirstRequest() throws IOException {
         try (var jvm = child("broken").start()) {
             assertFails(jvm, "once", "once: the JVM that measures has ended: exit status 1, see " + log());
         }

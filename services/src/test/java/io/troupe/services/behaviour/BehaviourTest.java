@@ -107,11 +107,7 @@ class BehaviourTest {
         Velocity slow = avoided(4, 0.5).orElseThrow(); // between near and far
         assertThat(slow.forwardMps()).isCloseTo(0.1, within(1e-6)); // half of 0.2 m/s; sonar ranges are floats
         assertThat(slow.turnRadps()).isEqualTo(0.5);
-    }
-
-    @Test
-    void avoid_leavesACornerToOneSide() {
-        Avoid.Step first = avoid(Avoid.START, 0, ring(3, 0.3, 4, 0.35));
+        Avoid.Step first = avoid(Avoid.START, 0, ring(3, 0.3, 4, 0.35)); // a corner, left to one side
         assertThat(avoid(first.memory(), 0, ring(3, 0.35, 4, 0.3))).isEqualTo(first);
     }
 
@@ -160,38 +156,26 @@ class BehaviourTest {
     }
 
     @Test
-    void goalAhead_isDrivenToAtFullSpeed_andApproachedInProportionToTheDistance() {
+    void goal_isDrivenTo_inProportionToTheDistance_andTurnedTo_slowerTheFartherItIsAside() {
         assertThat(velocity(to(EAST), ORIGIN)).isEqualTo(new Velocity(0.3, 0));
         assertThat(velocity(to(EAST), new RobotPose(1.8, 0, 0)).forwardMps()).isCloseTo(0.2, within(1e-12));
-    }
-
-    @Test
-    void goalToTheSide_isTurnedTo_slowerTheFartherItIsAside() {
         Velocity left = velocity(to(new Goal(1, 1)), ORIGIN);
         assertThat(left.forwardMps()).isCloseTo(0.3 * Math.cos(Math.PI / 4), within(1e-12));
         assertThat(left.turnRadps()).isEqualTo(0.8); // 1.5 * pi / 4 would be more
         Velocity right = velocity(to(EAST), new RobotPose(0, 0, 0.2));
         assertThat(right.turnRadps()).isCloseTo(-0.3, within(1e-12));
-    }
-
-    @Test
-    void goalBehind_isTurnedToInPlace_theShorterWayRound() {
-        Velocity turn = velocity(to(new Goal(-1, 0.1)), new RobotPose(0, 0, -3));
-        assertThat(turn.forwardMps()).isPositive(); // the goal is almost in front: the angle wraps at pi
-        assertThat(turn.turnRadps()).isNegative();
+        Velocity behind = velocity(to(new Goal(-1, 0.1)), new RobotPose(0, 0, -3));
+        assertThat(behind.forwardMps()).isPositive(); // the goal is almost in front: the angle wraps at pi
+        assertThat(behind.turnRadps()).isNegative();
         assertThat(velocity(to(EAST), new RobotPose(0, 0, 3)).forwardMps()).isZero();
     }
 
     @Test
-    void lastGoal_leavesItWithNothingToSay_untilItIsMovedAway() {
+    void goals_areVisitedInTurn_andAgainWhenAsked_theLastLeavesNothingToSay() {
         GoToGoal.Step there = to(EAST).step(0, new RobotPose(1.95, 0, 1));
         assertThat(there).isEqualTo(new GoToGoal.Step(Optional.empty(), 0));
-        assertThat(to(EAST).step(there.goal(), new RobotPose(1.5, 0, 0)).velocity())
-                .isPresent();
-    }
-
-    @Test
-    void goals_areVisitedInTurn_andAgainWhenAsked() {
+        var moved = new RobotPose(1.5, 0, 0);
+        assertThat(to(EAST).step(there.goal(), moved).velocity()).isPresent();
         GoToGoal.Step first = to(EAST, NORTH).step(0, new RobotPose(2, 0, Math.PI / 2));
         assertThat(first.goal()).isEqualTo(1);
         assertThat(first.velocity().orElseThrow().forwardMps()).isCloseTo(0.3, within(1e-12));

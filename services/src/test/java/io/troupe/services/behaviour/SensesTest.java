@@ -42,24 +42,20 @@ class SensesTest {
     }
 
     @Test
-    void offset_goesFromOneAtTheLeftEdgeToMinusOneAtTheRight() {
+    void offset_goesFromOneAtTheLeftEdgeToMinusOneAtTheRight_andBearingIsItsShareOfTheView() {
         assertThat(columns(0, 79).offset()).isZero();
         assertThat(columns(39, 40).offset()).isZero();
         // from edge to edge the offset changes by 2, so a column of 80 is 1/40; its centre is 1/80 from the edge
         assertThat(columns(0, 0).offset()).isEqualTo(1 - 1 / 80.0);
         assertThat(columns(79, 79).offset()).isEqualTo(-1 + 1 / 80.0);
         assertThat(new Blob(RED, 100, 35, 45, 0, 0, 0, 0, 1).offset()).isZero();
-    }
-
-    @Test
-    void bearing_isTheShareOfHalfTheFieldOfView() {
         double sixty = Math.toRadians(60);
         assertThat(columns(0, 39).bearingRad(sixty)).isCloseTo(Math.toRadians(15), within(1e-12));
         assertThat(columns(40, 79).bearingRad(sixty)).isCloseTo(Math.toRadians(-15), within(1e-12));
     }
 
     @Test
-    void scan_hasABearingForEachBeam_andTheNearestBetweenTwo() {
+    void scan_hasABearingForEachBeam_andTheNearestBetweenTwo_andOnlyNumbers() {
         var scan = LaserScan.of(-1, 1, 8, new float[] {5, 4, 1, 2, 3});
         assertThat(IntStream.of(0, 1, 2, 4).mapToDouble(scan::bearingRad)).containsExactly(-1.0, -0.5, 0.0, 1.0);
         assertThat(scan.nearestM(-1, -0.5)).isEqualTo(4);
@@ -67,10 +63,6 @@ class SensesTest {
         assertThat(scan.nearestM(0.6, 0.9)).isEqualTo(8);
         assertThat(scan.rangeM(4)).isEqualTo(3);
         assertThat(scan.size()).isEqualTo(5);
-    }
-
-    @Test
-    void scan_ofOneBeam_hasItsBearing_andNoneWithoutANumberIsTaken() {
         assertThat(LaserScan.of(-1, 1, 8, new float[] {2}).bearingRad(0)).isZero();
         assertThat(LaserScan.of(0.25, 0.25, 8, new float[] {2}).bearingRad(0)).isEqualTo(0.25);
         assertThatThrownBy(() -> LaserScan.of(-1, 1, 8, new float[] {1, Float.NaN}))
@@ -78,16 +70,12 @@ class SensesTest {
     }
 
     @Test
-    void ring_isClampedToWhatTheLawsExpect_andItsGroupsTakeTheNearest() {
+    void ring_isClampedToWhatTheLawsExpect_itsGroupsTakeTheNearest_andItHasEightNumbersOrMore() {
         SonarRing clamped = ring(0, 0.05, 1, 12.0, 2, 1.5);
         assertThat(IntStream.of(0, 1, 2).mapToDouble(clamped::rangeM)).containsExactly(0.2, 5.0, 1.5);
         SonarRing ring = ring(0, 3.0, 1, 0.75, 2, 2.0, 3, 4.0, 4, 1.25, 5, 0.5);
         assertThat(ring.leftM()).isEqualTo(0.75);
         assertThat(ring.frontM()).isEqualTo(1.25);
-    }
-
-    @Test
-    void ringOfFewerThanEight_orWithAReadingThatIsNotANumber_isRefused() {
         assertThatThrownBy(() -> SonarRing.of(new float[] {1, 2, 3}))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("a sonar ring has 3 readings, expected 8 or more");
@@ -95,18 +83,16 @@ class SensesTest {
     }
 
     @Test
-    void colourFinder_findsTheLargestSightingOfInterest_ofEqualOnesTheLeftmost() {
+    void colourFinder_findsTheLargestSightingOfInterest_ofEqualOnesTheLeftmost_belowTenPixelsNone() {
         var seen = List.of(blob(RED, 50, 0), blob(GREEN, 60, 40), blob(0, 900, 60));
         assertThat(ColourFinder.find(seen, colour -> colour != 0)).hasValue(GREEN);
         var equal = List.of(blob(RED, 50, 30), blob(GREEN, 50, 10));
         assertThat(ColourFinder.find(equal, colour -> true)).hasValue(GREEN);
         assertThat(ColourFinder.find(List.of(blob(RED, 90, 0)), colour -> colour == GREEN))
                 .isEmpty();
-    }
-
-    @Test
-    void colourFinder_takesASightingBelowTenPixelsForNoise() {
-        assertThat(ColourFinder.find(List.of(blob(RED, 9, 0)), colour -> true)).isEmpty();
+        assertThat(ColourFinder.find(List.of(blob(RED, 9, 0)), colour -> true))
+                .as("noise")
+                .isEmpty();
         assertThat(ColourFinder.find(List.of(blob(RED, 10, 0)), colour -> true)).hasValue(RED);
     }
 

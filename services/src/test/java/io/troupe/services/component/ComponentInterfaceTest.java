@@ -28,6 +28,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The three units of a component interface, with a scripted component on a manually driven space. */
 class ComponentInterfaceTest extends ComponentBench {
@@ -92,12 +93,18 @@ class ComponentInterfaceTest extends ComponentBench {
     // ---- the three units
 
     @Test
-    void component_isInvoked_takesData_givesData_andIsTerminated() {
+    void component_isInvoked_takesData_givesData_answersRequests_andIsTerminated() {
+        var half = new Operation<>("half", Number.class, Number.class, Operation.Kind.DATA);
         var provider = opened();
+        test.run(() -> provider.answer(half, number -> Promise.of(new Number(number.value() / 2))));
         assertThat(provider.state()).isEqualTo(ComponentState.NOT_INVOKED);
+        assertThat(test.error(ask(half, new Number(8))))
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessageContaining("here/counter has not been invoked");
         test.get(provider.start());
         publish(1, 2);
         output("3");
+        assertThat(test.get(ask(half, new Number(8)))).isEqualTo(new Number(4));
         test.get(provider.check());
         test.get(provider.stop());
         assertThat(script.calls).containsExactly("invoke", "1", "2", "terminate");
@@ -132,18 +139,6 @@ class ComponentInterfaceTest extends ComponentBench {
         assertError(remote.check(), "java.lang.IllegalStateException");
         test.get(remote.stop());
         assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
-    }
-
-    @Test
-    void dataOperation_isAnsweredWhileTheComponentRuns() {
-        var half = new Operation<>("half", Number.class, Number.class, Operation.Kind.DATA);
-        var provider = opened();
-        test.run(() -> provider.answer(half, number -> Promise.of(new Number(number.value() / 2))));
-        assertThat(test.error(ask(half, new Number(8))))
-                .isInstanceOf(RemoteFailure.class)
-                .hasMessageContaining("here/counter has not been invoked");
-        test.get(provider.start());
-        assertThat(test.get(ask(half, new Number(8)))).isEqualTo(new Number(4));
     }
 
     // ---- the buffer
@@ -195,36 +190,28 @@ class ComponentInterfaceTest extends ComponentBench {
 
     @Test
     void conversionThatFails_costsThatValueOnly_andIsTold() {
-        var provider = running();
-        publish(1, -1, 2);
-        output("3", "four", "5");
-        assertThat(script.calls).containsExactly("invoke", "1", "2");
-        assertHeard(3, 5);
-        assertThat(notes.take())
-                .containsExactly(
-                        "counter could not convert counter/in Number[value=-1]: a count is -1, expected 0 or more",
-                        "counter could not convert four: For input string: \"four\"");
-        assertThat(provider.conversion().losses().refused()).isEqualTo(2);
-        test.get(provider.check());
-    }
-
-    @Test
-    void errorOfAConversion_costsThatValueOnly() {
         var toComponent = script.toComponent;
         script.toComponent = input -> not("7", toComponent.apply(input));
         var toApplication = script.toApplication;
         script.toApplication = output -> toApplication.apply(not("8", output));
         var provider = running();
-        publish(7, 1);
-        output("8", "2");
-        assertThat(script.calls).containsExactly("invoke", "1");
-        assertHeard(2);
-        assertThat(provider.conversion().losses().refused()).isEqualTo(2);
+        publish(1, -1, 7, 2);
+        output("3", "four", "8", "5");
+        assertThat(script.calls).containsExactly("invoke", "1", "2");
+        assertHeard(3, 5);
+        assertThat(notes.take())
+                .containsExactly(
+                        "counter could not convert counter/in Number[value=-1]: a count is -1, expected 0 or more",
+                        "counter could not convert counter/in Number[value=7]: an error, not an exception",
+                        "counter could not convert four: For input string: \"four\"",
+                        "counter could not convert 8: an error, not an exception");
+        assertThat(provider.conversion().losses().refused()).isEqualTo(4);
+        test.get(provider.check());
     }
 
     private static String not(String bad, String text) {
         if (text.equals(bad)) {
-            throw new AssertionError(text);
+            throw new AssertionError("an error, not an exception");
         }
         return text;
     }
@@ -253,36 +240,34 @@ class ComponentInterfaceTest extends ComponentBench {
 
     // ---- components that fail
 
-    @Test
-    void componentThatThrowsWhenInvoked_hasFailed_andCanBeInvokedAgain() {
-        script.invoke = () -> {
-            throw new IllegalStateException("no power");
-        };
-        var provider = opened();
-        assertError(provider.start(), "here/counter has failed: no power");
-        assertError(provider.check(), "here/counter has failed: no power");
-        assertThat(script.calls).containsExactly("invoke", "terminate");
-        script.invoke = Promise::done;
-        test.get(provider.start());
-        test.get(provider.check());
+    private void assertInvocationFails(ComponentInterface<?, ?> provider, String why) {
+        assertError(provider.start(), "here/counter has failed: " + why);
+        assertError(provider.check(), "here/counter has failed: " + why);
+        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
     }
 
     @Test
-    void errorOfTheInvocation_orOnTheWayToIt_orNoAnswer_isAFailure() {
+    void componentThatThrowsWhenInvoked_orAnswersNull_hasFailed_andCanBeInvokedAgain() {
         var provider = opened();
+        script.invoke = () -> {
+            throw new IllegalStateException("no power");
+        };
+        assertInvocationFails(provider, "no power");
+        assertThat(script.calls).containsExactly("invoke", "terminate");
         script.invoke = () -> {
             throw new ExceptionInInitializerError("no such library");
         };
-        assertError(provider.start(), "here/counter has failed: no such library");
-        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
+        assertInvocationFails(provider, "no such library");
         script.invoke = () -> null;
-        assertError(provider.start(), "here/counter has failed: it answered null, expected a promise");
-        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
+        assertInvocationFails(provider, "it answered null, expected a promise");
         script.communication = () -> {
             throw new NoClassDefFoundError("a/driver");
         };
-        assertError(provider.start(), "here/counter has failed: a/driver");
-        assertThat(provider.state()).isEqualTo(ComponentState.FAILED);
+        assertInvocationFails(provider, "a/driver");
+        script.communication = () -> script;
+        script.invoke = Promise::done;
+        test.get(provider.start());
+        test.get(provider.check());
     }
 
     @ParameterizedTest
@@ -360,21 +345,15 @@ class ComponentInterfaceTest extends ComponentBench {
     }
 
     @Test
-    void whatIsSaidAfterTheEnd_isToldAndNotPublished() {
+    void whatIsSaidAfterTheEnd_isToldAndNotPublished_andDoesNotTouchTheNextLife() {
         var provider = running();
+        var past = script.signals();
         test.get(provider.stop());
         output("9");
         fail("too late to fail");
         assertThat(heard).isEmpty();
         assertThat(notes.take()).contains("counter gave data after its end: 9");
         assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
-    }
-
-    @Test
-    void signalsOfAnEarlierLife_doNotTouchTheNext() {
-        var provider = running();
-        var past = script.signals();
-        test.get(provider.stop());
         test.get(provider.start());
         test.run(() -> past.failed(new IllegalStateException("from the grave")));
         test.get(provider.check());
@@ -462,24 +441,16 @@ class ComponentInterfaceTest extends ComponentBench {
         assertThat(script.calls).containsExactly("invoke", "terminate");
     }
 
-    @Test
-    void startDuringAStop_begins_whenThatIsOver() {
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void startDuringATermination_begins_whenThatIsOver(boolean failed) {
         var slow = slowTermination();
         var provider = running();
-        var stopped = provider.stop();
-        var started = provider.start();
-        test.crank();
-        assertThat(script.calls).containsExactly("invoke", "terminate");
-        test.run(() -> slow.resolve(null));
-        assertThat(stopped.isDone() && started.isDone()).isTrue();
-        assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
-    }
-
-    @Test
-    void nextLife_beginsWhenTheFailedOneHasBeenTerminated() {
-        var slow = slowTermination();
-        var provider = running();
-        fail("burnt out");
+        if (failed) {
+            fail("burnt out");
+        } else {
+            provider.stop();
+        }
         var first = provider.start();
         var second = provider.start();
         test.crank();

@@ -28,8 +28,13 @@ class ArbitratorTest extends RobotsBench {
     private RobotServices services;
 
     private void begin(Mode mode, SubsumptionTable table, RobotServices robotServices) {
+        begin(mode, table, robotServices, new Events());
+    }
+
+    private void begin(
+            Mode mode, SubsumptionTable table, RobotServices robotServices, Arbitrator.StateListener listener) {
         services = robotServices;
-        arbitrator = test.spawn(Arbitrator.class, () -> new Arbitrator(mode, services, table, new Events()));
+        arbitrator = test.spawn(Arbitrator.class, () -> new Arbitrator(mode, services, table, listener));
         arbitrator.live();
         test.crank();
     }
@@ -93,15 +98,6 @@ class ArbitratorTest extends RobotsBench {
     // ---- promise mode
 
     @Test
-    void begins_withState1_inWhichTheWallFollowerDoesNotSeeColours() {
-        begin(Mode.PROMISE);
-        robots.show(0, RED);
-        tick();
-        assertInCharge(WF, SW);
-        assertThat(states()).containsExactly("1 by null");
-    }
-
-    @Test
     void red_swapsTheServices_betweenTwoReadings() {
         begin(Mode.PROMISE);
         robots.show(1, RED);
@@ -113,6 +109,11 @@ class ArbitratorTest extends RobotsBench {
     @Test
     void allStates_inTurn_andBack() {
         begin(Mode.PROMISE);
+        robots.show(0, RED); // a wall follower sees no colours
+        tick();
+        assertInCharge(WF, SW);
+        assertThat(states()).containsExactly("1 by null");
+        robots.show(0);
         robots.show(1, GREEN);
         tick();
         assertInCharge(SW, SW);
@@ -291,7 +292,8 @@ class ArbitratorTest extends RobotsBench {
 
     private void beginWithReconnection(Mode mode) {
         var settings = settings(PAPER).withReconnection(true);
-        begin(mode, PAPER, test.spawn(RobotServices.class, () -> new RobotServicesActor(settings)));
+        var actor = test.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
+        begin(mode, PAPER, actor, (state, seenBy) -> {});
         robots.show(1, RED);
     }
 
@@ -316,17 +318,18 @@ class ArbitratorTest extends RobotsBench {
     @EnumSource(names = {"PROMISE", "CALLBACK"})
     void everySwitch_makesNewConnections_andClosesTheOld_theRobotsDriveBetweenThem(Mode mode) {
         beginWithReconnection(mode);
-        assertThat(robots.connectionsMade()).isEqualTo(2);
+        assertThat(robots.connectionsMade).isEqualTo(2);
+        robots.show(1, RED, GREEN); // green comes too late
         robots.show(0, BLUE);
         for (int switches = 1; switches <= 10; switches++) {
             robots.tick(100);
             assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-            assertThat(robots.connectionsMade()).isEqualTo(2 + 2 * switches);
+            assertThat(robots.connectionsMade).isEqualTo(2 + 2 * switches);
             assertThat(robots.connections()).isEqualTo(2);
             robots.tick(100);
             assertThat(robots.lastCommand(0).vx()).isPositive();
             assertThat(robots.lastCommand(1).vx()).isPositive();
-            assertThat(robots.connectionsMade()).isEqualTo(2 + 2 * switches);
+            assertThat(robots.connectionsMade).isEqualTo(2 + 2 * switches);
         }
     }
 
@@ -335,7 +338,7 @@ class ArbitratorTest extends RobotsBench {
     void serverThatIsGoneAtTheSwitch_endsTheArbitrator(Mode mode) {
         beginWithReconnection(mode);
         Promise<?> ended = arbitrator.failure();
-        robots.refuse();
+        robots.refuses = true;
         robots.tick(100);
         assertThat(test.error(ended)).isInstanceOf(PlayerException.class).hasMessageContaining("no more clients");
         test.takeProblems();

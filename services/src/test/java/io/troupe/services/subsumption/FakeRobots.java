@@ -37,25 +37,31 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
 
     private static final long ANSWER_LIMIT_NANOS = 10_000_000_000L;
 
-    private static final class Robot {
-        final List<Float> ranges = new ArrayList<>(Collections.nCopies(16, 5f));
-        final List<DeviceCommand.Velocity> commands = new ArrayList<>();
-        int[] colours = {0};
-        boolean isStalled;
-        boolean hasLaser;
-        boolean isLaserSlow;
+    /** What a robot senses, and the commands that it received. */
+    public static final class Robot {
+        public final List<DeviceCommand.Velocity> commands = new ArrayList<>();
+        private final List<Float> ranges = new ArrayList<>(Collections.nCopies(16, 5f));
+        private int[] colours = {0};
+        public boolean isStalled;
+
+        /** Whether it has a laser with three beams, at -90, 0 and 90 degrees, which read 1 m, 2 m and 3 m. */
+        public boolean hasLaser;
+
+        boolean isLaserSlow; // publishes nothing
     }
 
+    /** The command limits and silence limits that clients have requested. */
+    public final List<String> limits = new CopyOnWriteArrayList<>();
+
+    int connectionsMade;
+    boolean refuses; // all further connections
     private final TestSpace test;
     private final List<Robot> robots;
     private final PlayerPorts.Registration port;
     private final List<Connection> connections = new CopyOnWriteArrayList<>();
-    private final List<String> limits = new CopyOnWriteArrayList<>();
     private final Object answers = new Object();
     private long tick;
     private long timeMillis;
-    private int connectionsMade;
-    private boolean refuses;
 
     public FakeRobots(TestSpace test, int robots) {
         this(test, robots, PORT);
@@ -85,19 +91,8 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
         robots.get(robot).ranges.set(sonar, (float) rangeM);
     }
 
-    /** Blocks the robot, so that it reports a stall. */
-    public void stall(int robot) {
-        robots.get(robot).isStalled = true;
-    }
-
-    /** Gives the robot a laser with three beams, at -90, 0 and 90 degrees, which read 1 m, 2 m and 3 m. */
-    public void giveLaser(int robot) {
-        robots.get(robot).hasLaser = true;
-    }
-
-    /** Sets whether the robot's laser is slow, that is, publishes nothing. */
-    void setLaserSlow(int robot, boolean slow) {
-        robots.get(robot).isLaserSlow = slow;
+    public Robot get(int robot) {
+        return robots.get(robot);
     }
 
     /** The number of connections that have subscribed to a robot's laser. */
@@ -148,11 +143,6 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
         }
     }
 
-    /** The command limits and silence limits that clients have requested. */
-    public List<String> limits() {
-        return limits;
-    }
-
     public List<DeviceCommand.Velocity> commands(int robot) {
         return robots.get(robot).commands;
     }
@@ -163,15 +153,6 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
 
     public int connections() {
         return connections.size();
-    }
-
-    int connectionsMade() {
-        return connectionsMade;
-    }
-
-    /** Refuses all further connections. */
-    void refuse() {
-        refuses = true;
     }
 
     public void vanish() {

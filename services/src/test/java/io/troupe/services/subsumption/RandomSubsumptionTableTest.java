@@ -1,6 +1,13 @@
 package io.troupe.services.subsumption;
 
+import static io.troupe.common.text.NamedColours.BLACK;
+import static io.troupe.common.text.NamedColours.BLUE;
+import static io.troupe.common.text.NamedColours.GREEN;
+import static io.troupe.common.text.NamedColours.ORANGE;
+import static io.troupe.common.text.NamedColours.RED;
 import static io.troupe.services.behaviour.TestSenses.blob;
+import static io.troupe.services.subsumption.RobotsBench.SW;
+import static io.troupe.services.subsumption.RobotsBench.WF;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.fail;
 
@@ -24,24 +31,10 @@ import org.junit.jupiter.api.Test;
  */
 class RandomSubsumptionTableTest {
     private static final int TABLES = 2_000;
-    private static final List<Integer> COLOURS = List.of(
-            NamedColours.BLUE,
-            NamedColours.RED,
-            NamedColours.GREEN,
-            NamedColours.ORANGE,
-            NamedColours.BLACK,
-            0xC8A2C8,
-            0x123456,
-            0xFFFFFF);
+    private static final List<Integer> COLOURS = List.of(BLUE, RED, GREEN, ORANGE, BLACK, 0xC8A2C8, 0x123456, 0xFFFFFF);
     private static final Service PATROL = declared("patrol = goToGoal(1, 2; again) colours");
     private static final Service DODGE = declared("dodge = avoid(near 0.3)");
-    private static final List<Service> SERVICES = List.of(
-            Service.WALL_FOLLOWER,
-            Service.SPACE_WANDERER,
-            PATROL,
-            DODGE,
-            DODGE.over(PATROL),
-            DODGE.over(Service.SPACE_WANDERER));
+    private static final List<Service> SERVICES = List.of(WF, SW, PATROL, DODGE, DODGE.over(PATROL), DODGE.over(SW));
 
     private final List<String> lines = new ArrayList<>();
     private Random random = new Random(0);
@@ -107,10 +100,7 @@ class RandomSubsumptionTableTest {
             return services.stream().map(Service::name).collect(Collectors.joining(random.nextBoolean() ? "," : " , "));
         }
         Service other = random.nextBoolean() ? services.get(random.nextInt(services.size())) : null;
-        List<String> parts = new ArrayList<>();
-        if (other != null) {
-            parts.add("*=" + other);
-        }
+        List<String> parts = new ArrayList<>(other == null ? List.of() : List.of("*=" + other));
         for (int from = 0; from < services.size(); from++) {
             int to = from;
             while (to + 1 < services.size()
@@ -153,9 +143,8 @@ class RandomSubsumptionTableTest {
                     .as("seed %d%n%s", seed, text)
                     .isEqualTo(built)
                     .hasSameHashCodeAs(built);
-            assertThat(read(SubsumptionTableWriter.write(built)))
-                    .as("seed %d", seed)
-                    .isEqualTo(built);
+            var written = read(SubsumptionTableWriter.write(built));
+            assertThat(written).as("seed %d", seed).isEqualTo(built);
         }
     }
 
@@ -173,16 +162,13 @@ class RandomSubsumptionTableTest {
             double seconds = random.nextInt(20) / 10.0;
 
             OptionalInt expected = byEye(table, state, seen, seconds);
-            assertThat(table.ruleIn(state).pick(seen, seconds))
-                    .as("seed %d", seed)
-                    .isEqualTo(expected);
-            assertThat(ColourFinder.inOrder(seen, table::priority)
-                            .filter(colour -> colour != NamedColours.BLACK
-                                    || table.state(colour).isPresent())
-                            .filter(colour -> table.next(state, colour, seconds).isPresent())
-                            .findFirst())
-                    .as("seed %d", seed)
-                    .isEqualTo(expected);
+            var picks = table.ruleIn(state).pick(seen, seconds);
+            assertThat(picks).as("seed %d", seed).isEqualTo(expected);
+            var called = ColourFinder.inOrder(seen, table::priority)
+                    .filter(colour -> colour != BLACK || table.state(colour).isPresent())
+                    .filter(colour -> table.next(state, colour, seconds).isPresent())
+                    .findFirst();
+            assertThat(called).as("seed %d", seed).isEqualTo(expected);
             picked += expected.isPresent() ? 1 : 0;
         }
         assertThat(picked).isBetween(TABLES / 10, TABLES * 9 / 10);
@@ -229,8 +215,8 @@ class RandomSubsumptionTableTest {
     private static SubsumptionTable passing(Random random) {
         int robots = 1 + random.nextInt(12);
         var services = new ArrayList<>(List.of(
-                Service.SPACE_WANDERER,
-                Service.WALL_FOLLOWER,
+                SW,
+                WF,
                 declared("avoid = avoid" + (random.nextBoolean() ? "" : " colours")),
                 declared("walker = spaceWanderer no colours"),
                 declared("patrol = goToGoal(%s, -2; 0.001, 3e2; speed 0.%d; again) colours"
@@ -242,10 +228,9 @@ class RandomSubsumptionTableTest {
         }
         var colours = random.ints(0, 0x1000000).distinct().limit(6).boxed().toList();
         builder.colour("own", colours.get(0)).colour("red", colours.get(1)).ignoring(colours.get(2), "a wall: yes");
-        builder.ignoring(NamedColours.BLACK, "");
-        for (int colour :
-                List.of(NamedColours.BLUE, colours.get(0), colours.get(1), NamedColours.RED, colours.get(3))) {
-            List<Service> inCharge = new ArrayList<>(List.of(Service.SPACE_WANDERER));
+        builder.ignoring(BLACK, "");
+        for (int colour : List.of(BLUE, colours.get(0), colours.get(1), RED, colours.get(3))) {
+            List<Service> inCharge = new ArrayList<>(List.of(SW));
             while (inCharge.size() < robots) {
                 inCharge.add(services.get(random.nextInt(services.size())));
             }
@@ -290,16 +275,13 @@ class RandomSubsumptionTableTest {
             try {
                 SubsumptionTable table = read(text);
                 tables++;
-                assertThat(read(SubsumptionTableWriter.write(table)))
-                        .as("seed %d", seed)
-                        .isEqualTo(table);
+                var written = read(SubsumptionTableWriter.write(table));
+                assertThat(written).as("seed %d", seed).isEqualTo(table);
             } catch (SubsumptionTableException wrong) {
                 var where = wrong.where().orElseThrow();
-                assertThat(wrong)
-                        .as("seed %d", seed)
-                        .hasMessageStartingWith("random:" + where.line() + ":" + where.column() + ": ");
-                assertThat(where.line()).as("seed %d: line", seed).isBetween(1, (int)
-                        Math.max(1, text.lines().count()));
+                assertThat(wrong).as("seed %d", seed).hasMessageStartingWith(where + ": ");
+                long lines = Math.max(1, text.lines().count());
+                assertThat((long) where.line()).as("seed %d: line", seed).isBetween(1L, lines);
                 assertThat(where.column()).as("seed %d: column", seed).isPositive();
             } catch (RuntimeException other) {
                 fail("seed " + seed + ":\n" + text, other);

@@ -33,13 +33,17 @@ import org.junit.jupiter.api.Test;
 /** The robot services, called directly and by a client of the broker; and what a behaviour senses. */
 class RobotServicesTest extends RobotsBench {
     private RobotServicesActor actor; // for calls that are no messages
-    private RobotServices services = services(SubsumptionTable.ofThePaper());
+    private RobotServices services = services(settings(SubsumptionTable.ofThePaper()));
 
-    private RobotServices services(SubsumptionTable table) {
+    private RobotServices services(RobotServicesActor.Settings settings) {
         return test.spawn(RobotServices.class, () -> {
-            actor = new RobotServicesActor(settings(table));
+            actor = new RobotServicesActor(settings);
             return actor;
         });
+    }
+
+    private RobotServices services(SubsumptionTable table) {
+        return services(settings(table).withObserver(ServiceObserver.NONE));
     }
 
     private Promise<ServiceEnd> drive(int robot, Service service, int stateColour) {
@@ -86,18 +90,21 @@ class RobotServicesTest extends RobotsBench {
     void stopOfARobotWithoutAService_isDoneAtOnce_andACallThatIsCancelledWhileItIsQueuedHasNoEffect() {
         test.get(services.stop(1));
         assertThat(robots.connections()).isZero();
-        for (var each : List.of(services, published(SubsumptionTable.ofThePaper()))) {
-            each.drive(0, WF.name(), BLUE).cancel();
-            test.crank();
-            robots.tick(100);
-            assertThat(robots.connections()).isZero();
-            assertThat(charge.of(0)).isEmpty();
-        }
+        assertCancelledCallHasNoEffect(services);
+        assertCancelledCallHasNoEffect(published(SubsumptionTable.ofThePaper()));
+    }
+
+    private void assertCancelledCallHasNoEffect(RobotServices called) {
+        called.drive(0, WF.name(), BLUE).cancel();
+        test.crank();
+        robots.tick(100);
+        assertThat(robots.connections()).isZero();
+        assertThat(charge.of(0)).isEmpty();
     }
 
     @Test
     void robotThatDoesNotExist_rejectsThePromise() {
-        for (var each : List.of(services, published(SubsumptionTable.ofThePaper()))) {
+        for (var each : List.of(published(SubsumptionTable.ofThePaper()), services)) { // the first has not started
             assertThat(test.error(each.drive(7, WF.name(), BLUE)))
                     .isExactlyInstanceOf(PlayerException.class)
                     .hasMessageContaining("position2d:7 is not in the device list")
@@ -136,7 +143,7 @@ class RobotServicesTest extends RobotsBench {
     @Test
     void serviceThatTheTableDoesNotHave_isRefused_andTheOthersAreNamed() {
         String message = "there is no service wallFolower, expected one of wallFollower, spaceWanderer";
-        for (var each : List.of(services, published(SubsumptionTable.ofThePaper()))) {
+        for (var each : List.of(published(SubsumptionTable.ofThePaper()), services)) { // the first has not started
             assertThat(test.error(each.drive(0, "wallFolower", BLUE)))
                     .isExactlyInstanceOf(IllegalArgumentException.class)
                     .hasMessage(message);
@@ -212,29 +219,30 @@ class RobotServicesTest extends RobotsBench {
     }
 
     @Test
-    void wanderer_stoppedBeforeItSawAnything_answersNoColour() {
-        Promise<ServiceEnd> end = drive(0, SW, GREEN);
-        services.stop(0);
-        assertThat(test.get(end).colour()).isEmpty();
-    }
-
-    @Test
-    void wanderer_followsThePrioritiesAndTheHoldTimeOfItsTable() {
-        services = services(SubsumptionTable.forRobots(1)
-                .when(BLUE, SW)
-                .when(RED, SW)
-                .when(GREEN, SW)
+    void wanderer_followsThePrioritiesAndTheHoldTimeOfItsTable_alsoWhenTheClockIsSetBack() {
+        services = services(SubsumptionTable.forRobots(2)
+                .when(BLUE, SW, SW)
+                .when(RED, SW, SW)
+                .when(GREEN, SW, SW)
                 .priority(GREEN, -1)
                 .hold(0.35)
                 .build());
-        Promise<ServiceEnd> end = drive(0, SW, BLUE);
+        var end = drive(0, SW, BLUE);
         robots.show(0, GREEN, RED); // green has the larger blob
-        for (int i = 0; i < 4; i++) {
-            robots.tick(100);
-            assertThat(end.isDone()).as("after %d readings", i + 1).isFalse();
+        for (int millis : new int[] {100_000, 100, 100, 100}) {
+            robots.tick(millis);
+            assertThat(end.isDone()).isFalse();
         }
         robots.tick(100);
         assertSaw(end, RED);
+        var other = drive(1, SW, BLUE);
+        robots.show(1, RED);
+        for (int millis : new int[] {100, 100, -60_000, 100}) {
+            robots.tick(millis);
+            assertThat(other.isDone()).isFalse();
+        }
+        robots.tick(100);
+        assertSaw(other, RED);
     }
 
     // ---- time
@@ -267,43 +275,21 @@ class RobotServicesTest extends RobotsBench {
     }
 
     @Test
-    void behaviour_seesATimeThatGoesOn_whenTheClockIsSetBack() {
-        services = services(table(looking));
+    void behaviourAndReports_seeATimeThatGoesOn_whenTheClockIsSetBack() {
+        services = services(table(looking, SW));
         drive(0, looking, BLUE);
+        List<Double> inCharge = new ArrayList<>();
+        test.run(() -> services.drive(1, SW.name(), (report, error) -> {
+            if (report != null) {
+                inCharge.add(report.secondsInCharge());
+            }
+        }));
+        robots.show(1, RED);
         ticks(100_000, 100, -60_000, 100);
         assertThat(readings)
                 .extracting(Senses::timeSeconds)
                 .usingComparatorForType((a, b) -> Math.abs(a - b) < 1e-9 ? 0 : Double.compare(a, b), Double.class)
                 .containsExactly(100.0, 100.1, 100.2, 100.3);
-    }
-
-    @Test
-    void hold_countsOn_whenTheClockIsSetBack() {
-        services = services(SubsumptionTable.forRobots(1)
-                .when(BLUE, SW)
-                .when(RED, SW)
-                .hold(0.25)
-                .build());
-        Promise<ServiceEnd> end = drive(0, SW, BLUE);
-        robots.show(0, RED);
-        for (int millis : new int[] {100_000, 100, -60_000}) {
-            robots.tick(millis);
-            assertThat(end.isDone()).isFalse();
-        }
-        robots.tick(100);
-        assertSaw(end, RED);
-    }
-
-    @Test
-    void reports_countTheTimeInCharge_alsoWhenTheClockIsSetBack() {
-        List<Double> inCharge = new ArrayList<>();
-        test.run(() -> services.drive(0, SW.name(), (report, error) -> {
-            if (report != null) {
-                inCharge.add(report.secondsInCharge());
-            }
-        }));
-        robots.show(0, RED);
-        ticks(100_000, 100, -60_000, 100);
         assertThat(inCharge)
                 .hasSize(4)
                 .isSorted()
@@ -315,7 +301,7 @@ class RobotServicesTest extends RobotsBench {
     @Test
     void secondService_beginsWhenTheFirstHasStopped() {
         wallFollower(0);
-        assertThat(robots.limits()).containsExactly("silence PT5S", "robot 1 troupe_command_limit_ms 400");
+        assertThat(robots.limits).containsExactly("silence PT5S", "robot 1 troupe_command_limit_ms 400");
         robots.tick(100);
         assertThat(test.error(drive(0, SW, BLUE)))
                 .isInstanceOf(IllegalStateException.class)
@@ -329,7 +315,10 @@ class RobotServicesTest extends RobotsBench {
     }
 
     @Test
-    void stop_alsoStopsAServiceThatStillWaitsForThePreviousOne() {
+    void stop_alsoStopsAServiceThatHasSeenNothing_orThatStillWaitsForThePreviousOne() {
+        Promise<ServiceEnd> unseeing = drive(1, SW, GREEN);
+        services.stop(1);
+        assertThat(test.get(unseeing).colour()).isEmpty();
         wallFollower(0);
         robots.tick(100);
         var waiting = new ArrayList<Promise<ServiceEnd>>();
@@ -359,17 +348,24 @@ class RobotServicesTest extends RobotsBench {
     }
 
     @Test
-    void serviceThatFailsWhileItTakesOver_rejectsItsPromiseAndFreesTheRobot() {
+    void ringThatIsTooSmall_rejectsThePromise() {
+        robots.range(0, 3, Double.NaN);
+        Promise<?> ended = wallFollower(0);
+        robots.tick(100);
+        assertThat(test.error(ended)).hasMessageContaining("sonar 3 reads NaN");
+        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
+        robots.range(0, 3, 5);
+        robots.tick(100);
         wallFollower(0);
         robots.tick(100);
         robots.range(0, 3, Double.NaN);
         services.stop(0);
         test.crank();
         robots.show(0, BLACK);
-        Promise<ServiceEnd> second = drive(0, SW, BLUE);
+        Promise<ServiceEnd> second = drive(0, SW, BLUE); // fails while it takes over
         robots.tick(100);
         assertThat(test.error(second)).hasMessageContaining("sonar 3 reads NaN");
-        assertThat(charge.of(0)).isEmpty();
+        assertThat(charge.of(0)).as("the robot is free").isEmpty();
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
     }
 
@@ -386,15 +382,6 @@ class RobotServicesTest extends RobotsBench {
     }
 
     @Test
-    void ringThatIsTooSmall_rejectsThePromise() {
-        robots.range(0, 3, Double.NaN);
-        Promise<?> ended = wallFollower(0);
-        robots.tick(100);
-        assertThat(test.error(ended)).hasMessageContaining("sonar 3 reads NaN");
-        assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-    }
-
-    @Test
     void serverThatGoesAway_rejectsThePromise_andIsConnectedAnewByTheNextService() {
         Promise<?> ended = wallFollower(0);
         robots.tick(100);
@@ -404,7 +391,7 @@ class RobotServicesTest extends RobotsBench {
         test.crank();
         assertThat(robots.connections()).as("the dead connection").isZero();
         wallFollower(0);
-        assertThat(robots.connectionsMade()).isEqualTo(2);
+        assertThat(robots.connectionsMade).isEqualTo(2);
         robots.tick(100);
         assertThat(charge.of(0)).containsExactly(WF);
         assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
@@ -434,7 +421,7 @@ class RobotServicesTest extends RobotsBench {
         drive(0, looking, BLUE);
         robots.tick(100);
         robots.show(0, RED);
-        robots.stall(0);
+        robots.get(0).isStalled = true;
         robots.tick(100);
         assertThat(readings).extracting(Senses::stalled).containsExactly(false, true);
         assertThat(readings.getFirst().largestBlob(RED)).isEmpty();
@@ -442,46 +429,29 @@ class RobotServicesTest extends RobotsBench {
     }
 
     @Test
-    void serviceWithoutLaser_getsAnEmptyScan_andNothingIsSubscribedTo() {
-        robots.giveLaser(0);
-        services = services(table(looking, looking));
-        drive(0, looking, BLUE);
-        robots.tick(100);
-        assertThat(readings).extracting(Senses::laser).containsExactly(LaserScan.EMPTY);
-        assertThat(robots.laserSubscriptions(0)).isZero();
-    }
-
-    @Test
-    void serviceWithLaser_getsTheScan_andOnlyItsRobotIsSubscribedTo() {
-        robots.giveLaser(0);
-        robots.giveLaser(1);
-        services = services(table(scanning, looking));
-        drive(0, scanning, BLUE);
+    void layerWithLaser_makesItsServiceUseIt_andOnlyItsRobotIsSubscribedToAndGetsTheScan() {
+        robots.get(0).hasLaser = true;
+        robots.get(1).hasLaser = true;
+        Service layers = scanning.over(WF);
+        assertThat(layers.usesLaser()).isTrue();
+        services = services(table(layers, looking));
+        drive(0, layers, BLUE);
         drive(1, looking, BLUE);
         robots.tick(100);
         assertThat(robots.laserSubscriptions(0)).isOne();
         assertThat(robots.laserSubscriptions(1)).isZero();
         assertLastCommands(FakeRobots.ahead(2), STOP);
+        assertBeams(3, 0);
         var scan = readings.getFirst().laser();
         assertThat(scan.bearingRad(2)).isEqualTo((float) (Math.PI / 2));
         assertThat(scan.maxRangeM()).isEqualTo(8);
-    }
-
-    @Test
-    void layerWithLaser_makesItsServiceUseIt() {
-        robots.giveLaser(0);
-        Service layers = scanning.over(WF);
-        assertThat(layers.usesLaser()).isTrue();
-        services = services(table(layers, looking));
-        drive(0, layers, BLUE);
-        robots.tick(100);
-        assertBeams(3);
+        assertThat(readings.getLast().laser()).isEqualTo(LaserScan.EMPTY);
     }
 
     @Test
     void serviceWithLaserThatTheTableGivesToAnotherRobot_getsTheLaserAllTheSame_andOneWithoutGetsNoScan() {
-        robots.giveLaser(0);
-        robots.giveLaser(1);
+        robots.get(0).hasLaser = true;
+        robots.get(1).hasLaser = true;
         services = services(table(looking, scanning));
         drive(0, looking, BLUE);
         robots.tick(100);
@@ -498,26 +468,22 @@ class RobotServicesTest extends RobotsBench {
     }
 
     @Test
-    void serviceThatTheTableGivesToAnotherRobot_isRefusedWithoutALaser_andItsRobotCanBeServedAgain() {
-        services = services(table(looking, scanning));
-        var end = drive(0, scanning, BLUE);
-        assertThat(test.error(end)).isInstanceOf(PlayerException.class).hasMessageContaining("laser:0");
+    void robotWithoutLaser_isAnErrorThatNamesIt_andItsRobotCanBeServedAgain() {
+        services = services(table(scanning, looking));
+        assertThat(test.error(drive(0, scanning, BLUE)))
+                .isInstanceOf(PlayerException.class)
+                .hasMessageStartingWith("robot 1 is to use its laser: ")
+                .hasMessageContaining("laser:0 is not in the device list");
+        assertThat(robots.connections()).isZero();
+        services = services(table(looking, scanning)); // the table gives the service to another robot
+        assertThat(test.error(drive(0, scanning, BLUE)))
+                .isInstanceOf(PlayerException.class)
+                .hasMessageContaining("laser:0");
         assertThat(robots.connections()).isZero();
         drive(0, looking, BLUE);
         robots.tick(100);
         assertThat(robots.connections()).isOne();
         assertThat(readings).hasSize(1);
-    }
-
-    @Test
-    void robotWithoutLaser_isAnErrorThatNamesIt() {
-        services = services(table(scanning, looking));
-        var end = drive(0, scanning, BLUE);
-        assertThat(test.error(end))
-                .isInstanceOf(PlayerException.class)
-                .hasMessageStartingWith("robot 1 is to use its laser: ")
-                .hasMessageContaining("laser:0 is not in the device list");
-        assertThat(robots.connections()).isZero();
     }
 
     @Test

@@ -97,16 +97,19 @@ abstract class RobotsBench {
 
     @AfterEach
     void nothingIsLeft() {
+        robots.close();
         test.crank();
         assertThat(failures).isEmpty();
         test.close();
-        robots.close();
         assertThat(robots.connections()).as("connections left open").isZero();
         assertThat(charge.most).as("services of a robot at the same time").isLessThanOrEqualTo(1);
     }
 
     RobotServicesActor.Settings settings(SubsumptionTable table) {
-        return new RobotServicesActor.Settings("localhost", FakeRobots.PORT, table, charge);
+        return RobotServicesActor.Settings.ofThePaper()
+                .withPort(FakeRobots.PORT)
+                .withTable(table)
+                .withObserver(charge);
     }
 
     RobotServices published(SubsumptionTable table) {

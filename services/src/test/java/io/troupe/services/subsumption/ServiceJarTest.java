@@ -117,11 +117,7 @@ class ServiceJarTest {
                     .extracting(kind -> kind.maker().getClass().getClassLoader())
                     .isNotEqualTo(ServiceKinds.class.getClassLoader());
         }
-    }
-
-    @Test
-    void directoryOfClasses_isAsGoodAsAJar() throws IOException {
-        try (var mine = ServiceJar.open(classes(TURN, "# mine\nMine\n"))) {
+        try (var mine = ServiceJar.open(classes(TURN, "# mine\nMine\n"))) { // a directory of classes
             assertThat(mine.addTo(ServiceCatalogue.standard()).names()).endsWith("avoid", "turn");
         }
     }
@@ -152,14 +148,10 @@ class ServiceJarTest {
         Path classes = classes(lacking, "Mine");
         Files.delete(classes.resolve("Other.class"));
         assertUnusable(pack(classes, directory.resolve("lacking.jar")), "Mine threw", "NoClassDefFoundError", "Other");
-    }
-
-    @Test
-    void classOfALaterJava_isTold() throws IOException {
-        Path classes = classes(TURN, "Mine");
-        byte[] later = Files.readAllBytes(classes.resolve("Mine.class"));
+        Path mine = classes(TURN, "Mine").resolve("Mine.class");
+        byte[] later = Files.readAllBytes(mine);
         later[6] = 0x7F; // the class file's major version
-        Files.write(classes.resolve("Mine.class"), later);
+        Files.write(mine, later);
         assertUnusable(pack(classes, directory.resolve("later.jar")), "more recent version of the Java Runtime");
     }
 

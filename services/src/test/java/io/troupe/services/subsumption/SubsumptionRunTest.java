@@ -97,11 +97,11 @@ class SubsumptionRunTest extends RobotsBench {
     }
 
     @Test
-    void services_takeTurns_oneAReading_onOneConnection() throws InterruptedException {
+    void services_takeTurns_oneAReading_onOneConnection_andCloseStopsBothRobots() throws InterruptedException {
         try (var run = SubsumptionRun.start(settings)) {
             assertThat(robots.connections()).isOne();
             String limit = " troupe_command_limit_ms 400";
-            assertThat(robots.limits()).containsExactly("silence PT5S", "robot 1" + limit, "robot 2" + limit);
+            assertThat(robots.limits).containsExactly("silence PT5S", "robot 1" + limit, "robot 2" + limit);
             assertInCharge(WF, SW);
             ticks(100);
             assertCommands(1, 0);
@@ -111,6 +111,9 @@ class SubsumptionRunTest extends RobotsBench {
             assertCommands(2, 1);
             run.check();
         }
+        assertLastCommands(STOP, STOP);
+        assertThat(charge.of(0)).isEmpty();
+        assertThat(charge.of(1)).isEmpty();
     }
 
     private final List<Senses> readings = Collections.synchronizedList(new ArrayList<>());
@@ -120,40 +123,27 @@ class SubsumptionRunTest extends RobotsBench {
             })
             .withLaser();
 
-    private SubsumptionRun.Settings withScanning() {
-        return run(Mode.SYNC, FakeRobots.PORT, table(WF, scanning));
-    }
-
     @Test
-    void service_getsBlobsStallAndLaser_asInTheOtherModes() throws InterruptedException {
-        robots.giveLaser(1);
-        robots.stall(1);
+    void service_waitsForTheFirstScanOfASlowLaser_andGetsBlobsStallAndLaser_asInTheOtherModes() throws Exception {
+        robots.get(1).hasLaser = true;
+        robots.get(1).isLaserSlow = true;
+        robots.get(1).isStalled = true;
         robots.show(1, RED);
-        try (var run = SubsumptionRun.start(withScanning())) {
+        try (var run = SubsumptionRun.start(run(Mode.SYNC, FakeRobots.PORT, table(WF, scanning)))) {
             assertThat(robots.laserSubscriptions(0)).isZero();
             assertThat(robots.laserSubscriptions(1)).isOne();
+            ticks(100, 100);
+            assertCommands(0, 0);
+            robots.get(1).isLaserSlow = false;
             ticks(100, 100);
             run.check();
         }
         assertThat(readings).singleElement().satisfies(senses -> {
             assertThat(senses.stalled()).isTrue();
             assertThat(senses.largestBlob(RED)).isPresent();
+            assertThat(senses.laser().size()).isEqualTo(3);
             assertThat(senses.laser().nearestM(-0.1, 0.1)).isEqualTo(2);
         });
-    }
-
-    @Test
-    void services_waitForTheFirstScanOfASlowLaser() throws InterruptedException {
-        robots.giveLaser(1);
-        robots.setLaserSlow(1, true);
-        try (var run = SubsumptionRun.start(withScanning())) {
-            ticks(100, 100);
-            assertCommands(0, 0);
-            robots.setLaserSlow(1, false);
-            ticks(100, 100);
-            run.check();
-        }
-        assertThat(readings).extracting(senses -> senses.laser().size()).containsExactly(3);
     }
 
     @Test
@@ -210,19 +200,6 @@ class SubsumptionRunTest extends RobotsBench {
             assertThat(states()).containsExactly("1 by null", "2 by 1");
             assertInCharge(SW, WF);
             assertCommands(1, 1);
-            ticks(100);
-            assertCommands(2, 1);
-            assertThat(robots.commands(0)).doesNotContain(STOP);
-            run.check();
-        }
-    }
-
-    @Test
-    void colourSeenByRobot1_beginsTheNextStateWithRobot1Again() throws InterruptedException {
-        try (var run = SubsumptionRun.start(settings)) {
-            robots.show(1, RED);
-            ticks(100, 100);
-            assertThat(states()).endsWith("2 by 1");
             robots.show(0, BLUE);
             ticks(100);
             assertThat(states()).endsWith("1 by 0");
@@ -231,6 +208,7 @@ class SubsumptionRunTest extends RobotsBench {
             assertCommands(3, 2); // robot 2 waits longer than usual for its next cycle: its speed is sent again
             ticks(100);
             assertCommands(3, 3);
+            assertThat(robots.commands(0)).doesNotContain(STOP);
             run.check();
         }
     }
@@ -250,17 +228,6 @@ class SubsumptionRunTest extends RobotsBench {
             assertThat(states()).endsWith("1 by 0");
             run.check();
         }
-    }
-
-    @Test
-    void close_stopsBothRobots() throws InterruptedException {
-        try (var run = SubsumptionRun.start(settings)) {
-            ticks(100);
-            run.check();
-        }
-        assertLastCommands(STOP, STOP);
-        assertThat(charge.of(0)).isEmpty();
-        assertThat(charge.of(1)).isEmpty();
     }
 
     @Test

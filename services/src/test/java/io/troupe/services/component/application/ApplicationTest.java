@@ -57,6 +57,7 @@ class ApplicationTest extends ComponentBench {
 
     @AfterEach
     void nothingIsLeft() {
+        robots.close();
         var stopped = application.stop();
         stopped.handle((ended, error) -> true);
         test.crank();
@@ -65,7 +66,6 @@ class ApplicationTest extends ComponentBench {
         }
         assertThat(stopped.isDone()).isTrue();
         test.crank();
-        robots.close();
         assertThat(robots.connections()).as("connections left open").isZero();
     }
 

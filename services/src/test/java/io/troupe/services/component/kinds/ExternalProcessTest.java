@@ -3,7 +3,6 @@ package io.troupe.services.component.kinds;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
-import static org.junit.jupiter.params.provider.Arguments.arguments;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
@@ -41,8 +40,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
-import org.junit.jupiter.params.provider.Arguments;
-import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Processes as components, and their process trees. Uses real processes, and so real threads and real time. Every wait
@@ -112,9 +110,9 @@ class ExternalProcessTest {
         return open(startLimit, stopLimit, SHELL.toString(), "-c", text, directory.toString());
     }
 
-    /** Starts a script that ends on request. */
+    /** Starts a script that ends on request. A limit of ever is no error. */
     private ComponentInterface<?, ?> started(String script) throws Exception {
-        var provider = shell(PATIENCE, PATIENCE, script);
+        var provider = shell(EVER, EVER, script);
         done(provider.start());
         return provider;
     }
@@ -205,18 +203,14 @@ class ExternalProcessTest {
         assertThat(alive()).as("processes beside what is started instead").isEmpty();
     }
 
-    static Stream<Arguments> scripts() {
-        return Stream.of(
-                arguments("limits of ever are no error", EVER, EVER, "echo ready; SLEEP"),
-                arguments("starts again", PATIENCE, SHORT, "trap : TERM; while :; do SLEEP & echo $!; wait $!; done"),
-                arguments("starts another", PATIENCE, SHORT, "trap 'SLEEP & exit 0' TERM; SLEEP & echo ready; wait"));
-    }
-
-    @ParameterizedTest(name = "{0}")
-    @MethodSource("scripts")
-    void programThatAScriptStartsWhenItIsTerminated_endsWithIt_andTheCommonPoolIsFree(
-            String row, Duration startLimit, Duration stopLimit, String script) throws Exception {
-        var provider = shell(startLimit, stopLimit, script);
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "trap : TERM; while :; do SLEEP & echo $!; wait $!; done",
+                "trap 'SLEEP & exit 0' TERM; SLEEP & echo ready; wait"
+            })
+    void programThatAScriptStartsWhenItIsTerminated_endsWithIt_andTheCommonPoolIsFree(String script) throws Exception {
+        var provider = shell(PATIENCE, SHORT, script);
         for (int life = 0; life < 4; life++) {
             done(provider.start());
             done(provider.stop());
@@ -235,22 +229,14 @@ class ExternalProcessTest {
     @Test
     void programThatIsStartedAmidTheTermination_isTerminatedToo() throws Exception {
         assumeSessions();
-        var provider = shell(EVER, EVER, "trap 'SLEEP & exit' TERM; echo ready; SLEEP & wait");
-        done(provider.start());
-        done(provider.stop());
+        done(started("trap 'SLEEP & exit' TERM; echo ready; SLEEP & wait").stop());
         assertThat(alive()).isEmpty();
     }
 
-    static Stream<Arguments> scriptsOfAProcess() {
-        return Stream.of(
-                arguments("deaf to termination", SHORT, "trap '' TERM; echo $$; while :; do SLEEP; done"),
-                arguments("started by the script", PATIENCE, "SLEEP & echo $!; wait"));
-    }
-
-    @ParameterizedTest(name = "{0}")
-    @MethodSource("scriptsOfAProcess")
-    void process_endsWithTheComponent(String row, Duration stopLimit, String script) throws Exception {
-        var provider = shell(PATIENCE, stopLimit, script);
+    @ParameterizedTest
+    @ValueSource(strings = {"trap '' TERM; echo $$; while :; do SLEEP; done", "SLEEP & echo $!; wait"})
+    void processThatIsDeafToTermination_orStartedByTheScript_endsWithTheComponent(String script) throws Exception {
+        var provider = shell(PATIENCE, SHORT, script);
         for (int life = 0; life < 2; life++) {
             done(provider.start());
             var pid = lineOfProcess();
