@@ -114,22 +114,17 @@ class ComponentInterfaceTest extends ComponentBench {
     }
 
     @Test
-    void control_comesAsMessagesOverTheBus() {
+    void control_comesAsMessagesOverTheBus_alsoFromARemoteProvider_whichHearsWhatIsWrong() {
         var provider = opened();
         assertThat(test.get(ask(Control.HEALTH, new Control.AskHealth("user"))))
                 .isEqualTo(new Control.HealthReport("counter", "NOT_INVOKED", "here/counter has not been invoked"));
         assertThat(test.get(ask(Control.INVOKE, new Control.Invoke("user"))))
                 .isEqualTo(new Control.Done("counter", "RUNNING"));
-        assertThat(test.get(ask(Control.HEALTH, new Control.AskHealth("user"))).isHealthy())
-                .isTrue();
+        var healthy = test.get(ask(Control.HEALTH, new Control.AskHealth("user")));
+        assertThat(healthy.isHealthy()).isTrue();
         assertThat(test.get(ask(Control.TERMINATE, new Control.Terminate("user"))))
                 .isEqualTo(new Control.Done("counter", "TERMINATED"));
         assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
-    }
-
-    @Test
-    void remoteProvider_controlsTheComponentByMessages_andHearsWhatIsWrong() {
-        var provider = opened();
         var remote = new RemoteProvider(user, provider.address(), LIMIT);
         test.get(remote.start());
         test.get(remote.check());

@@ -55,6 +55,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
 
     int connectionsMade;
     boolean refuses; // all further connections
+
     private final TestSpace test;
     private final List<Robot> robots;
     private final PlayerPorts.Registration port;

@@ -279,7 +279,8 @@ class RandomSubsumptionTableTest {
                 assertThat(written).as("seed %d", seed).isEqualTo(table);
             } catch (SubsumptionTableException wrong) {
                 var where = wrong.where().orElseThrow();
-                assertThat(wrong).as("seed %d", seed).hasMessageStartingWith(where + ": ");
+                String place = "random:" + where.line() + ":" + where.column() + ": ";
+                assertThat(wrong).as("seed %d", seed).hasMessageStartingWith(place);
                 long lines = Math.max(1, text.lines().count());
                 assertThat((long) where.line()).as("seed %d: line", seed).isBetween(1L, lines);
                 assertThat(where.column()).as("seed %d: column", seed).isPositive();
