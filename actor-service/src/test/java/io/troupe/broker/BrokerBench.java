@@ -71,11 +71,16 @@ class BrokerBench {
         broker.connect(need, client).handle((record, error) -> null);
     }
 
+    /** Runs pending work, then advances the clock. */
+    final void pass(Duration time) {
+        test.crank();
+        test.advance(time);
+    }
+
     /** Advances the clock by this many seconds, one at a time. */
     final void seconds(int count) {
         for (int i = 0; i < count; i++) {
-            test.crank();
-            test.advance(Duration.ofSeconds(1));
+            pass(Duration.ofSeconds(1));
         }
     }
 
