@@ -230,27 +230,23 @@ class ActorServicesTest extends BrokerBench {
     }
 
     @Test
-    void answerThatComesLate_isRejectedBefore_andReportedToTheObserver() {
+    void answerThatComesLate_isRejectedBefore_andReportedToTheObserver_unlessThereIsNoLimit() {
         publish("a");
-        var answer = connected().sayLater("hello");
+        var unlimited =
+                connected(ConnectionSettings.DEFAULT.withoutAnswerLimit()).sayLater("hello");
+        var limited = connected().sayLater("hello");
         test.crank();
         seconds(5);
-        assertThat(test.error(answer))
+        assertThat(test.error(limited))
                 .hasMessage("node/parrot did not answer Parrot.sayLater(String) to \"robot 1\" within PT5S");
+        seconds(1000);
+        answer("as long as its provider lives");
+        assertThat(get(unlimited)).isEqualTo("as long as its provider lives");
+        assertThat(events(BrokerEvent.Late.class)).isEmpty();
         answer("at last");
         test.crank();
         assertThat(events(BrokerEvent.Late.class))
                 .containsExactly(new BrokerEvent.Late("node/parrot", "Parrot.sayLater(String)", null));
-    }
-
-    @Test
-    void withoutAnswerLimit_anAnswerMayTakeAsLongAsItsProviderLives() {
-        publish("a");
-        var answer = connected(ConnectionSettings.DEFAULT.withoutAnswerLimit()).sayLater("hello");
-        test.crank();
-        seconds(1000);
-        answer("at last");
-        assertThat(get(answer)).isEqualTo("at last");
     }
 
     @Test

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.Operation.Kind;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -16,9 +17,7 @@ import org.junit.jupiter.api.AfterEach;
 abstract class BusContract {
     /** The placement of the two sides of a test. */
     enum Wiring {
-        /** Both sides on one {@link Bus}. */
         ONE_NODE,
-        /** Each side on a node; the nodes exchange only bytes. */
         TWO_NODES
     }
 
@@ -41,11 +40,9 @@ abstract class BusContract {
     static final BusTopic<Chain> CHAINS = new BusTopic<>("chains", Chain.class);
     static final BusTopic<Count> COUNTS = new BusTopic<>("counts", Count.class);
     static final BusTopic<Ranges> RANGES = new BusTopic<>("ranges", Ranges.class);
-    static final Operation<Count, Chain> FORGE =
-            new Operation<>("forge", Count.class, Chain.class, Operation.Kind.DATA);
-    static final Operation<Count, Text> SPELL = new Operation<>("spell", Count.class, Text.class, Operation.Kind.DATA);
-    static final Operation<Count, Text> START =
-            new Operation<>("start", Count.class, Text.class, Operation.Kind.CONTROL);
+    static final Operation<Count, Chain> FORGE = new Operation<>("forge", Count.class, Chain.class, Kind.DATA);
+    static final Operation<Count, Text> SPELL = new Operation<>("spell", Count.class, Text.class, Kind.DATA);
+    static final Operation<Count, Text> START = new Operation<>("start", Count.class, Text.class, Kind.CONTROL);
     static final Duration SECOND = Duration.ofSeconds(1);
     static final int CAPACITY = 4;
 

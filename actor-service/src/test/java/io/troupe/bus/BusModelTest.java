@@ -16,6 +16,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.function.Predicate;
+import java.util.function.ToLongFunction;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -424,27 +425,27 @@ class BusModelTest {
 
         /** The metrics of the bus, and the losses reported to its observer. */
         Map<String, Long> counts() {
-            var counts = new LinkedHashMap<String, Long>();
             long pending =
                     answers.values().stream().filter(each -> !each.isDone()).count();
-            for (Bus node : nodes) {
-                var now = node.metrics();
-                pending -= now.asked() - now.answered() - now.refused() - now.timedOut();
-                counts.merge("delivered", now.delivered(), Long::sum);
-                counts.merge("queued", now.queued(), Long::sum);
-                counts.merge("dropped", now.dropped(), Long::sum);
-                counts.merge("discarded", now.discarded(), Long::sum);
-                counts.merge("late", now.late(), Long::sum);
-            }
+            long settled = sum(BusMetrics::answered) + sum(BusMetrics::refused) + sum(BusMetrics::timedOut);
             long discarded = 0;
             for (var loss : losses) {
                 discarded += loss instanceof Loss.Discarded it ? it.count() : 0;
             }
-            counts.put("told as dropped", count(Loss.Dropped.class));
-            counts.put("told as discarded", discarded);
-            counts.put("told as late", count(Loss.Late.class));
-            counts.put("questions unaccounted for", pending);
-            return counts;
+            return Map.of(
+                    "queued", sum(BusMetrics::queued),
+                    "dropped", sum(BusMetrics::dropped),
+                    "discarded", sum(BusMetrics::discarded),
+                    "late", sum(BusMetrics::late),
+                    "delivered", sum(BusMetrics::delivered),
+                    "told as dropped", count(Loss.Dropped.class),
+                    "told as discarded", discarded,
+                    "told as late", count(Loss.Late.class),
+                    "questions unaccounted for", pending - (sum(BusMetrics::asked) - settled));
+        }
+
+        private long sum(ToLongFunction<BusMetrics> figure) {
+            return nodes.stream().map(Bus::metrics).mapToLong(figure).sum();
         }
 
         private long count(Class<? extends Loss> type) {

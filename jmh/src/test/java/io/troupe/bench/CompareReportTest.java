@@ -3,7 +3,6 @@ package io.troupe.bench;
 import static io.troupe.bench.BenchmarkTests.assertDocumented;
 import static io.troupe.bench.BenchmarkTests.documentedRows;
 import static io.troupe.bench.BenchmarkTests.quartiles;
-import static java.util.stream.Collectors.toMap;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.IOException;
@@ -18,18 +17,14 @@ import org.junit.jupiter.api.Test;
 
 class CompareReportTest {
     /** Each round is twice the limit of that round, although the machine's speed changes between rounds. */
-    private final Results results = new Results(
-            Stream.of(Workload.ASK_ONCE, Workload.TELL, Workload.CREATE)
-                    .collect(toMap(
-                            each -> each, each -> limitAndTroupe(), (a, b) -> a, () -> new EnumMap<>(Workload.class))),
-            Map.of("troupe", 80.4));
+    private final Map<String, List<TurnResult>> turns =
+            new TreeMap<>(Map.of("limit", turns(0, 10, 30, 1_000), "troupe", turns(1_032, 20, 60, 2_000)));
 
+    private final Results results = new Results(
+            new EnumMap<>(Map.of(Workload.ASK_ONCE, turns, Workload.TELL, turns, Workload.CREATE, turns)),
+            Map.of("troupe", 80.4));
     private final String table = new CompareReport(3, 1, results).table();
     private final String drawing = CompareDrawing.of(results).svg();
-
-    private static Map<String, List<TurnResult>> limitAndTroupe() {
-        return new TreeMap<>(Map.of("limit", turns(0, 10, 30, 1_000), "troupe", turns(1_032, 20, 60, 2_000)));
-    }
 
     /** The turn in the middle allocates {@code bytes}, the others less and more. */
     private static List<TurnResult> turns(double bytes, double... nanos) {
@@ -56,14 +51,9 @@ class CompareReportTest {
     }
 
     @Test
-    void drawing_hasABarForEveryContender() {
-        assertThat(drawing)
-                .startsWith("<svg")
-                .contains(">tell<", ">limit<", ">troupe<", ">60.0 ns, 2.00×<", "class='m'");
-    }
-
-    @Test
-    void drawing_showsWakeUpsLastAndWithoutColours() {
+    void drawing_hasABarForEveryContender_andShowsWakeUpsLastAndWithoutColours() {
+        assertThat(drawing).startsWith("<svg");
+        assertThat(drawing).contains(">tell<", ">limit<", ">troupe<", ">60.0 ns, 2.00×<", "class='m'");
         int wakeUps = drawing.indexOf(">askOnce (wake-up of a thread, not ranked)<");
         assertThat(wakeUps).isGreaterThan(drawing.indexOf(">create<"));
         assertThat(drawing.substring(wakeUps)).contains("class='u'").doesNotContain("class='m'", "class='b'");
@@ -89,9 +79,8 @@ class CompareReportTest {
                         .put(row.group(2), new CompareDrawing.Bar(quartiles(row, 3), quartiles(row, 6)));
             }
         }
-        assertThat(bars)
-                .hasSize(9)
-                .allSatisfy((workload, its) -> assertThat(its).hasSize(9));
+        assertThat(bars).hasSize(9);
+        assertThat(bars.values()).allMatch(its -> its.size() == 9);
         assertDocumented("actors.svg", new CompareDrawing(bars).svg());
     }
 }
