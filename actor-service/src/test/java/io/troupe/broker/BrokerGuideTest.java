@@ -25,13 +25,13 @@ class BrokerGuideTest {
     private final class Camera implements Provider {
         @Override
         public Promise<@Nullable Void> start() {
-            show("camera starts");
+            shown.add("camera starts");
             return Promise.done();
         }
 
         @Override
         public Promise<@Nullable Void> stop() {
-            show("camera stops");
+            shown.add("camera stops");
             return Promise.done();
         }
 

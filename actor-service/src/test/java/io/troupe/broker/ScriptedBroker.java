@@ -168,7 +168,7 @@ class ScriptedBroker extends BrokerBench {
         reasons.add(name(provider) + ": " + Reasons.of(why));
     }
 
-    /** A provider whose calls behave as the script says. */
+    /** A provider whose calls behave as the script specifies. */
     final class FakeProvider implements Provider {
         private final String name;
         private final Map<String, String> manners = new HashMap<>();
