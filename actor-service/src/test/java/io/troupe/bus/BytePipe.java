@@ -5,7 +5,6 @@ import java.util.Map;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.atomic.AtomicLong;
 
 /** A bus between nodes that exchange only bytes. Pending messages arrive by callbacks of a space. */
 final class BytePipe {
@@ -14,27 +13,26 @@ final class BytePipe {
     private final ActorSpace carrier;
     private final Map<String, Bus> nodes = new ConcurrentHashMap<>();
     private final Queue<Parcel> underWay = new ConcurrentLinkedQueue<>();
-    private final AtomicLong carried = new AtomicLong();
+    private long carried;
 
     BytePipe(ActorSpace carrier) {
         this.carrier = carrier;
     }
 
     Bus open(String name, BusSettings settings) {
-        var node = new Bus(name, settings, new End(name));
-        nodes.put(name, node);
-        return node;
+        nodes.put(name, new Bus(name, settings, new End(this, name)));
+        return nodes.get(name);
     }
 
     /** The number of bytes sent between nodes. */
     long bytesCarried() {
-        return carried.get();
+        return carried;
     }
 
     /** Delivers all pending messages now. */
     void carryAll() {
         for (Parcel next = underWay.poll(); next != null; next = underWay.poll()) {
-            carried.addAndGet(next.bytes().length);
+            carried += next.bytes().length;
             var node = nodes.get(next.to());
             if (node != null) {
                 node.receive((BusMessage) RecordCodec.decode(next.bytes()));
@@ -43,32 +41,26 @@ final class BytePipe {
     }
 
     /** The transport of one node. */
-    private final class End implements Bus.Transport {
-        private final String mine;
-
-        End(String mine) {
-            this.mine = mine;
-        }
-
+    private record End(BytePipe pipe, String mine) implements Bus.Transport {
         @Override
         public boolean reaches(String node) {
-            return nodes.containsKey(node);
+            return pipe.nodes.containsKey(node);
         }
 
         @Override
         public void send(String node, BusMessage message) {
-            underWay.add(new Parcel(node, RecordCodec.encode((Record) message)));
-            carrier.execute(BytePipe.this::carryAll);
+            pipe.underWay.add(new Parcel(node, RecordCodec.encode((Record) message)));
+            pipe.carrier.execute(pipe::carryAll);
         }
 
         @Override
         public void broadcast(BusMessage publication) {
-            nodes.keySet().stream().filter(node -> !node.equals(mine)).forEach(node -> send(node, publication));
+            pipe.nodes.keySet().stream().filter(node -> !node.equals(mine)).forEach(node -> send(node, publication));
         }
 
         @Override
         public void close() {
-            nodes.remove(mine);
+            pipe.nodes.remove(mine);
         }
     }
 }
