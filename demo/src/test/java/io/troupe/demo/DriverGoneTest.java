@@ -11,6 +11,7 @@ import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
 import io.troupe.common.text.NamedColours;
+import io.troupe.player.PlayerException;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.Frame;
@@ -24,7 +25,6 @@ import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.BehaviourComponent;
 import io.troupe.services.component.kinds.PlayerComponent;
 import io.troupe.services.subsumption.Arbitrator;
-import io.troupe.services.subsumption.Assignment;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.RobotServicesActor;
@@ -34,6 +34,7 @@ import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -43,9 +44,11 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -98,6 +101,10 @@ class DriverGoneTest {
         return odometry.forwardMps() != 0 || odometry.turnRadps() != 0;
     }
 
+    private Pose pose(int robot) {
+        return simulation.latest().robots().get(robot).pose();
+    }
+
     private void tick(int times) {
         for (int i = 0; i < times; i++) {
             simulation.tick();
@@ -118,9 +125,9 @@ class DriverGoneTest {
         assertThat(moves(robot)).as("robot %d was driven until now", robot + 1).isTrue();
         simulation.lockStep(false);
         tick(HALF_A_SECOND_TICKS);
-        var pose = simulation.latest().robots().get(robot).pose();
+        var pose = pose(robot);
         tick(HALF_A_SECOND_TICKS);
-        assertThat(simulation.latest().robots().get(robot).pose())
+        assertThat(pose(robot))
                 .as("pose of robot %d after half a second, and after a second", robot + 1)
                 .isEqualTo(pose);
     }
@@ -135,6 +142,17 @@ class DriverGoneTest {
 
     // ---- services in this process
 
+    private SubsumptionRun.Settings settings(
+            Mode mode, int port, SubsumptionTable table, Arbitrator.StateListener listener) {
+        return new SubsumptionRun.Settings(
+                mode, "localhost", port, table, simulation.clock(), ServiceObserver.NONE, listener);
+    }
+
+    private SubsumptionRun start(Mode mode, Service ofRobot1, Service ofRobot2) throws InterruptedException {
+        var table = SubsumptionTable.forRobots(2).when(NamedColours.BLUE, ofRobot1, ofRobot2);
+        return SubsumptionRun.start(settings(mode, PORT, table.allowFinal().build(), (state, seenBy) -> {}));
+    }
+
     @ParameterizedTest
     @EnumSource
     void serviceThatHangsInItsCycle_andDrivesAgainWhenItGoesOn(Mode mode) throws Exception {
@@ -146,13 +164,7 @@ class DriverGoneTest {
             }
             return Optional.of(TURNING);
         });
-        var table = SubsumptionTable.forRobots(2)
-                .when(NamedColours.BLUE, Assignment.everyRobot(hanging))
-                .allowFinal()
-                .build();
-        var settings = new SubsumptionRun.Settings(
-                mode, "localhost", PORT, table, simulation.clock(), ServiceObserver.NONE, (state, seenBy) -> {});
-        try (var run = SubsumptionRun.start(settings)) {
+        try (var run = start(mode, hanging, hanging)) {
             awaitMoving(0);
             awaitMoving(1);
             hangs.set(true); // the services of both robots share one thread
@@ -165,11 +177,52 @@ class DriverGoneTest {
         }
     }
 
+    /** The failure is reported after the tick in which it occurs. */
+    @Timeout(60)
+    @ParameterizedTest
+    @EnumSource
+    void behaviourThatThrows_isThrownByCheck_andItsRobotStands(Mode mode) throws Exception {
+        int goodCycles = 5;
+        var failing = new Service("failing", true, () -> {
+            var cycles = new AtomicInteger();
+            return senses -> {
+                if (cycles.getAndIncrement() == goodCycles) {
+                    throw new IllegalStateException("out of ideas");
+                }
+                return Optional.of(new Velocity(0.1, 0));
+            };
+        });
+        try (var run = start(mode, Service.WALL_FOLLOWER, failing)) {
+            int readings = mode == Mode.SYNC ? 2 * goodCycles + 1 : goodCycles;
+            for (int tick = 0; tick < readings; tick++) {
+                simulation.tick();
+                run.check();
+            }
+            simulation.tick();
+            assertThatThrownBy(run::check)
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("out of ideas");
+            var stood = pose(1);
+            simulation.tick();
+            assertThat(pose(1)).isEqualTo(stood);
+        }
+    }
+
+    @Timeout(60)
+    @ParameterizedTest
+    @EnumSource
+    void portWithoutAWorld_isToldAtTheStart(Mode mode) {
+        var nowhere = settings(mode, PORT - 1, SubsumptionTable.ofThePaper(), (state, seenBy) -> {});
+        assertThatThrownBy(() -> SubsumptionRun.start(nowhere))
+                .isInstanceOf(PlayerException.class)
+                .hasMessageContaining("6665");
+    }
+
     private ActorSpace space() {
         return ActorSpace.create(SpaceSettings.named("driver").withClock(simulation.clock()));
     }
 
-    private static void end(ActorSpace space) {
+    private static void end(ActorSpace space) { // the compiler warns of a close() in a try with resources
         space.close();
     }
 
@@ -194,17 +247,7 @@ class DriverGoneTest {
     }
 
     @Test
-    void spaceThatIsClosed() {
-        try (var space = space()) {
-            drive(space, PORT);
-            awaitMoving(0);
-            end(space);
-            assertStandsAfterHalfASecond(0);
-        }
-    }
-
-    @Test
-    void spaceThatAnotherActorHolds_andItsServiceDrivesAgainAfterThat() {
+    void spaceThatAnotherActorHolds_andItsServiceDrivesAgainAfterThat_andThatIsClosed() {
         var goesOn = new CountDownLatch(1);
         try (var space = space()) {
             drive(space, PORT);
@@ -213,6 +256,8 @@ class DriverGoneTest {
             assertStandsAfterHalfASecond(0);
             goesOn.countDown();
             awaitMoving(0);
+            end(space);
+            assertStandsAfterHalfASecond(0);
         }
     }
 
@@ -224,15 +269,8 @@ class DriverGoneTest {
                 throw new IllegalStateException("no way on");
             }
         };
-        var settings = new SubsumptionRun.Settings(
-                Mode.PROMISE,
-                "localhost",
-                PORT,
-                SubsumptionTable.ofThePaper(),
-                simulation.clock(),
-                ServiceObserver.NONE,
-                failing);
-        try (var run = SubsumptionRun.start(settings)) {
+        var table = SubsumptionTable.ofThePaper();
+        try (var run = SubsumptionRun.start(settings(Mode.PROMISE, PORT, table, failing))) {
             for (int tick = 0; tick < 3_000 && states.get() < 2; tick++) {
                 simulation.tick(); // the newest snapshot still has the speeds of the previous reading
             }
@@ -245,7 +283,7 @@ class DriverGoneTest {
 
     // ---- components
 
-    private Application start(ActorSpace space, Bus bus, Supplier<Behaviour> law) throws Exception {
+    private void start(ActorSpace space, Bus bus, Supplier<Behaviour> law) throws Exception {
         var plan = ApplicationPlan.named("turning")
                 .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", PORT, List.of(1), false)))
                 .with("turner", BehaviourComponent.of("turner", "turning", List.of(), law))
@@ -254,32 +292,20 @@ class DriverGoneTest {
         var broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
         var application = new CompletableFuture<Application>();
         space.execute(() -> application.complete(Application.start(plan, bus, broker, ApplicationSettings.DEFAULT)));
-        Application begun = application.get(5, TimeUnit.MINUTES);
-        begun.started().get(Duration.ofMinutes(5));
+        application.get(5, TimeUnit.MINUTES).started().get(Duration.ofMinutes(5));
         awaitMoving(0);
-        return begun;
     }
 
     @Test
-    void driverComponentThatFallsSilentWithoutALastWord_andDrivesAgain() throws Exception {
+    void driverComponentThatFallsSilentWithoutALastWord_andDrivesAgain_andWhoseBusIsClosed() throws Exception {
         var silent = new AtomicBoolean();
         try (var space = space()) {
-            start(
-                    space,
-                    Bus.inProcess("here", BusSettings.on(space)),
-                    () -> senses -> silent.get() ? Optional.empty() : Optional.of(TURNING));
+            var bus = Bus.inProcess("here", BusSettings.on(space));
+            start(space, bus, () -> senses -> silent.get() ? Optional.empty() : Optional.of(TURNING));
             silent.set(true);
             assertStandsAfterHalfASecond(0);
             silent.set(false);
             awaitMoving(0);
-        }
-    }
-
-    @Test
-    void busThatIsClosed_betweenTheDriverAndItsRobot() throws Exception {
-        try (var space = space()) {
-            var bus = Bus.inProcess("here", BusSettings.on(space));
-            start(space, bus, () -> senses -> Optional.of(TURNING));
             bus.close();
             assertStandsAfterHalfASecond(0);
         }
@@ -320,35 +346,31 @@ class DriverGoneTest {
         private volatile boolean cut;
 
         Cable(int serverPort) throws IOException {
-            Thread.ofVirtual().start(() -> {
-                try {
-                    var client = listener.accept();
-                    var server = new Socket(InetAddress.getLoopbackAddress(), serverPort);
-                    client.setTcpNoDelay(true);
-                    server.setTcpNoDelay(true);
-                    ends.add(client);
-                    ends.add(server);
-                    Thread.ofVirtual().start(() -> forward(client, server));
-                    forward(server, client);
-                } catch (IOException closed) {
-                    // closed by the test
+            start(() -> {
+                var client = listener.accept();
+                var server = new Socket(InetAddress.getLoopbackAddress(), serverPort);
+                for (var end : List.of(client, server)) {
+                    end.setTcpNoDelay(true);
+                    ends.add(end);
                 }
+                start(() -> forward(client, server));
+                return forward(server, client);
             });
         }
 
-        private void forward(Socket from, Socket to) {
+        /** The test ends the task by closing its sockets. */
+        private static void start(Callable<Boolean> task) {
+            Thread.ofVirtual().start(new FutureTask<>(task));
+        }
+
+        private boolean forward(Socket from, Socket to) throws IOException {
             var bytes = new byte[8192];
-            try {
-                for (int count = from.getInputStream().read(bytes);
-                        count > 0;
-                        count = from.getInputStream().read(bytes)) {
-                    if (!cut) {
-                        to.getOutputStream().write(bytes, 0, count);
-                    }
+            for (int count = 0; count >= 0; count = from.getInputStream().read(bytes)) {
+                if (!cut) {
+                    to.getOutputStream().write(bytes, 0, count);
                 }
-            } catch (IOException closed) {
-                // closed by the test
             }
+            return cut;
         }
 
         int port() {
@@ -386,14 +408,7 @@ class DriverGoneTest {
     @Test
     void processThatIsFrozen_drivesAgainWhenItGoesOn_andOneThatIsKilled() throws Exception {
         try (var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0)) {
-            var process = new ProcessBuilder(
-                            Path.of(System.getProperty("java.home"), "bin", "java")
-                                    .toString(),
-                            "-XX:TieredStopAtLevel=1",
-                            "-cp",
-                            System.getProperty("java.class.path"),
-                            Driver.class.getName(),
-                            String.valueOf(tcp.port()))
+            var process = CommandLineBench.jvm("-XX:TieredStopAtLevel=1", Driver.class, List.of("" + tcp.port()))
                     .redirectError(ProcessBuilder.Redirect.INHERIT)
                     .start();
             try {

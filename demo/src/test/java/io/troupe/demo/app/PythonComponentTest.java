@@ -22,10 +22,12 @@ import io.troupe.services.component.application.ApplicationReader;
 import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.sim.Simulation;
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
@@ -67,7 +69,12 @@ class PythonComponentTest {
         }
     };
 
-    private static void assumePython() throws Exception {
+    /** What a test does with a running application. */
+    private interface Script {
+        void run(Simulation simulation, ActorSpace space, Application application) throws Exception;
+    }
+
+    private void run(BrokerSettings brokerSettings, Script script) throws Exception {
         boolean found;
         try {
             found = new ProcessBuilder("python3", "--version").start().waitFor() == 0;
@@ -75,6 +82,22 @@ class PythonComponentTest {
             found = false;
         }
         assumeTrue(found, "there is no python3 on this machine");
+        var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
+        try (var simulation = Simulation.open(scenario, AppRun.WORLD);
+                var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
+                var space = ActorSpace.create(SpaceSettings.named("application").withClock(simulation.clock()))) {
+            script.run(simulation, space, start(space, tcp.port(), brokerSettings));
+        }
+    }
+
+    private static void tick(Simulation simulation, int times) {
+        for (int tick = 0; tick < times; tick++) {
+            simulation.tick();
+        }
+    }
+
+    private static Pose pose(Simulation simulation, int robot) {
+        return simulation.latest().robots().get(robot).pose();
     }
 
     private void note(ApplicationEvent event) {
@@ -85,8 +108,8 @@ class PythonComponentTest {
 
     private void note(BrokerEvent event) {
         if (event instanceof BrokerEvent.Failed failed) {
-            events.add("failed: " + failed.provider().provider().name() + " "
-                    + failed.provider().health());
+            var provider = failed.provider();
+            events.add("failed: " + provider.provider().name() + " " + provider.health());
         }
     }
 
@@ -109,34 +132,26 @@ class PythonComponentTest {
 
     @Test
     void robotInTheCareOfAPythonScript_moves_andItsUserHearsWhenTheProcessIsKilled() throws Exception {
-        assumePython();
-        var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
-        try (var simulation = Simulation.open(scenario, AppRun.WORLD);
-                var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
-                var space = ActorSpace.create(SpaceSettings.named("application").withClock(simulation.clock()))) {
-            var application = start(space, tcp.port(), BrokerSettings.DEFAULT.withoutRestart());
-            var before = simulation.latest().robots();
-            for (int tick = 0; tick < 100; tick++) {
-                simulation.tick();
-            }
-            var after = simulation.latest().robots();
+        run(BrokerSettings.DEFAULT.withoutRestart(), (simulation, space, application) -> {
+            var before = List.of(pose(simulation, 0), pose(simulation, 1));
+            tick(simulation, 100);
             for (int robot = 0; robot < 2; robot++) {
-                var from = before.get(robot).pose();
-                var to = after.get(robot).pose();
+                var from = before.get(robot);
+                var to = pose(simulation, robot);
                 assertThat(StrictMath.hypot(to.x() - from.x(), to.y() - from.y()))
                         .as("metres that robot %d has come", robot + 1)
                         .isGreaterThan(0.5);
             }
-            kill();
+            var process = ProcessHandle.of(processes.getFirst()).orElseThrow();
+            process.destroyForcibly();
+            process.onExit().get(20, TimeUnit.SECONDS);
             while (events.stream().noneMatch(event -> event.startsWith("problem: snake has failed"))) {
                 Thread.onSpinWait(); // simulated time passes faster than the machine reports the exit of a process
             }
-            for (int tick = 0; tick < 6; tick++) {
-                simulation.tick();
-            }
-            var stopped = simulation.latest().robots().get(1).pose();
-            simulation.tick();
-            assertThat(simulation.latest().robots().get(1).pose()).isEqualTo(stopped);
+            tick(simulation, 6);
+            var stopped = pose(simulation, 1);
+            tick(simulation, 1);
+            assertThat(pose(simulation, 1)).isEqualTo(stopped);
             for (int tick = 0; tick < 300 && !application.ended().isDone(); tick++) {
                 simulation.tick();
             }
@@ -149,37 +164,23 @@ class PythonComponentTest {
                             .startsWith("lost: \"two-languages\" needs the service \"pythonWanderer\"")
                             .contains("wanderer.py"));
             assertThat(processes).hasSize(1);
-        }
+        });
         assertThat(ProcessHandle.of(processes.getFirst()).filter(ProcessHandle::isAlive))
                 .isEmpty();
     }
 
-    private void kill() throws Exception {
-        var process = ProcessHandle.of(processes.getFirst()).orElseThrow();
-        process.destroyForcibly();
-        process.onExit().get(20, TimeUnit.SECONDS);
-    }
-
     @Test
     void twoRuns_areTheSame_asTheScriptIsInLockStep() throws Exception {
-        assumePython();
-        assertThat(poseAfter(100)).isEqualTo(poseAfter(100));
-    }
-
-    private String poseAfter(int ticks) throws Exception {
-        var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
-        try (var simulation = Simulation.open(scenario, AppRun.WORLD);
-                var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
-                var space = ActorSpace.create(SpaceSettings.named("application").withClock(simulation.clock()))) {
-            var application = start(space, tcp.port(), BrokerSettings.DEFAULT);
-            for (int tick = 0; tick < ticks; tick++) {
-                simulation.tick();
-            }
-            String poses = simulation.latest().robots().get(0).pose() + " "
-                    + simulation.latest().robots().get(1).pose();
-            space.execute(application::stop);
-            application.ended().get(Duration.ofSeconds(20));
-            return poses;
+        var ends = new ArrayList<String>();
+        for (int i = 0; i < 2; i++) {
+            run(BrokerSettings.DEFAULT, (simulation, space, application) -> {
+                tick(simulation, 100);
+                ends.add(pose(simulation, 0) + " " + pose(simulation, 1));
+                space.execute(application::stop);
+                application.ended().get(Duration.ofSeconds(20));
+            });
         }
+        assertThat(ends).hasSize(2);
+        assertThat(ends.get(0)).isEqualTo(ends.get(1));
     }
 }

@@ -1,22 +1,20 @@
 package io.troupe.demo.crowd;
 
+import static io.troupe.demo.ParsedSvg.number;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.demo.ParsedSvg;
 import io.troupe.demo.crowd.CrowdReport.Row;
 import java.io.IOException;
-import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
-import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
-import org.w3c.dom.Element;
-import org.xml.sax.InputSource;
 
 class CrowdFigureTest {
     private static final List<Row> MEDIANS =
@@ -38,36 +36,17 @@ class CrowdFigureTest {
                 robots, 5.25, 502, 503, 504, micros, micros / 2, micros * 2, worldMicros, servicesMicros, 505, 506);
     }
 
-    private static Element parsed(String svg) throws Exception {
-        return DocumentBuilderFactory.newInstance()
-                .newDocumentBuilder()
-                .parse(new InputSource(new StringReader(svg)))
-                .getDocumentElement();
-    }
-
-    private static List<Element> elements(Element svg, String name) {
-        var found = svg.getElementsByTagName(name);
-        List<Element> elements = new ArrayList<>();
-        for (int i = 0; i < found.getLength(); i++) {
-            elements.add((Element) found.item(i));
-        }
-        return elements;
-    }
-
-    private static double number(Element element, String attribute) {
-        return Double.parseDouble(element.getAttribute(attribute));
+    private static ParsedSvg drawn() throws Exception {
+        return ParsedSvg.parse(new CrowdFigure(MEDIANS, 8, 3).chart().svg());
     }
 
     @Test
     void figure_saysWhatItShows_withUnitsAndWithoutPowersOfTen() throws Exception {
-        Element svg = parsed(new CrowdFigure(MEDIANS, 8, 3).chart().svg());
+        var svg = drawn();
 
         String title = "1,000 robots run at 5.3 times real time on one core";
-        assertThat(svg.getAttribute("role")).isEqualTo("img");
-        assertThat(svg.getAttribute("aria-label")).isEqualTo(title);
-        List<String> texts =
-                elements(svg, "text").stream().map(Element::getTextContent).toList();
-        assertThat(texts)
+        assertThat(svg.title()).isEqualTo(title);
+        assertThat(svg.texts())
                 .contains(title, "µs for one robot and tick", "number of robots")
                 .contains("1", "10", "100", "1,000", "10,000", "100,000")
                 .contains("whole program", "world: physics, rays", "services and Player")
@@ -78,20 +57,20 @@ class CrowdFigureTest {
 
     @Test
     void budget_isDashed_andWhereATickOf100MillisecondsIsUsedUp() throws Exception {
-        Element svg = parsed(new CrowdFigure(MEDIANS, 8, 3).chart().svg());
+        var svg = drawn();
 
-        List<Element> dashed = elements(svg, "line").stream()
-                .filter(line -> !line.getAttribute("stroke-dasharray").isEmpty())
-                .toList();
-        assertThat(dashed).hasSize(1);
-        assertThat(number(dashed.getFirst(), "y1")).isCloseTo(yOf(svg, 100_000), within(0.2));
-        assertThat(number(dashed.getFirst(), "y2")).isCloseTo(yOf(svg, 100), within(0.2));
+        assertThat(svg.elements("line"))
+                .filteredOn(line -> !line.getAttribute("stroke-dasharray").isEmpty())
+                .singleElement()
+                .satisfies(dashed -> {
+                    assertThat(number(dashed, "y1")).isCloseTo(yOf(svg, 100_000), within(0.2));
+                    assertThat(number(dashed, "y2")).isCloseTo(yOf(svg, 100), within(0.2));
+                });
     }
 
     /** The y coordinate of a decade, from its label, which is 4 px below its line. */
-    private static double yOf(Element svg, int micros) {
-        return elements(svg, "text").stream()
-                .filter(text -> text.getAttribute("text-anchor").equals("end"))
+    private static double yOf(ParsedSvg svg, int micros) {
+        return svg.elements("text", "text-anchor", "end").stream()
                 .filter(text -> text.getTextContent().replace(",", "").equals(String.valueOf(micros)))
                 .mapToDouble(text -> number(text, "y") - 4)
                 .findFirst()
@@ -100,23 +79,17 @@ class CrowdFigureTest {
 
     @Test
     void dotsAndQuartiles_lieWhereTheNumbersAre() throws Exception {
-        Element svg = parsed(new CrowdFigure(MEDIANS, 8, 3).chart().svg());
+        var svg = drawn();
 
         double decadePx = yOf(svg, 10) - yOf(svg, 100);
-        List<Element> whole = elements(svg, "circle").stream()
-                .filter(dot -> dot.getAttribute("fill").equals("#222222"))
-                .toList();
-        assertThat(whole)
+        assertThat(svg.elements("circle", "fill", "#222222"))
                 .extracting(dot -> yOf(svg, 10) - number(dot, "cy"))
                 .zipSatisfy(
                         MEDIANS,
                         (above, row) ->
                                 assertThat(above).isCloseTo(decadePx * Math.log10(row.micros() / 10), within(0.2)));
-        List<Element> bars = elements(svg, "line").stream()
-                .filter(line -> line.getAttribute("stroke-width").equals("1.2")
-                        && line.getAttribute("x1").equals(line.getAttribute("x2")))
-                .toList();
-        assertThat(bars)
+        assertThat(svg.elements("line", "stroke-width", "1.2"))
+                .filteredOn(line -> line.getAttribute("x1").equals(line.getAttribute("x2")))
                 .hasSize(MEDIANS.size())
                 .allSatisfy(bar -> assertThat(number(bar, "y1") - number(bar, "y2"))
                         .as("from half the median to twice the median")
@@ -127,11 +100,11 @@ class CrowdFigureTest {
     void files_areTheSamePictureTwice() throws Exception {
         new CrowdFigure(MEDIANS, 8, 3).write(out);
 
-        Element svg = parsed(Files.readString(out.resolve("crowd.svg")));
+        var svg = ParsedSvg.parse(Files.readString(out.resolve("crowd.svg")));
         var picture = ImageIO.read(out.resolve("crowd.png").toFile());
-        assertThat(picture.getWidth()).isEqualTo(2 * (int) number(svg, "width"));
-        Element dot =
-                elements(svg, "circle").get(6); // a dot of the world line at 100 robots, where no quartiles are drawn
+        assertThat(picture.getWidth()).isEqualTo(2 * (int) number(svg.root(), "width"));
+        // a dot of the world line at 100 robots, where no quartiles are drawn
+        var dot = svg.elements("circle").get(6);
         int pixel = picture.getRGB((int) (2 * number(dot, "cx")), (int) (2 * number(dot, "cy")));
         assertThat(String.format("#%06x", pixel & 0xffffff)).isEqualTo(dot.getAttribute("fill"));
     }
@@ -141,7 +114,7 @@ class CrowdFigureTest {
     void pictureInTheDocumentation_isThatOfTheTableThere() throws IOException {
         List<Row> rows = Files.readAllLines(Path.of("..", "docs", "benchmarks.md")).stream()
                 .map(ROW::matcher)
-                .filter(java.util.regex.Matcher::matches)
+                .filter(Matcher::matches)
                 .map(CrowdFigureTest::documented)
                 .toList();
         assertThat(rows).hasSize(7);
@@ -157,25 +130,17 @@ class CrowdFigureTest {
      * A row of the documented table. Of three rounds, the quartiles are halfway between the median and the extremes;
      * the table has the extremes of the speed.
      */
-    private static Row documented(java.util.regex.Matcher row) {
+    private static Row documented(Matcher row) {
         double[] numbers = new double[8];
         for (int i = 1; i <= 7; i++) {
             numbers[i] = Double.parseDouble(row.group(i).replace(",", ""));
         }
         int robots = (int) numbers[1];
         double micros = numbers[5];
+        double low = (micros + 100_000 / numbers[4] / robots) / 2;
+        double high = (micros + 100_000 / numbers[3] / robots) / 2;
+        double speed = numbers[2];
         return new Row(
-                robots,
-                numbers[2],
-                numbers[3],
-                numbers[4],
-                0,
-                micros,
-                (micros + 100_000 / numbers[4] / robots) / 2,
-                (micros + 100_000 / numbers[3] / robots) / 2,
-                numbers[6],
-                numbers[7],
-                0,
-                0);
+                robots, speed, numbers[3], numbers[4], 0, micros, low, high, numbers[6], numbers[7], 0, 0);
     }
 }

@@ -13,15 +13,14 @@ import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.worldfile.CrowdWorld;
 import java.nio.file.Path;
 import java.util.HashSet;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 class CrowdTableTest {
     private static SubsumptionTable table(int robots, int colours, int services) {
-        return CrowdTable.of(
-                robots, CrowdWorld.colours(colours), services, CrowdTable.HOLD_SECONDS, CornerStyle.FORWARD);
+        var all = CrowdWorld.colours(colours);
+        return CrowdTable.of(robots, all, services, CrowdTable.HOLD_SECONDS, CornerStyle.FORWARD);
     }
 
     @ParameterizedTest
@@ -38,19 +37,15 @@ class CrowdTableTest {
     }
 
     @Test
-    void state_withRobotsEnough_hasAllServices() {
-        for (State state : table(20, 6, 20).states()) {
-            assertThat(new HashSet<>(state.services())).hasSize(20);
-        }
-    }
-
-    @Test
-    void nextState_movesAllServicesOn() {
-        List<State> states = table(9, 3, 3).states();
-        for (int robot = 0; robot < 9; robot++) {
-            assertThat(states.get(1).services().get(robot))
-                    .isNotEqualTo(states.get(0).services().get(robot));
-        }
+    void states_withRobotsEnough_haveAllServices_whichTheNextStateMovesOn() {
+        assertThat(table(20, 6, 20).states())
+                .hasSize(6)
+                .allSatisfy(state -> assertThat(new HashSet<>(state.services())).hasSize(20));
+        var states = table(9, 3, 3).states();
+        assertThat(states.get(1).services())
+                .hasSize(9)
+                .zipSatisfy(states.get(0).services(), (next, service) -> assertThat(next)
+                        .isNotEqualTo(service));
     }
 
     @Test
@@ -60,19 +55,17 @@ class CrowdTableTest {
                 .containsOnly(Service.SPACE_WANDERER);
     }
 
+    private static SubsumptionTable read(int robots) {
+        String states = "\nstate blue : * = spaceWanderer\nstate red : * = spaceWanderer";
+        return SubsumptionTableReader.parse("robots " + robots + states, Path.of("largest"), ServiceCatalogue.standard());
+    }
+
     @Test
     void tableOfTheLargestCrowd_canBeAFile() {
-        String states = "\nstate blue : * = spaceWanderer\nstate red : * = spaceWanderer";
-
-        var table = SubsumptionTableReader.parse(
-                "robots " + CrowdWorld.MOST_ROBOTS + states, Path.of("largest"), ServiceCatalogue.standard());
-
-        assertThat(table.robots()).isEqualTo(CrowdWorld.MOST_ROBOTS);
-        assertThatThrownBy(() -> SubsumptionTableReader.parse(
-                        "robots " + (CrowdWorld.MOST_ROBOTS + 1) + states,
-                        Path.of("larger"),
-                        ServiceCatalogue.standard()))
+        int most = CrowdWorld.MOST_ROBOTS;
+        assertThat(read(most).robots()).isEqualTo(most);
+        assertThatThrownBy(() -> read(most + 1))
                 .isInstanceOf(SubsumptionTableException.class)
-                .hasMessageContaining("a number of robots, 1 to " + CrowdWorld.MOST_ROBOTS);
+                .hasMessageContaining("a number of robots, 1 to " + most);
     }
 }

@@ -2,6 +2,7 @@ package io.troupe.demo.evaluate;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.demo.ParsedSvg;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.demo.svg.Chart;
@@ -13,7 +14,6 @@ import java.util.List;
 import java.util.Locale;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
-import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -21,27 +21,33 @@ class EvaluationFiguresTest {
     private static final int BLUE = 0x4477AA;
     private static final int YELLOW = 0xDDAA33;
     private static final int GREEN = 0x228833;
-
+    private static final List<String> SUBJECTS =
+            List.of(Measurement.FOLLOWER, Measurement.WANDERER, Measurement.BOTH);
     private static final String THIN_LINE = "stroke-width=\"1.2\"";
 
     @TempDir
     private Path out;
 
-    private EvaluationFigures figures(SyntheticMeasurements made) {
-        return new EvaluationFigures(SyntheticMeasurements.settings(out), made.measurements());
+    private final Measurements confirming =
+            SyntheticMeasurements.confirmingThePaper().measurements();
+
+    private EvaluationFigures figures(Measurements measurements) {
+        return new EvaluationFigures(SyntheticMeasurements.settings(out), measurements);
     }
 
-    private static List<String> texts(Chart chart) {
-        return Pattern.compile("<text[^>]*>([^<]*)</text>")
-                .matcher(chart.svg())
-                .results()
-                .map(found -> found.group(1))
-                .toList();
+    private EvaluationFigures figuresOfPromises(boolean realTime, Measurements measurements) {
+        var settings = new Evaluation.Settings(
+                out, 10, List.of(2), List.of(Mode.PROMISE), 1, 0, 10, false, realTime, out.resolve("log"));
+        return new EvaluationFigures(settings, measurements);
+    }
+
+    private static List<String> texts(Chart chart) throws Exception {
+        return ParsedSvg.parse(chart.svg()).texts();
     }
 
     @Test
     void everyFigureOfThePaper_saysWhatItFound_inSeconds() throws Exception {
-        var charts = figures(SyntheticMeasurements.confirmingThePaper()).charts();
+        var charts = figures(confirming).charts();
 
         assertThat(charts.keySet())
                 .containsExactly("evaluation-15", "evaluation-18", "evaluation-21", "evaluation-22", "evaluation-23");
@@ -52,23 +58,17 @@ class EvaluationFiguresTest {
         assertThat(texts(charts.get("evaluation-23")))
                 .contains(title, "Figure 23 of the paper, 1000 loops of each service, on a JVM with 3 cores")
                 .contains("sync", "callback", "promise", "8", "4.01", "4");
-        assertThat(charts.get("evaluation-23").svg())
-                .contains("role=\"img\" aria-label=\"" + title + "\"", "<title>" + title + "</title>");
+        assertThat(ParsedSvg.parse(charts.get("evaluation-23").svg()).title()).isEqualTo(title);
     }
 
     @Test
     void files_arePicturesWithBarsAsHighAsTheNumbers() throws Exception {
-        var names = figures(SyntheticMeasurements.confirmingThePaper()).write(out);
+        var names = figures(confirming).write(out);
         assertThat(names).hasSize(5);
         for (String name : names) {
             var svg = Files.readString(out.resolve(name + ".svg"));
             assertThat(svg).contains("#ddaa33").doesNotContain("NaN");
-            assertThat(DocumentBuilderFactory.newInstance()
-                            .newDocumentBuilder()
-                            .parse(out.resolve(name + ".svg").toFile())
-                            .getDocumentElement()
-                            .getTagName())
-                    .isEqualTo("svg");
+            ParsedSvg.parse(svg);
         }
         BufferedImage all = ImageIO.read(out.resolve("evaluation-23.png").toFile());
         int left = all.getWidth() / 2;
@@ -92,32 +92,22 @@ class EvaluationFiguresTest {
     }
 
     @Test
-    void whatWasMeasuredOnce_hasNoSpread() {
-        var once = new Evaluation.Settings(
-                out, 10, List.of(2), List.of(Mode.PROMISE), 1, 0, 10, false, true, out.resolve("log"));
-        var measured = new Measurements();
+    void whatWasMeasuredOnce_hasNoSpread() throws Exception {
+        var once = new Measurements();
         var often = new Measurements();
         for (int repetition = 1; repetition <= 5; repetition++) {
-            for (var each :
-                    SyntheticMeasurements.confirmingThePaper().measurements().all()) {
+            for (var each : confirming.all()) {
+                double value = each.value() * repetition;
                 var varied = new Measurement(
-                        each.kind(),
-                        each.mode(),
-                        each.cores(),
-                        repetition,
-                        each.subject(),
-                        each.quantity(),
-                        each.value() * repetition);
+                        each.kind(), each.mode(), each.cores(), repetition, each.subject(), each.quantity(), value);
                 often.add(varied);
                 if (repetition == 1) {
-                    measured.add(varied);
+                    once.add(varied);
                 }
             }
         }
-        var single = new EvaluationFigures(once, measured).charts().get("evaluation-21");
-        var repeated = new EvaluationFigures(SyntheticMeasurements.settings(out), often)
-                .charts()
-                .get("evaluation-21");
+        var single = figuresOfPromises(true, once).charts().get("evaluation-21");
+        var repeated = figures(often).charts().get("evaluation-21");
 
         assertThat(texts(single)).contains("Computing time, µs for a loop, measured once");
         assertThat(single.svg()).doesNotContain(THIN_LINE);
@@ -128,7 +118,7 @@ class EvaluationFiguresTest {
     @Test
     void picturesInTheDocumentation_areThoseOfTheTableThere() throws Exception {
         String guide = Files.readString(Path.of("..", "docs", "guide", "11-measurements.md"));
-        var charts = new EvaluationFigures(SyntheticMeasurements.settings(out), documented(guide)).charts();
+        var charts = figures(documented(guide)).charts();
 
         for (int figure : new int[] {15, 22, 23}) {
             String name = "evaluation-" + figure;
@@ -154,20 +144,15 @@ class EvaluationFiguresTest {
             int cores = Integer.parseInt(row.group(2));
             for (int repetition = 1; repetition <= 5; repetition++) {
                 for (int column = 0; column < 3; column++) {
-                    String subject = List.of(Measurement.FOLLOWER, Measurement.WANDERER, Measurement.BOTH)
-                            .get(column);
+                    String subject = SUBJECTS.get(column);
                     int group = 4 + 3 * column + (repetition < 3 ? 1 : repetition == 3 ? 0 : 2);
                     double seconds = Double.parseDouble(column == 2 ? row.group(3) : alone.group(column + 1));
+                    double micros = Double.parseDouble(row.group(group));
+                    var computing = column == 2 ? Quantity.TURN : Quantity.CYCLE;
                     measurements.add(new Measurement(
                             Kind.LOOPS, mode, cores, repetition, subject, Quantity.TIME, 1000 * seconds));
-                    measurements.add(new Measurement(
-                            Kind.LOOPS,
-                            mode,
-                            cores,
-                            repetition,
-                            subject,
-                            column == 2 ? Quantity.TURN : Quantity.CYCLE,
-                            Double.parseDouble(row.group(group))));
+                    measurements.add(
+                            new Measurement(Kind.LOOPS, mode, cores, repetition, subject, computing, micros));
                 }
             }
         }
@@ -177,11 +162,6 @@ class EvaluationFiguresTest {
 
     @Test
     void modesThatWereNotMeasured_haveNoFigure() {
-        var settings = new Evaluation.Settings(
-                out, 10, List.of(2), List.of(Mode.PROMISE), 1, 0, 10, false, false, out.resolve("log"));
-        var charts = new EvaluationFigures(
-                        settings, SyntheticMeasurements.confirmingThePaper().measurements())
-                .charts();
-        assertThat(charts.keySet()).containsExactly("evaluation-21");
+        assertThat(figuresOfPromises(false, confirming).charts()).containsOnlyKeys("evaluation-21");
     }
 }

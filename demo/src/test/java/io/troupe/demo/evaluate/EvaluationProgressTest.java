@@ -17,8 +17,9 @@ class EvaluationProgressTest {
 
     private final ByteArrayOutputStream terminal = new ByteArrayOutputStream();
     private final ManualClock clock = new ManualClock();
-    private final EvaluationProgress progress = new EvaluationProgress(
-            ProgressLine.on(new PrintStream(terminal, true, StandardCharsets.UTF_8), clock::nanos), clock);
+    private final PrintStream stream = new PrintStream(terminal, true, StandardCharsets.UTF_8);
+    private final EvaluationProgress progress =
+            new EvaluationProgress(ProgressLine.on(stream, clock::nanos), clock);
 
     /** The output since the previous call. */
     private String shown() {

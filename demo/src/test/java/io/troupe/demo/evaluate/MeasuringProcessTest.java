@@ -18,8 +18,14 @@ import org.junit.jupiter.params.provider.ValueSource;
 class MeasuringProcessTest {
     private static final Path WORLD = Path.of("worlds", "paper-arena.cfg");
 
+    private static final Job LOOPS = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+
     @TempDir
     private Path directory;
+
+    private MeasuringProcess start(int cores, Path world) throws IOException {
+        return MeasuringProcess.start(cores, world, directory.resolve("log"));
+    }
 
     @Test
     void jobAndValue_areReadAsTheyAreWritten() {
@@ -32,13 +38,12 @@ class MeasuringProcessTest {
 
     @Test
     void jobThatFails_isToldWithItsReason_andTheNextOneIsDone() throws IOException {
-        try (var process = MeasuringProcess.start(2, WORLD, directory.resolve("log"))) {
+        try (var process = start(2, WORLD)) {
             var nobodyThere = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 1);
             assertThatThrownBy(() -> process.measure(nobodyThere))
                     .isInstanceOf(IOException.class)
                     .hasMessageContainingAll("promise mode, loops: ", "127.0.0.1:1 cannot be reached");
-            var fine = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
-            assertThat(process.measure(fine).values()).contains(new Job.Result.Value("both", Quantity.TIME, 200));
+            assertThat(process.measure(LOOPS).values()).contains(new Job.Result.Value("both", Quantity.TIME, 200));
         }
     }
 
@@ -46,17 +51,15 @@ class MeasuringProcessTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 5})
     void jvmThatMeasures_hasAsManyProcessorsAsItIsTold(int cores) throws IOException {
-        try (var process = MeasuringProcess.start(cores, WORLD, directory.resolve("log"))) {
-            var job = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
-            assertThat(process.measure(job).values()).isNotEmpty(); // rejected if the JVM reports another number
+        try (var process = start(cores, WORLD)) {
+            assertThat(process.measure(LOOPS).values()).isNotEmpty(); // rejected if the JVM reports another number
         }
     }
 
     @Test
     void jvmThatEnds_isToldWithItsStatus() throws IOException {
-        try (var process = MeasuringProcess.start(2, directory.resolve("no.world"), directory.resolve("log"))) {
-            var job = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
-            assertThatThrownBy(() -> process.measure(job))
+        try (var process = start(2, directory.resolve("no.world"))) {
+            assertThatThrownBy(() -> process.measure(LOOPS))
                     .isInstanceOf(IOException.class)
                     .hasMessageContaining("the JVM that measures (told 2 cores) has ended: exit status 1, see "
                             + directory.resolve("log"));

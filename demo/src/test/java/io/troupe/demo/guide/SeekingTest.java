@@ -41,29 +41,25 @@ class SeekingTest {
             """;
 
     private static Snapshot run(Mode mode, String things, int seconds, Service... services) throws Exception {
+        var scenario = ScenarioReader.readText(ROBOTS + things, Path.of("worlds", "field.world"));
         var table = SubsumptionTable.forRobots(services.length)
                 .when(NamedColours.BLUE, services)
                 .allowFinal()
                 .build();
-        var scenario = ScenarioReader.readText(ROBOTS + things, Path.of("worlds", "field.world"));
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT)) {
-            var settings = new SubsumptionRun.Settings(
-                    mode, "localhost", 6665, table, simulation.clock(), ServiceObserver.NONE, (state, seenBy) -> {});
-            try (var run = SubsumptionRun.start(settings)) {
-                for (int tick = 0; tick < 10 * seconds; tick++) {
-                    simulation.tick();
-                    run.check();
-                }
-                return simulation.latest();
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+                var run = SubsumptionRun.start(new SubsumptionRun.Settings(
+                        mode, "localhost", 6665, table, simulation.clock(), ServiceObserver.NONE, (state, by) -> {}))) {
+            for (int tick = 0; tick < 10 * seconds; tick++) {
+                simulation.tick();
+                run.check();
             }
+            return simulation.latest();
         }
     }
 
     private static Service declared(String declaration) {
-        ServiceCatalogue catalogue = ServiceCatalogue.standard();
-        for (var kind : new SeekingKinds().kinds()) {
-            catalogue = catalogue.with(kind);
-        }
+        var kinds = new SeekingKinds().kinds();
+        var catalogue = ServiceCatalogue.standard().with(kinds.get(0)).with(kinds.get(1));
         return SubsumptionTableReader.service(declaration, catalogue);
     }
 

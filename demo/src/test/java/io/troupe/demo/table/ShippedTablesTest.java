@@ -15,7 +15,6 @@ import io.troupe.services.subsumption.SubsumptionTableWriter;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.model.Pose;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -33,7 +32,6 @@ import org.junit.jupiter.api.Timeout;
 class ShippedTablesTest {
     private static final Path TABLES = Path.of("tables");
     private static final Path WORLD = Path.of("worlds", "paper-arena.world");
-    private static final int PORT = 6665;
 
     /** Records a run. The services' thread writes it while the world waits for them. */
     private static final class Recorder implements ServiceObserver, Arbitrator.StateListener {
@@ -42,8 +40,10 @@ class ShippedTablesTest {
         final int[] inCharge = new int[2];
         private @Nullable Snapshot end;
 
-        Snapshot end() {
-            return Objects.requireNonNull(end);
+        /** The distance of a robot from a point. */
+        double metresAtTheEnd(int robot, double x, double y) {
+            var pose = Objects.requireNonNull(end).robots().get(robot).pose();
+            return Math.hypot(pose.x() - x, pose.y() - y);
         }
 
         @Override
@@ -53,8 +53,7 @@ class ShippedTablesTest {
 
         @Override
         public void serviceStarted(int robot, Service service) {
-            inCharge[robot]++;
-            assertThat(inCharge[robot]).isEqualTo(1);
+            assertThat(++inCharge[robot]).isEqualTo(1);
         }
 
         @Override
@@ -68,12 +67,15 @@ class ShippedTablesTest {
         }
     }
 
+    private static SubsumptionTable read(String text) {
+        return SubsumptionTableReader.parse(text, Path.of("text"), ServiceCatalogue.standard());
+    }
+
     private static Recorder run(SubsumptionTable table, int seconds) throws Exception {
         var recorder = new Recorder();
-        var settings = WorldSettings.DEFAULT.withSeed(1);
-        try (var simulation = Simulation.open(ScenarioReader.read(WORLD), settings);
+        try (var simulation = Simulation.open(ScenarioReader.read(WORLD), WorldSettings.DEFAULT.withSeed(1));
                 var run = SubsumptionRun.start(new SubsumptionRun.Settings(
-                        Mode.PROMISE, "localhost", PORT, table, simulation.clock(), recorder, recorder))) {
+                        Mode.PROMISE, "localhost", 6665, table, simulation.clock(), recorder, recorder))) {
             while (simulation.timeMicros() < seconds * 1_000_000L) {
                 simulation.tick();
                 run.check();
@@ -102,22 +104,16 @@ class ShippedTablesTest {
 
     @Test
     void goalsOfATable_areReached_roundAnInnerWall() throws Exception {
-        SubsumptionTable table = SubsumptionTableReader.parse("""
+        Recorder recorder = run(read("""
                 robots 2
                 allow final
                 service there = goToGoal(-1.4, 2.1; within 0.1)
                 service round = goToGoal(3.3, -1; -0.2, -4; within 0.1)
                 state blue : avoid > round, avoid > there
-                """, Path.of("goals"), ServiceCatalogue.standard());
-        Recorder recorder = run(table, 90);
-        var poses = recorder.end().robots();
-        assertThat(distance(poses.get(0).pose(), 0.0, -3.0)).isLessThan(0.2);
-        assertThat(distance(poses.get(1).pose(), 4.4, -2.6)).isLessThan(0.2);
+                """), 90);
+        assertThat(recorder.metresAtTheEnd(0, 0.0, -3.0)).isLessThan(0.2);
+        assertThat(recorder.metresAtTheEnd(1, 4.4, -2.6)).isLessThan(0.2);
         assertThat(recorder.states).containsExactly(1);
-    }
-
-    private static double distance(Pose pose, double x, double y) {
-        return Math.hypot(pose.x() - x, pose.y() - y);
     }
 
     @Test
@@ -128,9 +124,7 @@ class ShippedTablesTest {
             assertThat(tables).hasSizeGreaterThanOrEqualTo(2);
             for (Path file : tables) {
                 SubsumptionTable table = SubsumptionTableReader.read(file);
-                assertThat(SubsumptionTableReader.parse(
-                                SubsumptionTableWriter.write(table), Path.of("again"), ServiceCatalogue.standard()))
-                        .isEqualTo(table);
+                assertThat(read(SubsumptionTableWriter.write(table))).isEqualTo(table);
             }
         }
     }

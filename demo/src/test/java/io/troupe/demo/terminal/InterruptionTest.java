@@ -6,7 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -15,10 +14,10 @@ class InterruptionTest {
     private final Interruption interruption = Interruption.none();
 
     @Test
-    void request_isNoticedByAllWaysToLook() {
+    void request_isNoticedByAllWaysToLook_andALateListenerRunsAtOnce() {
         interruption.check();
         assertThat(interruption.isRequestedWithin(Duration.ZERO)).isFalse();
-        List<String> log = new ArrayList<>();
+        var log = new ArrayList<String>();
         interruption.onRequest(() -> log.add("asked"));
 
         interruption.request();
@@ -27,27 +26,19 @@ class InterruptionTest {
         assertThat(interruption.isRequestedWithin(Duration.ZERO)).isTrue();
         assertThat(log).containsExactly("asked");
         assertThatThrownBy(interruption::check).isInstanceOf(InterruptedCommand.class);
+
+        interruption.onRequest(() -> log.add("late"));
+        assertThat(log).containsExactly("asked", "late");
     }
 
     @Test
-    void actionOfALateListener_runsAtOnce() {
-        interruption.request();
-        List<String> log = new ArrayList<>();
-        interruption.onRequest(() -> log.add("asked"));
-        assertThat(log).containsExactly("asked");
-    }
-
-    @Test
-    void waitForARequest_endsWithTheRequest() throws Exception {
-        var waiting = Thread.ofPlatform().start(interruption::request);
-        assertThat(interruption.isRequestedWithin(Duration.ofHours(1))).isTrue(); // returns at once
-        waiting.join();
-    }
-
-    @Test
-    void waitForARequest_endsWhenItsThreadIsInterrupted() {
+    void waitForARequest_endsWithTheRequest_orWhenItsThreadIsInterrupted() throws Exception {
         Thread.currentThread().interrupt();
         assertThat(interruption.isRequestedWithin(Duration.ofHours(1))).isFalse();
         assertThat(Thread.interrupted()).isTrue();
+
+        var waiting = Thread.ofPlatform().start(interruption::request);
+        assertThat(interruption.isRequestedWithin(Duration.ofHours(1))).isTrue(); // returns at once
+        waiting.join();
     }
 }

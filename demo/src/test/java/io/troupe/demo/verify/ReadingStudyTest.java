@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.demo.verify.ReadingStudy.Statement;
 import io.troupe.petri.PaperNets.Reading;
+import io.troupe.petri.PetriNetBuilder;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
@@ -22,12 +23,8 @@ class ReadingStudyTest {
     }
 
     @Test
-    void readingA_allStatementsHold() {
+    void statements_allHold_butInReadingBTheNumberOfSiphons() {
         assertThat(A.statements()).hasSize(12).allMatch(Statement::holds);
-    }
-
-    @Test
-    void readingB_allStatementsHoldButTheNumberOfSiphons() {
         assertThat(B.statements())
                 .filteredOn(each -> !each.holds())
                 .singleElement()
@@ -56,7 +53,7 @@ class ReadingStudyTest {
     }
 
     @Test
-    void deadlock_ofReadingA_isToldInWords() {
+    void deadlock_isToldInWords_andOfReadingBThePartialOneToo() {
         var statement = statement(A, "has a deadlock");
 
         assertThat(statement.ours()).isEqualTo("6 of 1264 reachable markings are dead");
@@ -64,10 +61,6 @@ class ReadingStudyTest {
                 .contains("{P1, M1, S10, R7''} after 14 firings", " 7. Tp4     player stops")
                 .contains("never left again once marked together: [M1, S10], in 36 markings, first after 6 firings")
                 .noneMatch(line -> line.contains("partial deadlock"));
-    }
-
-    @Test
-    void deadlock_ofReadingB_tellsOfThePartialOneToo() {
         assertThat(statement(B, "has a deadlock").details())
                 .anyMatch(line -> line.startsWith("besides, a partial deadlock: 8 markings"));
     }
@@ -84,87 +77,59 @@ class ReadingStudyTest {
 
     @Test
     void lowPriority_removesTheDeadlockAndTheStop() {
-        assertThat(statement(A, "lower priority").ours())
-                .isEqualTo(
-                        "360 markings, 0 dead; stops that ever fire: none; R10 is never marked; terminal components: 1");
+        String expected =
+                "360 markings, 0 dead; stops that ever fire: none; R10 is never marked; terminal components: 1";
+        assertThat(statement(A, "lower priority").ours()).isEqualTo(expected);
     }
 
     @Test
     void correctedNet_mustStopOnceRobotWantsTo() {
-        assertThat(statement(A, "no other path").ours())
-                .isEqualTo(
-                        "R10 is marked in 69 markings, and Tstop may fire in 1 of all; from R10 every way leads to it,"
-                                + " after at most 21 other firings");
-        assertThat(statement(A, "no other path").details())
-                .singleElement()
-                .asString()
-                .contains("after 27 firings");
+        var statement = statement(A, "no other path");
+        assertThat(statement.ours())
+                .isEqualTo("R10 is marked in 69 markings, and Tstop may fire in 1 of all; from R10 every way leads to"
+                        + " it, after at most 21 other firings");
+        assertThat(statement.details()).singleElement().asString().contains("after 27 firings");
+    }
+
+    /** Returns what is said of a corrected statement that does not hold for a net. */
+    private static String refuted(PetriNetBuilder net, int statement) {
+        var judged = new CorrectedStatements(NetStudy.of(net.build())).all().get(statement);
+        assertThat(judged.holds()).isFalse();
+        return judged.ours();
+    }
+
+    private static PetriNetBuilder corrected() {
+        return A.corrected().net().toBuilder();
     }
 
     @Test
-    void inevitability_ofANetInWhichRobotNeedNotStop_doesNotHold() {
+    void inevitability_ofANetInWhichRobotNeedNotStop_orNeverWantsTo_doesNotHold() {
         // Tstop is the only way on from R10; with a cycle beside it, it need never fire
-        var net = A.corrected().net().toBuilder()
-                .transition("idle", List.of("R10", "M4"), List.of("R10", "M4"))
-                .build();
+        var idle = corrected().transition("idle", List.of("R10", "M4"), List.of("R10", "M4"));
+        assertThat(refuted(idle, 0)).endsWith("not every way from R10 leads to it");
 
-        var statements = new CorrectedStatements(NetStudy.of(net)).all();
-
-        assertThat(statements.get(0).holds()).isFalse();
-        assertThat(statements.get(0).ours()).endsWith("not every way from R10 leads to it");
-    }
-
-    @Test
-    void inevitability_ofANetInWhichRobotChangesItsMind_doesNotHold() {
         // no cycle avoids Tstop while R10 is marked, but another transition takes its token
-        var net = A.corrected().net().toBuilder()
-                .transition("back", List.of("R10"), List.of("R5"))
-                .build();
+        refuted(corrected().transition("back", List.of("R10"), List.of("R5")), 0);
 
-        var statements = new CorrectedStatements(NetStudy.of(net)).all();
-
-        assertThat(statements.get(0).holds()).isFalse();
-    }
-
-    @Test
-    void inevitability_ofANetInWhichRobotNeverWantsToStop_doesNotHold() {
-        var net = A.corrected().net().toBuilder()
+        var never = corrected()
                 .remove("Tr6")
                 .transition("other", List.of("R9"), List.of("R9"))
-                .transition("Tr6", List.of("R9", "R10"), List.of("R10"))
-                .build();
-
-        var statements = new CorrectedStatements(NetStudy.of(net)).all();
-
-        assertThat(statements.get(0).ours()).startsWith("R10 is marked in 0 markings");
-        assertThat(statements.get(0).holds()).isFalse();
-        assertThat(statements.get(3).holds()).isFalse();
+                .transition("Tr6", List.of("R9", "R10"), List.of("R10"));
+        assertThat(refuted(never, 0)).startsWith("R10 is marked in 0 markings");
+        refuted(never, 3);
     }
 
     /** Still only Tstop puts tokens back on P1, but player does not need it to give proxies again. */
     @Test
     void oneTimeOnly_ofANetInWhichRobotMayAskAgain_doesNotHold() {
-        var net = A.corrected().net().toBuilder()
-                .transition("ask again", List.of("R5", "P4"), List.of("R4''", "P2''"))
-                .build();
-
-        var statements = new CorrectedStatements(NetStudy.of(net)).all();
-
-        assertThat(statements.get(1).holds()).isFalse();
-        assertThat(statements.get(1).ours()).endsWith("without Tstop between: [Trp2'']");
+        var net = corrected().transition("ask again", List.of("R5", "P4"), List.of("R4''", "P2''"));
+        assertThat(refuted(net, 1)).endsWith("without Tstop between: [Trp2'']");
     }
 
     /** The statement is about the given net, not about the paper's. */
     @Test
     void deadlockFreedom_ofANetWithoutIt_isNotSaidToBeProved() {
-        var net = A.corrected().net().toBuilder()
-                .place("gone")
-                .transition("leave", List.of("R10"), List.of("gone"))
-                .build();
-
-        var statements = new CorrectedStatements(NetStudy.of(net)).all();
-
-        assertThat(statements.get(4).holds()).isFalse();
-        assertThat(statements.get(4).ours()).endsWith("its siphons alone do not prove it");
+        var net = corrected().place("gone").transition("leave", List.of("R10"), List.of("gone"));
+        assertThat(refuted(net, 4)).endsWith("its siphons alone do not prove it");
     }
 }

@@ -2,56 +2,44 @@ package io.troupe.demo.verify;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.demo.CommandLineBench;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
-class VerifyCommandTest {
-    @TempDir
-    private Path directory;
+class VerifyCommandTest extends CommandLineBench {
+    private PetriNet written(String name) {
+        return Pnml.read(directory.resolve(name + ".pnml"));
+    }
 
-    private final StringWriter out = new StringWriter();
-
-    private int verify(String... arguments) {
-        return new CommandLine(new VerifyCommand())
-                .setOut(new PrintWriter(out))
-                .setErr(new PrintWriter(out))
-                .execute(arguments);
+    private void assertWritten(Stream<String> names) {
+        assertThat(names)
+                .isNotEmpty()
+                .allSatisfy(name -> assertThat(directory.resolve(name)).isNotEmptyFile());
     }
 
     @Test
     void verify_printsBothSidesAndWritesNetsDrawingsAndReport() throws IOException {
-        assertThat(verify("--robots", "2", "--out", directory.toString())).isZero();
-
-        assertThat(out.toString())
+        assertThat(printed("verify --robots 2 --out DIR"))
                 .contains(
                         "holds   5.5.4: there are 44 minimal siphons\n          ours: 44 minimal siphons",
                         "DIFFERS 5.5.4: there are 44 minimal siphons\n          ours: 36 minimal siphons",
                         "2 robots: 18 dead",
                         "a colour is a promise: proved free of deadlock");
         for (var reading : Reading.values()) {
-            assertThat(Pnml.read(directory.resolve("uncorrected-" + reading + ".pnml"))
-                            .sameStructureAs(PaperNets.uncorrected(reading)))
+            assertThat(written("uncorrected-" + reading).sameStructureAs(PaperNets.uncorrected(reading)))
                     .isTrue();
-            assertThat(Pnml.read(directory.resolve("corrected-" + reading + ".pnml"))
-                            .sameStructureAs(PaperNets.corrected(reading)))
+            assertThat(written("corrected-" + reading).sameStructureAs(PaperNets.corrected(reading)))
                     .isTrue();
-            assertThat(directory.resolve("deadlock-" + reading + ".svg")).isNotEmptyFile();
-            assertThat(directory.resolve("graph-uncorrected-" + reading + ".svg"))
-                    .isNotEmptyFile();
-            assertThat(directory.resolve("graph-robot-player-" + reading + ".dot"))
-                    .isNotEmptyFile();
+            assertWritten(Stream.of("deadlock-%s.svg", "graph-uncorrected-%s.svg", "graph-robot-player-%s.dot")
+                    .map(name -> name.formatted(reading)));
         }
         for (var name : List.of("corrected-A.svg", "graph-robot-player-A.svg")) {
             assertThat(directory.resolve(name))
@@ -67,17 +55,16 @@ class VerifyCommandTest {
                         "service1 waits for arbitrator.colour; arbitrator waits for service1.stop");
     }
 
+    /** Returns the exit status; only what is printed now is kept. */
+    private int verify(PetriNet net, String options) {
+        out.getBuffer().setLength(0);
+        Pnml.write(net, directory.resolve("net.pnml"));
+        return troupe("verify --net DIR/net.pnml --out DIR " + options);
+    }
+
     @Test
     void verify_ofAFile_tellsWhatIsKnownOfIt() {
-        var file = directory.resolve("mine.pnml");
-        Pnml.write(PaperNets.uncorrected(Reading.A), file);
-
-        assertThat(verify(
-                        "--net",
-                        file.toString(),
-                        "--out",
-                        directory.resolve("o").toString()))
-                .isEqualTo(1);
+        assertThat(verify(PaperNets.uncorrected(Reading.A), "")).isEqualTo(1);
 
         assertThat(out.toString())
                 .startsWith("uncorrected A: can deadlock: 6 dead markings, the nearest {P1, M1, S10, R7''} after [")
@@ -85,37 +72,20 @@ class VerifyCommandTest {
                         "1264 markings, 3706 edges, all of them",
                         "dead markings: 6, the nearest {P1, M1, S10, R7''}",
                         "live NO, reversible NO",
-                        "44 minimal siphons: 20 of them may perhaps be emptied, which decides nothing by itself");
-        var o = directory.resolve("o");
-        assertThat(out.toString())
-                .endsWith("wrote, as .dot and .svg: " + o.resolve("mine") + ", " + o.resolve("mine-deadlock") + ", "
-                        + o.resolve("mine-graph") + "\n");
-        assertThat(directory.resolve("o/mine.svg")).isNotEmptyFile();
-        assertThat(directory.resolve("o/mine-deadlock.svg")).isNotEmptyFile();
-        assertThat(directory.resolve("o/mine-graph.dot")).isNotEmptyFile();
-    }
-
-    private int verify(PetriNet net, String... options) {
-        var file = directory.resolve("net.pnml");
-        Pnml.write(net, file);
-        var arguments = new ArrayList<>(List.of("--net", file.toString(), "--out", directory.toString()));
-        arguments.addAll(List.of(options));
-        return verify(arguments.toArray(String[]::new));
+                        "44 minimal siphons: 20 of them may perhaps be emptied, which decides nothing by itself")
+                .endsWith(local("wrote, as .dot and .svg: DIR/net, DIR/net-deadlock, DIR/net-graph\n"));
+        assertWritten(Stream.of("net.svg", "net-deadlock.svg", "net-graph.dot"));
     }
 
     @Test
     void exitStatus_tellsTheVerdict() {
-        assertThat(verify(PaperNets.corrected(Reading.A))).isZero();
+        assertThat(verify(PaperNets.corrected(Reading.A), "")).isZero();
         assertThat(out.toString()).startsWith("corrected A: proved: no reachable marking is dead (");
-        assertThat(verify(PaperNets.uncorrected(Reading.A))).isEqualTo(1);
-        assertThat(verify(PaperNets.uncorrected(Reading.A), "--time", "0.000001"))
-                .isEqualTo(3);
+        assertThat(verify(PaperNets.uncorrected(Reading.A), "--time 0.000001")).isEqualTo(3);
         assertThat(out.toString())
                 .contains("uncorrected A: not known whether it can deadlock: no dead marking among 1 by stubborn sets,"
                         + " then half of the 0.000001 s was over (--time)\n");
-        out.getBuffer().setLength(0);
-        assertThat(verify("--help")).isZero();
-        assertThat(out.toString().replaceAll("\\s+", " "))
+        assertThat(printed("verify --help").replaceAll("\\s+", " "))
                 .contains(
                         "0 done; with --net: proved",
                         "1 failed; with --net: the net can deadlock",
@@ -129,7 +99,7 @@ class VerifyCommandTest {
         var net = PetriNet.builder("growing").place("a", 2).place("many").transition("t");
         net.arc("a", "t", 2).arc("t", "a", 2).arc("t", "many");
 
-        assertThat(verify(net.build(), "--memory", "1")).isEqualTo(3);
+        assertThat(verify(net.build(), "--memory 1")).isEqualTo(3);
         assertThat(out.toString())
                 .contains(
                         "growing: not known whether it can deadlock: no dead marking among ",
@@ -142,7 +112,7 @@ class VerifyCommandTest {
         var net = PetriNet.builder("growing").place("a", 1).place("many");
         net.transition("t", List.of("a"), List.of("a", "many"));
 
-        assertThat(verify(net.build(), "--memory", "1")).isZero();
+        assertThat(verify(net.build(), "--memory 1")).isZero();
         assertThat(out.toString()).startsWith("growing: proved: no reachable marking is dead (by its siphons; ");
     }
 
@@ -152,7 +122,7 @@ class VerifyCommandTest {
         var net = PetriNet.builder("ends").place("on", 1).place("off").place("many");
         net.transition("go", List.of("on"), List.of("on", "many")).transition("end", List.of("on"), List.of("off"));
 
-        assertThat(verify(net.build(), "--memory", "4")).isEqualTo(1);
+        assertThat(verify(net.build(), "--memory 4")).isEqualTo(1);
         assertThat(out.toString())
                 .containsPattern("ends: can deadlock: \\d{4,} dead markings so far, the nearest \\{off} after \\[end]");
         assertThat(out.toString().lines()).hasSizeLessThan(50);
@@ -169,13 +139,12 @@ class VerifyCommandTest {
             net.transition("t" + i, List.of("p" + i), List.of("p" + (i + 1) % 300));
         }
 
-        assertThat(verify(net.build(), "--time", "3600")).isZero();
+        assertThat(verify(net.build(), "--time 3600")).isZero();
         assertThat(out.toString())
                 .startsWith("ring: proved: no reachable marking is dead (300 markings by stubborn sets)\n")
-                .contains(
-                        "no .svg of the net, which has 600 places and transitions (drawn up to 400)",
-                        "wrote, as .dot: " + directory.resolve("net"));
-        assertThat(directory.resolve("net.dot")).isNotEmptyFile();
+                .contains("no .svg of the net, which has 600 places and transitions (drawn up to 400)")
+                .contains(local("wrote, as .dot: DIR/net"));
+        assertWritten(Stream.of("net.dot"));
         assertThat(directory.resolve("net.svg")).doesNotExist();
     }
 
@@ -183,7 +152,7 @@ class VerifyCommandTest {
     void verdict_standsAlthoughNoPictureCanBeWritten() throws IOException {
         Files.createDirectory(directory.resolve("net.dot"));
 
-        assertThat(verify(PaperNets.corrected(Reading.A))).isZero();
+        assertThat(verify(PaperNets.corrected(Reading.A), "")).isZero();
         assertThat(out.toString())
                 .startsWith("corrected A: proved")
                 .contains("troupe: the pictures cannot be written: ");
@@ -191,25 +160,15 @@ class VerifyCommandTest {
 
     @Test
     void fileOfAnotherTool_isReadWithAWarning() throws IOException {
-        var file = Files.writeString(
-                directory.resolve("other.pnml"), "<pnml><net id='n' type='PTNet'><transition id='t'/></net></pnml>");
-
-        assertThat(verify("--net", file.toString(), "--out", directory.toString()))
-                .isZero();
-        assertThat(out.toString()).startsWith("troupe: warning: " + file + ":1: the namespace is \"\"");
+        file("other.pnml", "<pnml><net id='n' type='PTNet'><transition id='t'/></net></pnml>");
+        assertThat(printed("verify --net DIR/other.pnml --out DIR"))
+                .startsWith(local("troupe: warning: DIR/other.pnml:1: the namespace is \"\""));
     }
 
     @Test
     void limits_outOfRange_areRefused() {
-        assertThat(verify("--time", "0")).isEqualTo(2);
-        assertThat(out.toString()).contains("--time is 0.0, expected seconds above 0, up to 1000000");
-        assertThat(verify("--memory", "0")).isEqualTo(2);
-        assertThat(out.toString()).contains("--memory is 0, expected MiB, 1 or more");
-    }
-
-    @Test
-    void robots_outOfRange_areRefused() {
-        assertThat(verify("--robots", "0")).isEqualTo(2);
-        assertThat(out.toString()).contains("--robots is 0, expected a number from 1 to 7");
+        assertRefused("verify --time 0", "--time is 0.0, expected seconds above 0, up to 1000000");
+        assertRefused("verify --memory 0", "--memory is 0, expected MiB, 1 or more");
+        assertRefused("verify --robots 0", "--robots is 0, expected a number from 1 to 7");
     }
 }

@@ -1,6 +1,7 @@
 package io.troupe.demo.evaluate;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.demo.evaluate.Measurement.Quantity;
@@ -8,8 +9,11 @@ import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
 import org.junit.jupiter.api.Test;
 
-/** With a manual robots' clock: computing takes no time, and each command takes effect for 100 ms. */
-class LoopMeterTest {
+/**
+ * Loops with a manual robots' clock, where computing takes no time and each command takes effect for 100 ms; averages
+ * of durations, and ratios, compared with values calculated by hand.
+ */
+class MeterTest {
     private static final int FOLLOWER = 0;
     private static final int WANDERER = 1;
     private static final State STATE = JobRunner.oneState().first();
@@ -53,8 +57,14 @@ class LoopMeterTest {
                 .sum();
     }
 
-    private static double timeMs(LoopMeter meter, int robot) {
-        return value(meter, STATE.services().get(robot).name(), Quantity.TIME);
+    private static void assertTimesMs(LoopMeter meter, double follower, double wanderer, double both) {
+        assertThat(value(meter, Measurement.FOLLOWER, Quantity.TIME)).isEqualTo(follower);
+        assertThat(value(meter, Measurement.WANDERER, Quantity.TIME)).isEqualTo(wanderer);
+        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(both);
+    }
+
+    private static double intervalMs(LoopMeter meter, int robot) {
+        return value(meter, STATE.services().get(robot).name(), Quantity.INTERVAL);
     }
 
     @Test
@@ -64,9 +74,7 @@ class LoopMeterTest {
             cycles(meter, FOLLOWER, at);
             cycles(meter, WANDERER, at);
         }
-        assertThat(timeMs(meter, FOLLOWER)).isEqualTo(330); // from 7 s to 7.33 s
-        assertThat(timeMs(meter, WANDERER)).isEqualTo(330);
-        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(330);
+        assertTimesMs(meter, 330, 330, 330); // from 7 s to 7.33 s
     }
 
     @Test
@@ -76,11 +84,9 @@ class LoopMeterTest {
             cycles(meter, FOLLOWER, at);
             cycles(meter, WANDERER, at + 100);
         }
-        assertThat(timeMs(meter, FOLLOWER)).isEqualTo(330);
-        assertThat(timeMs(meter, WANDERER)).isEqualTo(300);
-        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(630); // the sum, as in the paper
-        assertThat(value(meter, "wallFollower", Quantity.INTERVAL)).isEqualTo(200);
-        assertThat(value(meter, "spaceWanderer", Quantity.INTERVAL)).isEqualTo(200);
+        assertTimesMs(meter, 330, 300, 630); // the sum, as in the paper
+        assertThat(intervalMs(meter, FOLLOWER)).isEqualTo(200);
+        assertThat(intervalMs(meter, WANDERER)).isEqualTo(200);
     }
 
     @Test
@@ -88,10 +94,10 @@ class LoopMeterTest {
         LoopMeter meter = connected(Mode.CALLBACK, 4);
         cycles(meter, FOLLOWER, 7000, 7100, 7200, 7500);
         cycles(meter, WANDERER, 7500, 7550, 7600, 7650);
-        assertThat(value(meter, "wallFollower", Quantity.INTERVAL)).isEqualTo(100);
+        assertThat(intervalMs(meter, FOLLOWER)).isEqualTo(100);
         // of 100, 100 and 300 ms, interpolated between the two longest
         assertThat(value(meter, "wallFollower", Quantity.INTERVAL_P99)).isCloseTo(296, within(1e-9));
-        assertThat(value(meter, "spaceWanderer", Quantity.INTERVAL)).isEqualTo(50);
+        assertThat(intervalMs(meter, WANDERER)).isEqualTo(50);
     }
 
     @Test
@@ -104,9 +110,31 @@ class LoopMeterTest {
         cycles(meter, WANDERER, 8100);
         assertThat(meter.isDone()).isTrue();
         cycles(meter, WANDERER, 9000);
-        assertThat(timeMs(meter, FOLLOWER)).isEqualTo(200);
-        assertThat(timeMs(meter, WANDERER)).isEqualTo(1200);
-        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(1200);
-        assertThat(value(meter, "wallFollower", Quantity.INTERVAL)).isEqualTo(100);
+        assertTimesMs(meter, 200, 1200, 1200);
+        assertThat(intervalMs(meter, FOLLOWER)).isEqualTo(100);
+    }
+
+    @Test
+    void trimmedMean_leavesOutTheLongestHundredth_ofFewNothing() {
+        var many = new Meter.Durations();
+        for (int i = 0; i < 198; i++) {
+            many.add(i % 2 == 0 ? 1_000 : 3_000);
+        }
+        many.add(1_000_000);
+        many.add(2_000_000);
+        assertThat(many.trimmedMean(1_000)).isEqualTo(2);
+        assertThat(many.quantile(0.5, 1_000)).isEqualTo(3);
+        var few = new Meter.Durations();
+        few.add(1);
+        few.add(6);
+        assertThat(few.trimmedMean(1)).isEqualTo(3.5);
+    }
+
+    @Test
+    void ratios_areOfTheSameRepetition() {
+        assertThat(Measurements.ratios(new double[] {2, 9}, new double[] {1, 3}))
+                .containsExactly(2, 3);
+        assertThatThrownBy(() -> Measurements.ratios(new double[2], new double[1]))
+                .hasMessage("2 numerators, expected 1 as there are denominators");
     }
 }

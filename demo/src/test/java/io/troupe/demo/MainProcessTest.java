@@ -1,0 +1,186 @@
+package io.troupe.demo;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assumptions.assumeThat;
+
+import io.troupe.petri.PaperNets;
+import io.troupe.petri.PaperNets.Reading;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.Pnml;
+import io.troupe.sim.World;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.worldfile.ScenarioReader;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.regex.Pattern;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.DisabledOnOs;
+import org.junit.jupiter.api.condition.OS;
+
+/** Commands in a JVM of their own that are interrupted, and commands whose output goes to {@code /dev/full}. */
+@Timeout(300)
+@DisabledOnOs(OS.WINDOWS)
+class MainProcessTest extends CommandLineBench {
+    private static final int TERMINATED = 128 + 15;
+    private static final Path FULL = Path.of("/dev/full");
+
+    /**
+     * Interrupts a command after the first line in which the marker is found; it must print a line of each of the
+     * patterns. The signal is SIGTERM: the virtual machine handles it like SIGINT, and no shell makes background
+     * processes ignore it.
+     */
+    private void assertInterrupted(String marker, String arguments, String... patterns) throws Exception {
+        var process = jvm("-Dtroupe.progress.seconds=0", Main.class, words(arguments))
+                .redirectErrorStream(true)
+                .start();
+        var lines = new ArrayList<String>();
+        try (var output = process.inputReader()) {
+            var found = Pattern.compile(marker);
+            for (String line = output.readLine(); line != null; line = output.readLine()) {
+                if (found != null && found.matcher(line).find()) {
+                    process.toHandle().destroy(); // process.destroy() closes its output as well
+                    found = null;
+                }
+                if (!line.startsWith("troupe: [")) {
+                    lines.add(line);
+                }
+            }
+        } finally {
+            process.destroyForcibly();
+        }
+        assertThat(process.waitFor()).as(String.join("\n", lines)).isEqualTo(TERMINATED);
+        assertThat(patterns)
+                .isNotEmpty()
+                .allSatisfy(pattern -> assertThat(lines).anyMatch(line -> line.matches(pattern)));
+    }
+
+    private void assertCutShort(String log) {
+        assertThat(directory.resolve(log)).content().endsWith(",\"cutShort\":\"interrupted\"}\n");
+    }
+
+    private void assertMissing(String... names) {
+        assertThat(names)
+                .allSatisfy(name -> assertThat(directory.resolve(name)).doesNotExist());
+    }
+
+    @Test
+    void run_printsItsSummary_andItsLogSaysThatItWasCutShort() throws Exception {
+        String run = "run " + ARENA + "--seconds 100000 --out DIR";
+        assertInterrupted("\\] +[0-9.]+ of 100000", run, "distance driven.*", "interrupted: .*");
+        assertCutShort("run.jsonl");
+    }
+
+    @Test
+    void modes_printWhatTheyHave_andDrawNothing() throws Exception {
+        String modes = "modes " + ARENA + "--seconds 100000 --out DIR";
+        assertInterrupted(
+                "sync mode \\[", modes, "0 +0\\.0 s 1: start", "interrupted: there is no comparison.*");
+        assertCutShort("run-sync.jsonl");
+        assertMissing("run-promise.jsonl", "modes.svg");
+    }
+
+    @Test
+    void crowd_printsAndWritesTheMeasurementsSoFar() throws Exception {
+        assertInterrupted(
+                "round 3 of 1000",
+                "crowd --sizes 1 --seconds 0.1 --repeat 1000 --out DIR",
+                "interrupted: [0-9]+ measurements of 1000",
+                ".*times real time.*");
+        assertThat(Files.readAllLines(directory.resolve("crowd.csv"))).hasSizeGreaterThanOrEqualTo(3);
+    }
+
+    @Test
+    void evaluate_printsWhatCompleteRepetitionsSay_andWritesAllThatWasMeasured() throws Exception {
+        assertInterrupted(
+                "\\] +[2-9] %",
+                "evaluate --world worlds/paper-arena.cfg --loops 2 --cores 2 --repetitions 100 --warm-up 0"
+                        + " --seconds 0.5 --out DIR",
+                "The paper, and what we find",
+                "interrupted: [1-9][0-9]? of 100 repetitions were complete",
+                "wrote [0-9]+ numbers, all that was measured, to .*evaluation\\.csv.*");
+        assertThat(Files.readAllLines(directory.resolve("evaluation.csv"))).hasSizeGreaterThan(10);
+        assertMissing("evaluation-15.svg", "evaluation.log");
+    }
+
+    @Test
+    void verifyOfANet_hasPrintedWhatItKnows_andDrawsNothing() throws Exception {
+        var net = PetriNet.builder("growing").place("a", 2).place("many").transition("t");
+        net.arc("a", "t", 2).arc("t", "a", 2).arc("t", "many"); // a weight of 2, so that siphons decide nothing
+        Pnml.write(net.build(), directory.resolve("growing.pnml"));
+        assertInterrupted(
+                "markings, [0-9]+ visited",
+                "verify --net DIR/growing.pnml --time 3600 --out DIR",
+                "interrupted: what was known until then stands above.*");
+        assertMissing("growing.svg");
+    }
+
+    @Test
+    void verify_hasPrintedWhatItKnows_andWritesNoReport() throws Exception {
+        String interrupted = "interrupted: what was known until then stands above.*";
+        assertInterrupted("^More robots", "verify --robots 7 --out DIR", "  holds .*", interrupted);
+        assertMissing("verify.md");
+    }
+
+    @Test
+    void app_endsItsComponentsAndSaysHowFarItCame() throws Exception {
+        String app = "app applications/two-robots.app --world worlds/paper-arena.cfg --seconds 100000";
+        assertInterrupted("^ +[0-9.]+ s  ", app, ".* on .*, [0-9.]+ s simulated");
+    }
+
+    @Test
+    void replay_saysHowFarItCame() throws Exception {
+        int ticks = 300_000;
+        var scenario = ScenarioReader.read(Path.of("worlds/paper-arena.cfg"));
+        try (var file = Files.newBufferedWriter(directory.resolve("long.txt"))) {
+            var world = World.create(scenario.world(), WorldSettings.DEFAULT);
+            var open = world.record(file);
+            for (int tick = 0; tick < ticks; tick++) {
+                world.advance();
+            }
+            open.close();
+        }
+        assertInterrupted(
+                "[1-9][0-9]* of " + ticks + " ticks",
+                "replay DIR/long.txt --world worlds/paper-arena.cfg",
+                "interrupted: [1-9][0-9]* of " + ticks + " ticks of world .* were played",
+                "robot1: [0-9.]+ m, [0-9]+ contacts?");
+    }
+
+    // ---- on a full disk
+
+    @Test
+    @Timeout(120)
+    void log_thatCannotBeWritten_isNamed_andTheSummaryIsKept() throws Exception {
+        assumeThat(FULL).exists();
+        Files.createSymbolicLink(directory.resolve("run.jsonl"), FULL);
+        assertThat(troupe("run " + ARENA + "--seconds 20 --out DIR")).isEqualTo(Main.FAILED);
+        assertThat(err.toString().lines()).containsExactly(local("troupe: DIR/run.jsonl: No space left on device"));
+        assertThat(out.toString()).contains("20.0 s simulated", "distance driven");
+    }
+
+    @Test
+    @Timeout(120)
+    void output_thatCannotBeWritten_isStatus1_butStatus4OfAProof_becauseStatus1IsAVerdict() throws Exception {
+        assumeThat(FULL).exists();
+        Pnml.write(PaperNets.corrected(Reading.A), directory.resolve("proved.pnml"));
+        Pnml.write(PaperNets.uncorrected(Reading.A), directory.resolve("deadlock.pnml"));
+        assertThat(statusWithFullOutput("--version")).isEqualTo(Main.FAILED);
+        assertThat(statusWithFullOutput("verify --net DIR/proved.pnml --out DIR"))
+                .isEqualTo(4);
+        assertThat(statusWithFullOutput("verify --net DIR/deadlock.pnml --out DIR"))
+                .isEqualTo(1);
+    }
+
+    private int statusWithFullOutput(String line) throws Exception {
+        // keeps progress lines out of the errors
+        var command = jvm("-Dtroupe.progress.seconds=600", Main.class, words(line));
+        var process = command.redirectOutput(FULL.toFile()).start();
+        try (var errors = process.errorReader()) {
+            assertThat(errors.lines())
+                    .containsExactly("troupe: the output could not be written: No space left on device");
+        }
+        return process.waitFor();
+    }
+}
