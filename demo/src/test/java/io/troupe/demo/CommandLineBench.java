@@ -43,7 +43,25 @@ public abstract class CommandLineBench {
     }
 
     protected final Path file(String name, String text) throws IOException {
-        return Files.writeString(directory.resolve(name), text);
+        Path file = directory.resolve(name);
+        Files.createDirectories(file.getParent());
+        return Files.writeString(file, text);
+    }
+
+    protected final String written(String name) throws IOException {
+        return Files.readString(directory.resolve(name));
+    }
+
+    protected final void assertWritten(String... names) {
+        assertThat(names)
+                .isNotEmpty()
+                .allSatisfy(name -> assertThat(directory.resolve(name)).isNotEmptyFile());
+    }
+
+    protected final void assertMissing(String... names) {
+        assertThat(names)
+                .isNotEmpty()
+                .allSatisfy(name -> assertThat(directory.resolve(name)).doesNotExist());
     }
 
     /** Returns the exit status of a line, to which whole arguments are added. */

@@ -1,9 +1,13 @@
 package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -12,17 +16,20 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.w3c.dom.Element;
 
-/** The command line: every usage error gives one clear line and exit status 2. */
+/** The command line, and {@code troupe run}, {@code modes}, {@code crowd} and {@code draw}. */
+@Timeout(300)
 class MainTest extends CommandLineBench {
+    // ---- every usage error gives one clear line and exit status 2
+
     @Test
     void help_namesCommandsAndOptions_andHowToStart() {
-        assertThat(printed(""))
-                .startsWith("Usage: troupe")
-                .contains("evaluate", "Start with the main job: troupe run");
+        assertThat(printed("")).startsWith("Usage: troupe").contains("evaluate", "Start with the main job: troupe run");
         assertThat(printed("help run")).startsWith("Usage: troupe run").doesNotContain("Start with");
         assertThat(printed("run --help"))
                 .contains("--world=FILE", "--seconds=N", "--seed=N", "--realtime", "--out=DIR");
@@ -53,7 +60,7 @@ class MainTest extends CommandLineBench {
                 "run --mode magic | --mode .. magic .. SYNC, CALLBACK, PROMISE .. case-insensitive",
                 "run --mode sync --reconnect | --reconnect goes with --mode callback or promise .. connects once"
                         + " .. troupe run --help",
-                "run --out DIR/taken | --out is DIR/taken, but DIR/taken is a file, expected a directory",
+                "run --world worlds/track.world --out DIR/taken | --out is DIR/taken, but DIR/taken is a file, expected a directory",
                 "run --robots 0 | --robots is 0, expected a number from 1 to 20000",
                 "run --robots 3 --colours 101 | --colours is 101, expected a number from 1 to 100",
                 "run --robots 3 --services 0 | --services is 0, expected a number from 1 to 100",
@@ -125,15 +132,14 @@ class MainTest extends CommandLineBench {
         file("bad.table", "robots 1\nstate red : spaceWandrer\n");
         String problem = "DIR/bad.table:2:13: there is no service called 'spaceWandrer'";
         assertRefused("table DIR/bad.table --out DIR", problem, "did you mean 'spaceWanderer'?");
-        assertThat(directory.resolve("states.svg")).doesNotExist();
+        assertMissing("states.svg");
     }
 
     @Test
     void netWithMoreTokensThanAnIntHolds_isOneLine() {
         var net = PetriNet.builder("many").place("p", Integer.MAX_VALUE).transition("t", List.of(), List.of("p"));
         Pnml.write(net.build(), directory.resolve("many.pnml"));
-        assertRefused(
-                "verify --net DIR/many.pnml --out DIR", "many.pnml", "place p would hold 2147483648 tokens");
+        assertRefused("verify --net DIR/many.pnml --out DIR", "many.pnml", "place p would hold 2147483648 tokens");
     }
 
     @Test
@@ -169,16 +175,255 @@ class MainTest extends CommandLineBench {
             file("t.world", "\nmodel ( joules 1 )");
             troupe(line);
             assertThat(err.toString().lines())
-                    .contains(local(
-                            "troupe: warning: DIR/t.world:2:9: \"joules\" has no effect here: energy is not simulated"));
+                    .contains(
+                            local(
+                                    "troupe: warning: DIR/t.world:2:9: \"joules\" has no effect here: energy is not simulated"));
 
             file("t.world", "\nmodel ( siez 1 )");
             String problem = local("DIR/t.world:2:9: unknown property \"siez\" of model; did you mean \"size\"?");
-            assertRefused(line);
+            assertRefused(line, problem);
             assertThat(err.toString()).startsWith("troupe: " + problem);
             err.getBuffer().setLength(0);
             troupe(line + "--lenient");
             assertThat(err.toString().lines()).contains("troupe: warning: " + problem);
         }
+    }
+
+    // ---- what commands print and write
+
+    @Test
+    void run_printsChangesAndSummary_andWritesBothFiles() {
+        assertThat(printed("run " + ARENA + "--seconds 2 --out DIR/o"))
+                .contains("state 1: robot 1 wallFollower, robot 2 spaceWanderer", "times real time", "distance driven");
+        assertWritten("o/run.jsonl", "o/trajectory.svg");
+        assertThat(err.toString()).isEmpty();
+        assertThat(printed(ARENA + "--seconds 1 --out DIR/o"))
+                .as("options without a command are those of run")
+                .contains("1.0 s simulated");
+    }
+
+    @Test
+    void longRun_saysFirstHowLargeItsFilesGet() {
+        assertThat(RunCommand.Sizes.of(2, 100, 100_000))
+                .satisfies(sizes -> assertThat(sizes.areLarge()).isTrue())
+                .extracting(RunCommand.Sizes::describe)
+                .isEqualTo("320 MB in run.jsonl and at most 24 MB in trajectory.svg");
+        assertThat(RunCommand.Sizes.of(2, 100, 300).areLarge()).isFalse();
+    }
+
+    /** The run fails at once, since the log file is a directory. */
+    @Test
+    void logThatCannotBeWritten_isOneLine_andALongRunWarnsBeforeIt() throws IOException {
+        Files.createDirectories(directory.resolve("run.jsonl"));
+        String command = "run " + ARENA + "--out DIR --seconds ";
+        assertThat(troupe(command + "1")).isEqualTo(1);
+        assertThat(err.toString().lines()).singleElement().asString().contains("run.jsonl");
+        err.getBuffer().setLength(0);
+        assertThat(troupe(command + "100000")).isEqualTo(1);
+        assertThat(err.toString().lines())
+                .startsWith("troupe: warning: --seconds is 100000.0: expect about "
+                        + "320 MB in run.jsonl and at most 24 MB in trajectory.svg");
+    }
+
+    @Test
+    void interpretedJvm_writesTheSameFile() throws Exception {
+        var settings = RecordedRun.Settings.DEFAULT.withSeed(7).withSeconds(20);
+        var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.world"));
+        new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings).run(directory.resolve("here"));
+        Path log = directory.resolve("log");
+        var run = jvm("-Xint", Main.class, words("run " + ARENA + "--seed 7 --seconds 20 --out DIR/there"));
+        var interpreted =
+                run.redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        assertThat(interpreted.waitFor()).as(Files.readString(log)).isZero();
+        assertThat(directory.resolve("there/run.jsonl")).hasSameBinaryContentAs(directory.resolve("here"));
+    }
+
+    @Test
+    void table_ofAFile_worksWithACrowdToo() {
+        assertThat(printed("run --robots 2 --table tables/paper.table --seconds 1 --out DIR"))
+                .contains("crowd of 2", "state 3 (green)");
+    }
+
+    @ParameterizedTest
+    @CsvSource({"8, 3", "5, 4"})
+    void crowd_isGenerated(int colours, int services) throws IOException {
+        String text = printed("run --robots 50 --seconds 1 --out DIR --colours " + colours + " --services " + services);
+
+        assertThat(text).contains("crowd of 50", "50 robots ");
+        assertThat(text.lines().filter(line -> line.matches("state \\d+ \\(.+\\): \\d+ times?, .+ s")))
+                .as("states, one for each colour")
+                .hasSize(colours);
+        var all = List.of("spaceWanderer", "wallFollower", "avoid > patrol1", "avoid > patrol2");
+        assertThat(text.lines().filter(line -> line.startsWith("cycles of ")))
+                .extracting(line -> line.split(" {2,}")[0].substring("cycles of ".length()))
+                .containsExactlyInAnyOrderElementsOf(all.subList(0, services));
+        assertThat(written("run.jsonl")).contains("\"robot\":50,").doesNotContain("\"robot\":51,");
+        assertThat(written("trajectory.svg")).contains("50 robots, 1.0 s simulated");
+        assertThat(err.toString()).isEmpty();
+    }
+
+    @Test
+    void crowd_isMeasured() throws IOException {
+        assertThat(printed("crowd --sizes 1,4 --seconds 0.5 --repeat 1 --out DIR"))
+                .contains("us of processor time", "crowd.svg");
+        assertThat(written("crowd.csv")).hasLineCount(3);
+        assertThat(written("crowd.svg")).contains("<svg");
+        assertWritten("crowd.png");
+    }
+
+    @Test
+    void run_inCallbackMode_tellsItsMessages_andItsTicksWithoutAService() {
+        assertThat(printed("run " + ARENA + "--seconds 100 --mode CALLBACK --reconnect --out DIR"))
+                .contains("callback mode with reconnection, seed 1")
+                .containsPattern("readings with no or several services +1 +1\\R")
+                .containsPattern("colours sent by colour finders: [1-9][0-9]+ in 1 state change,");
+    }
+
+    private String logWithoutItsMode(String mode) throws IOException {
+        String log = written("run-" + mode + ".jsonl");
+        String field = ",\"mode\":\"" + mode + "\"";
+        assertThat(log.lines().findFirst().orElse("")).contains(field);
+        return log.replace(field, "");
+    }
+
+    @Test
+    void modes_showsWhereSynchronousModeDiffers_andThatCallbackModeDoesNot() throws Exception {
+        String text = printed("modes " + ARENA + "--seconds 100 --out DIR");
+        assertThat(err.toString()).isEmpty();
+        assertThat(text)
+                .contains("sync mode", "callback mode", "promise mode", "*  46.1 s 3: robot 2 sees green")
+                .contains("callback mode: the same states at the same times and the same trajectories")
+                .contains("as each waits for the cycles of the others. The robots are elsewhere from 0.1 s on");
+        assertThat(text.lines().filter(line -> line.contains("*  "))).hasSize(1);
+        assertThat(text.lines().takeWhile(line -> !line.startsWith("*")))
+                .as("the table")
+                .hasSizeGreaterThan(2)
+                .allSatisfy(line -> assertThat(line).hasSizeLessThanOrEqualTo(100));
+
+        String promise = logWithoutItsMode("promise");
+        String sync = logWithoutItsMode("sync");
+        assertThat(logWithoutItsMode("callback")).isEqualTo(promise).isNotEqualTo(sync);
+        String picture = written("modes.svg");
+        assertThat(picture).doesNotContain("#00ff00");
+        var svg = ParsedSvg.parse(picture);
+        assertThat(svg.elements("g"))
+                .as("bars, one for each state")
+                .hasSize((promise + promise + sync).split("\"type\":\"state\"", -1).length - 1);
+        assertThat(svg.title())
+                .matches("States compared with promise mode: sync differs from [0-9.]+ s on,"
+                        + " callback does not differ \\(paper arena, seed 1\\)");
+    }
+
+    // ---- pictures
+
+    /**
+     * Expected areas and titles: one per obstacle and robot. Expected rays: 16 sonars per robot, and 181 of the laser.
+     */
+    @ParameterizedTest
+    @CsvSource({"paper-arena, 2, 32, 12.4", "office, 2, 213, 16.4", "track, 1, 16, 20.4"})
+    void world_isDrawnWithAllThatIsInIt(String name, int robots, int rays, double widthM) throws Exception {
+        String text = printed("draw --out DIR/w.svg worlds/" + name + ".world");
+
+        String counted = robots == 1 ? "1 robot," : robots + " robots,";
+        assertThat(text).startsWith(counted + " ").contains(local("wrote DIR/w.svg"));
+        int things = Integer.parseInt(text.replaceAll("(?s).*robots?, (\\d+) other.*", "$1"));
+        var svg = ParsedSvg.parse(written("w.svg"));
+        assertThat(svg.elements("title")).hasSize(1 + things + robots);
+        assertThat(svg.elements("path")).hasSize(things + 2 * robots + rays);
+        assertThat(svg.title()).contains(counted);
+        assertThat(svg.texts()).contains("robot1", "sonar, first reading");
+        assertThat(svg.texts().contains("laser, first reading")).isEqualTo(name.equals("office"));
+        assertThat(svg.pixelsPerMetre())
+                .as("as long as the map is wide: LONGEST_PX over the outer walls and 0.3 m on both sides")
+                .isCloseTo(1000 / (widthM + 0.6), within(0.05));
+    }
+
+    @Test
+    void pictureInTheGuide_isThatOfTheCommand() {
+        printed("draw --out DIR/w.svg worlds/office.world");
+        assertThat(directory.resolve("w.svg"))
+                .hasSameTextualContentAs(Path.of("..", "docs", "figures", "world-office.svg"));
+    }
+
+    /** A world of 5.4 m by 8.4 m with five robots, two of them navy. */
+    @Test
+    void trajectory_ofANarrowWorldWithFiveRobots_canBeRead() throws Exception {
+        Files.copy(Path.of("worlds", "pioneer.inc"), directory.resolve("pioneer.inc"));
+        file("five.table", """
+                robots 5
+                ignore black : walls
+                state blue : wallFollower, spaceWanderer, spaceWanderer, spaceWanderer, wallFollower
+                state red  : spaceWanderer, wallFollower, spaceWanderer, wallFollower, spaceWanderer
+                """);
+        var world = new StringBuilder("""
+                name "narrow hall"
+                interval_sim 100
+                include "pioneer.inc"
+                define wall model ( color "black" obstacle_return 1 blob_return 1 )
+                wall ( name "n" pose [ 0 4.1 0 0 ] size [ 5.4 0.2 0.5 ] )
+                wall ( name "s" pose [ 0 -4.1 0 0 ] size [ 5.4 0.2 0.5 ] )
+                wall ( name "e" pose [ 2.6 0 0 0 ] size [ 0.2 8 0.5 ] )
+                wall ( name "w" pose [ -2.6 0 0 0 ] size [ 0.2 8 0.5 ] )
+                """);
+        var configuration = new StringBuilder(
+                "driver ( name \"stage\" provides [ \"simulation:0\" ] plugin \"p\" worldfile \"narrow.world\" )\n");
+        var colours = List.of("orange", "black", "navy", "navy", "gold");
+        for (int robot = 0; robot < colours.size(); robot++) {
+            world.append("pioneer2dx ( name \"r%d\" color \"%s\" pose [ %d %d 0 90 ] )\n"
+                    .formatted(robot, colours.get(robot), robot % 2 == 0 ? -1 : 1, robot - 2));
+            String devices = "\"position2d:%1$d\" \"sonar:%1$d\" \"blobfinder:%1$d\"";
+            configuration.append(
+                    ("driver ( name \"stage\" provides [ " + devices + " ] model \"r%1$d\" )\n").formatted(robot));
+        }
+        file("narrow.world", world.toString());
+        file("narrow.cfg", configuration.toString());
+        printed("run --seconds=20 --world=DIR/narrow.cfg --table=DIR/five.table --out=DIR");
+
+        var svg = ParsedSvg.parse(written("trajectory.svg"));
+        assertThat(svg.title())
+                .startsWith("narrow hall: 5 robots change state ")
+                .endsWith(" in 20 s");
+        assertThat(svg.pixelsPerMetre()).isCloseTo(70, within(0.1));
+        captionIsInside(svg);
+        everyRobotHasALineOfItsOwn(svg);
+        assertThat(svg.elements("text", "font-weight", "bold"))
+                .as("numbers can be read on the bodies")
+                .extracting(text -> text.getTextContent() + " " + text.getAttribute("fill"))
+                .containsExactly("1 black", "2 white", "3 white", "4 white", "5 black");
+        assertThat(svg.elements("polygon", "class", "head")).as("directions").isNotEmpty();
+        assertThat(svg.texts()).contains("10 s");
+        assertThat(svg.elements("circle", "class", "time")).hasSize(5);
+    }
+
+    /** Estimates the text width: half the font size per letter, about the mean of a sans-serif font. */
+    private static void captionIsInside(ParsedSvg svg) {
+        String[] viewBox = svg.root().getAttribute("viewBox").split(" ");
+        assertThat(svg.elements("text", "class", "caption")).isNotEmpty();
+        assertThat(svg.elements("text")).allSatisfy(text -> {
+            boolean centred = text.getAttribute("text-anchor").equals("middle");
+            int letters = text.getTextContent().length();
+            assertThat(ParsedSvg.number(text, "x") + letters * 14 * 0.5 * (centred ? 0.5 : 1))
+                    .as(text.getTextContent())
+                    .isLessThan(Double.parseDouble(viewBox[2]));
+            assertThat(ParsedSvg.number(text, "y")).isLessThan(Double.parseDouble(viewBox[3]));
+        });
+    }
+
+    private static void everyRobotHasALineOfItsOwn(ParsedSvg svg) {
+        var legend = dashes(svg.elements("line", "stroke", "#444444"));
+        assertThat(legend).hasSize(5).doesNotHaveDuplicates();
+        assertThat(dashes(svg.elements("polyline"))).containsAll(legend);
+    }
+
+    private static List<String> dashes(List<Element> lines) {
+        return lines.stream().map(line -> line.getAttribute("stroke-dasharray")).toList();
+    }
+
+    @Test
+    void trajectory_ofACrowd_fadesWithAge() throws IOException {
+        printed("run --robots=12 --seconds=6 --out=DIR");
+        String svg = written("trajectory.svg");
+        assertThat(svg).containsSubsequence("stroke-opacity=\"0.10\"", "stroke-opacity=\"0.85\"");
+        assertThat(svg.indexOf("stroke-opacity=\"0.10\"")).isLessThan(svg.indexOf("stroke-opacity=\"0.85\""));
     }
 }

@@ -98,7 +98,7 @@ class ServicesJarTest extends CommandLineBench {
     void run_drivesTheRobotsByTheKindsOfAJar() {
         assertThat(printed("run " + ARENA + JAR + "--table DIR/seek.table --seconds 5 --out DIR"))
                 .contains("robot 2 behind > spaceWanderer");
-        assertThat(directory.resolve("run.jsonl")).isNotEmptyFile();
+        assertWritten("run.jsonl");
     }
 
     /** A leader that drives 4 m in 20 s, and a robot behind it, about as far as the followers want to be. */

@@ -18,7 +18,6 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
-import org.junit.jupiter.api.io.TempDir;
 
 /**
  * The start script in a built installation, with a stub {@code java} that prints its arguments and a stub {@code mvn}
@@ -26,11 +25,8 @@ import org.junit.jupiter.api.io.TempDir;
  */
 @Timeout(60)
 @DisabledOnOs(OS.WINDOWS)
-class StartScriptTest {
+class StartScriptTest extends CommandLineBench {
     private static final Path SET_USER = Path.of("/usr/bin/setpriv");
-
-    @TempDir
-    private Path directory;
 
     private Path home;
 
@@ -48,12 +44,6 @@ class StartScriptTest {
         script("jdk/bin/javac", "#!/bin/sh\n");
         file("jdk/release", "JAVA_VERSION=\"21.0.1\"\n");
         script("path/mvn", "#!/bin/sh\necho mvn runs\nexit 1\n");
-    }
-
-    private Path file(String name, String text) throws IOException {
-        Path file = directory.resolve(name);
-        Files.createDirectories(file.getParent());
-        return Files.writeString(file, text);
     }
 
     private void script(String name, String text) throws IOException {

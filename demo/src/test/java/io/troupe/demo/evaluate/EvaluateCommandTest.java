@@ -1,19 +1,40 @@
 package io.troupe.demo.evaluate;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.time.ManualClock;
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.CommandLineBench;
+import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.demo.evaluate.Measurement.Quantity;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.sim.Simulation;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
+import java.nio.file.Path;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-/** The whole command with small parameters, including its child JVMs. */
+/** The whole command with small parameters, the JVMs that measure for it, their world and the progress. */
 @Timeout(300)
 class EvaluateCommandTest extends CommandLineBench {
+    private static final Path PAPER_ARENA = Path.of("worlds", "paper-arena.cfg");
     private static final String EVALUATE = "evaluate --world worlds/paper-arena.cfg ";
     /** Quantities that depend on the machine; all others depend only on the seed. */
     private static final Set<String> COMPUTED =
@@ -62,8 +83,7 @@ class EvaluateCommandTest extends CommandLineBench {
                         List.of("loops", "promise", "2", "1", "both", "sent", "1", "0.0"),
                         List.of("alone", "promise", "2", "1", "wallFollower", "time", "ms", "2000.0"));
         for (int figure : new int[] {15, 18, 21, 22, 23}) {
-            assertThat(directory.resolve("first/evaluation-" + figure + ".svg")).isNotEmptyFile();
-            assertThat(directory.resolve("first/evaluation-" + figure + ".png")).isNotEmptyFile();
+            assertWritten("first/evaluation-" + figure + ".svg", "first/evaluation-" + figure + ".png");
         }
         small("second");
         assertThat(decidedByTheSeed("second")).isEqualTo(decided);
@@ -95,7 +115,7 @@ class EvaluateCommandTest extends CommandLineBench {
         assertThat(out.toString())
                 .contains("0 changes, 0 messages\n", "The paper, and what we find", "no state has changed");
         assertThat(err.toString()).contains("evaluation.csv");
-        assertThat(directory.resolve("evaluation.log")).doesNotExist();
+        assertMissing("evaluation.log");
     }
 
     @Test
@@ -114,5 +134,160 @@ class EvaluateCommandTest extends CommandLineBench {
         assertRefused(EVALUATE + "--seconds -1", "--seconds is -1.0, expected");
         assertRefused(EVALUATE + "--warm-up -1", "--warm-up is -1, expected");
         assertRefused(EVALUATE + "--modes both", "both");
+    }
+
+    // ---- the JVMs that measure
+
+    private static final Job ALONE = new Job(Kind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 6665);
+    private static final Job LOOPS = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+
+    private MeasuringProcess start(int cores, Path world) throws IOException {
+        return MeasuringProcess.start(cores, world, directory.resolve("log"));
+    }
+
+    @Test
+    void jobAndValue_areReadAsTheyAreWritten() {
+        assertThat(Job.parse(ALONE.line())).isEqualTo(ALONE);
+        var value = new Job.Result.Value("both", Quantity.DELAY_P99, 0.1);
+        assertThat(Job.Result.Value.parse(value.line())).isEqualTo(value);
+        assertThatThrownBy(() -> Job.parse("ALONE SYNC")).hasMessageContaining("a job of 2 fields, expected 7");
+    }
+
+    @Test
+    void jobThatFails_isToldWithItsReason_andTheNextOneIsDone() throws IOException {
+        try (var process = start(2, PAPER_ARENA)) {
+            var nobodyThere = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 1);
+            assertThatThrownBy(() -> process.measure(nobodyThere))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContainingAll("promise mode, loops: ", "127.0.0.1:1 cannot be reached");
+            assertThat(process.measure(LOOPS).values()).contains(new Job.Result.Value("both", Quantity.TIME, 200));
+        }
+    }
+
+    /** Two values, of which at most one is the number of processors of this machine. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 5})
+    void jvmThatMeasures_hasAsManyProcessorsAsItIsTold(int cores) throws IOException {
+        try (var process = start(cores, PAPER_ARENA)) {
+            assertThat(process.measure(LOOPS).values()).isNotEmpty(); // rejected if the JVM reports another number
+        }
+    }
+
+    @Test
+    void jvmThatEnds_isToldWithItsStatus() throws IOException {
+        try (var process = start(2, directory.resolve("no.world"))) {
+            assertThatThrownBy(() -> process.measure(LOOPS))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("the JVM that measures (told 2 cores) has ended: exit status 1, see "
+                            + directory.resolve("log"));
+        }
+    }
+
+    // ---- their world
+
+    private static final PaperWorld WORLD = PaperWorld.read(PAPER_ARENA);
+    private static final double WORLD_SECONDS = 0.5;
+    private static final int HEADER_BYTES = 40;
+    private static final int ACCESS = 3;
+    private static final int NEXT_DATA = 4;
+    private static final int DATA_MODE = 5;
+    private static final int PULL = 2;
+
+    private static String robots(long seed) {
+        try (var simulation = Simulation.open(WORLD.scenario(), PaperWorld.settings(seed))) {
+            return simulation.tick().robots().toString();
+        }
+    }
+
+    @Test
+    void seed_movesTheStartPoses() {
+        assertThat(robots(1)).isEqualTo(robots(1)).isNotEqualTo(robots(2));
+    }
+
+    /** A request to the Player device, encoded as in Player's clients. */
+    private static byte[] request(int subtype, int... payload) {
+        int bytes = Integer.BYTES * payload.length;
+        // host, robot, interface, index, message type, subtype, time (two words), sequence number, length
+        var header = IntStream.of(0, 0, 1, 0, 3, subtype, 0, 0, 0, bytes);
+        var request = ByteBuffer.allocate(HEADER_BYTES + bytes);
+        IntStream.concat(header, IntStream.of(payload)).forEach(request::putInt);
+        return request.array();
+    }
+
+    @Test
+    void clientThatNeverAnswers_isGreetedAsByPlayer_andTheWorldGoesOnInRealTime() throws Exception {
+        var passed = new CountDownLatch(1);
+        try (var server = WORLD.serve(1, seconds -> {
+                    if (seconds >= WORLD_SECONDS) {
+                        passed.countDown();
+                    }
+                });
+                var client = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+            client.setSoTimeout(30_000);
+            String banner = new String(client.getInputStream().readNBytes(32), StandardCharsets.US_ASCII);
+            assertThat(banner).hasSize(32).startsWith("Player v.").endsWith("\0");
+            long beganNanos = System.nanoTime();
+            var out = client.getOutputStream();
+            out.write(request(DATA_MODE, PULL)); // in lock step the world would wait for such a client
+            out.write(request(ACCESS, 0, 0, 4, 0, 1, 0, 0)); // opens position2d:0
+            out.write(request(NEXT_DATA)); // only once
+            assertThat(passed.await(40, TimeUnit.SECONDS))
+                    .as("the world has gone on to %s s without an answer", WORLD_SECONDS)
+                    .isTrue();
+            assertThat((System.nanoTime() - beganNanos) / 1e9)
+                    .as("seconds on the wall, not fewer than in the world")
+                    .isGreaterThanOrEqualTo(WORLD_SECONDS);
+        }
+    }
+
+    // ---- the progress
+
+    private final ByteArrayOutputStream terminal = new ByteArrayOutputStream();
+    private final ManualClock clock = new ManualClock();
+    private final PrintStream stream = new PrintStream(terminal, true, StandardCharsets.UTF_8);
+    private final EvaluationProgress progress = new EvaluationProgress(ProgressLine.on(stream, clock::nanos), clock);
+
+    /** The output since the previous call. */
+    private String shown() {
+        String text = terminal.toString(StandardCharsets.UTF_8);
+        terminal.reset();
+        return text.replace("\r", "").replace("\033[K", "");
+    }
+
+    private static String bar(int full) {
+        return "[" + "#".repeat(full) + ".".repeat(30 - full) + "]";
+    }
+
+    @Test
+    void progress_isTheShareOfWhatIsExpected_andTheTimeLeftFollowsFromIt() {
+        progress.expect(200);
+        progress.warmsUp(2);
+        assertThat(shown()).isEqualTo(bar(0) + "   0 %  warming up, told 2 cores"); // too early for an estimate
+        clock.advance(Duration.ofSeconds(10));
+        progress.ended(50);
+        progress.begins(ALONE, 1);
+        String doing = ALONE.title() + ", told " + "1 core";
+        assertThat(shown()).isEqualTo(bar(7) + "  25 %, 30 s left  " + doing);
+        clock.advance(Duration.ofSeconds(10));
+        progress.within(50);
+        assertThat(shown()).isEqualTo(bar(15) + "  50 %, 20 s left  " + doing);
+        progress.ended(100); // includes the progress reported during the job
+        clock.advance(Duration.ofSeconds(1)); // a terminal is updated only a few times a second
+        progress.begins(ALONE, 1);
+        assertThat(shown()).isEqualTo(bar(22) + "  75 %, 7 s left  " + doing);
+    }
+
+    @Test
+    void moreThanWasExpected_isAll_andCloseWipesTheLine() {
+        progress.expect(10);
+        progress.ended(9);
+        progress.within(5);
+        assertThat(shown()).startsWith(bar(30) + " 100 %, 0 s left");
+        progress.ended(5);
+        progress.begins(ALONE, 3);
+        assertThat(shown()).startsWith(bar(30) + " 100 %, 0 s left").endsWith("told 3 cores");
+
+        progress.close();
+        assertThat(terminal.toString(StandardCharsets.UTF_8)).isEqualTo("\r\033[K");
     }
 }

@@ -5,8 +5,10 @@ import static io.troupe.petri.wiring.Protocol.provides;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.common.text.NamedColours;
+import io.troupe.demo.RecordedDrive;
 import io.troupe.petri.Composition;
 import io.troupe.petri.Liveness;
 import io.troupe.petri.Meld;
@@ -28,12 +30,10 @@ import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
 import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
-import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Assignment;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceCatalogue;
-import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SubsumptionTableReader;
@@ -41,19 +41,22 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.SimulationRunner;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.device.ColourBlob;
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Optional;
-import java.util.concurrent.atomic.LongAdder;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** The samples of the guides 3, 4 and 6. */
+@Timeout(120)
 class GuideSamplesTest {
     // ---- docs/guide/03-proving-a-wiring.md
 
@@ -174,7 +177,6 @@ class GuideSamplesTest {
     // ---- docs/guide/04-bring-your-player-program.md
 
     @Test
-    @Timeout(60)
     void program_andWorld_inOneJvm() {
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
         Snapshot end;
@@ -229,21 +231,8 @@ class GuideSamplesTest {
     @Test
     void programOfOnesOwn_drivesTheRobotsOfAWorld() throws Exception {
         int ticks = 20;
-        var cycles = new LongAdder();
-        var observer = new ServiceObserver() {
-            @Override
-            public void serviceStarted(int robot, Service service) {}
-
-            @Override
-            public void cycleEnded(int robot, Service service) {
-                cycles.increment();
-            }
-
-            @Override
-            public void serviceEnded(int robot, Service service) {}
-        };
-        var states = new ArrayList<Integer>();
-        Arbitrator.StateListener listener = (state, seenBy) -> states.add(state.number());
+        var observer = new RecordedDrive();
+        var listener = observer;
         var table = SubsumptionTable.ofThePaper();
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.world"));
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(1))) {
@@ -258,8 +247,9 @@ class GuideSamplesTest {
                 }
             }
         }
-        assertThat(states).startsWith(1);
-        assertThat(cycles.sum()).isGreaterThanOrEqualTo(2 * 19);
+        assertThat(observer.states).startsWith(1);
+        assertThat(observer.cycles.values().stream().mapToInt(cycles -> cycles).sum())
+                .isGreaterThanOrEqualTo(2 * 19);
     }
 
     private static Senses senses(double seconds) {
@@ -306,5 +296,106 @@ class GuideSamplesTest {
         assertThatThrownBy(() -> SubsumptionTableReader.parse(wrong, Path.of("my.table"), catalogue))
                 .hasMessage(
                         "my.table:6:14: there is no service called 'spaceWandrer', expected one of: patrol, wallFollower, spaceWanderer, goToGoal, avoid (did you mean 'spaceWanderer'?)");
+    }
+
+    // ---- the behaviours of guide 6 that use the camera, and one with laser and stall, with a known outcome
+
+    private static final double NEAR_M = 0.6;
+    private static final double GAP_M = 0.8;
+    private static final double LEADER_MPS = 0.2;
+    /** The robots' cameras have 60 degrees in 80 columns. */
+    private static final double COLUMN_RAD = Math.toRadians(60) / 80;
+
+    private static final String ROBOTS = """
+            name "open field"
+            interval_sim 100
+            include "pioneer.inc"
+            include "laser.inc"
+            """;
+
+    private static Snapshot run(Mode mode, String things, int seconds, Service... services) throws Exception {
+        var scenario = ScenarioReader.readText(ROBOTS + things, Path.of("worlds", "field.world"));
+        var table = SubsumptionTable.forRobots(services.length).when(NamedColours.BLUE, services);
+        return new RecordedDrive().drive(mode, scenario, table.allowFinal().build(), seconds);
+    }
+
+    private static Service declared(String declaration) {
+        var kinds = new SeekingKinds().kinds();
+        var catalogue = ServiceCatalogue.standard().with(kinds.get(0)).with(kinds.get(1));
+        return SubsumptionTableReader.service(declaration, catalogue);
+    }
+
+    private static ColourBlob seen(Snapshot snapshot, int robot, int colour) {
+        return snapshot.robots().get(robot).blobs().blobs().stream()
+                .filter(blob -> blob.colour() == colour)
+                .findFirst()
+                .orElseThrow();
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void lightSeeker_standsAtItsDistanceBeforeTheLight_andFacesIt(Mode mode) throws Exception {
+        String world = """
+                model ( color "red" size [ 0.1 0.1 0.5 ] pose [ 1.5 0.5 0 0 ] )
+                model ( color "green" size [ 0.1 0.1 0.5 ] pose [ 1.5 -0.5 0 0 ] )
+                pioneer2dx ( name "robot1" color "orange" pose [ 0 0 0 0 ] )
+                """;
+        var end = run(mode, world, 30, declared("light = seek(colour red)"));
+        Pose pose = end.robots().getFirst().pose();
+        ColourBlob light = seen(end, 0, NamedColours.RED);
+        assertThat(light.rangeM()).isCloseTo(NEAR_M, within(0.001));
+        assertThat(light.left() + light.right() + 1)
+                .as("twice the middle column")
+                .isBetween(79, 81);
+        double bearingRad = Math.atan2(0.5 - pose.y(), 1.5 - pose.x());
+        assertThat(pose.headingRad()).isCloseTo(bearingRad, within(2 * COLUMN_RAD));
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void leaderFollower_isTwoSecondsBehindItsGap(Mode mode) throws Exception {
+        String world = """
+                pioneer2dx ( name "leader" color "orange" pose [ 1.3 0.3 0 0 ] )
+                pioneer2dx ( name "follower" color "black" pose [ 0 0 0 0 ] )
+                """;
+        Service leader = declared("leader = goToGoal(9, 0; speed " + LEADER_MPS + ")");
+        var end = run(mode, world, 40, leader, declared("behind = follow(colour orange, gap " + GAP_M + ")"));
+        Pose ahead = end.robots().get(0).pose();
+        Pose behind = end.robots().get(1).pose();
+        assertThat(ahead.x()).isCloseTo(1.3 + 40 * LEADER_MPS, within(0.1));
+        // speed equal to its leader's: 0.5 / s times the distance above the gap
+        double steadyM = GAP_M + LEADER_MPS / 0.5;
+        assertThat(seen(end, 1, NamedColours.ORANGE).rangeM()).isCloseTo(steadyM, within(0.005));
+        assertThat(ahead.x() - behind.x()).as("between the centres").isBetween(steadyM, steadyM + 0.35);
+        assertThat(Math.abs(behind.y() - 0.3)).as("beside the leader's way").isLessThan(0.1);
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void laserAndStall_areThoseOfTheWorld(Mode mode) throws Exception {
+        // the wall is 4 m in front of the laser, which is 0.1 m in front of the robot's centre
+        String world = """
+                model ( color "black" size [ 0.2 4 0.5 ] pose [ 4.2 0 0 0 ] )
+                pioneer2dx ( name "robot1" color "orange" pose [ 0 0 0 0 ] scanner ( pose [ 0.1 0 0 0 ] ) )
+                """;
+        var firstM = new double[] {Double.NaN};
+        var stalledAtM = new double[] {Double.NaN};
+        Service ram = new Service("ram", false, () -> senses -> {
+                    double aheadM = senses.laser().nearestM(-0.001, 0.001);
+                    if (Double.isNaN(firstM[0])) {
+                        firstM[0] = aheadM;
+                    }
+                    if (senses.stalled()) {
+                        stalledAtM[0] = aheadM;
+                        return Optional.empty();
+                    }
+                    return Optional.of(new Velocity(0.4, 0));
+                })
+                .withLaser();
+        var end = run(mode, world, 15, ram);
+        assertThat(firstM[0]).isCloseTo(4.0, within(0.03)); // a cell of the grid is 0.02 m
+        double left = 4.1 - end.robots().getFirst().pose().x() - 0.1;
+        assertThat(stalledAtM[0]).isCloseTo(left, within(0.05));
+        assertThat(left).isLessThan(0.3);
     }
 }

@@ -131,7 +131,10 @@ class PaperFiguresTest {
             Thread.ofPlatform().name("Demo1").start(main);
             tick(simulation, 2 * TICKS);
         }
-        assertThatThrownBy(main::get).cause().isInstanceOf(PlayerException.class).hasMessageContaining("has been closed");
+        assertThatThrownBy(main::get)
+                .cause()
+                .isInstanceOf(PlayerException.class)
+                .hasMessageContaining("has been closed");
         try (var simulation = open()) {
             var table = SubsumptionTable.ofThePaper();
             var lines = stamped(simulation.clock(), ours);

@@ -66,7 +66,7 @@ class ServeCommandTest extends CommandLineBench {
     }
 
     /** Runs the server until all its clients, each on its own thread, have ended. */
-    private void serve(Serving serving, Pace pace, Runnable... clients) {
+    private void serve(Serving serving, Pace pace, Runnable... clients) throws InterruptedException {
         var ended = CompletableFuture.allOf(Stream.of(clients)
                 .map(client -> CompletableFuture.runAsync(client, threads))
                 .toArray(CompletableFuture<?>[]::new));
@@ -91,7 +91,7 @@ class ServeCommandTest extends CommandLineBench {
                             + " recording")
                     .isGreaterThanOrEqualTo(19);
         }
-        assertThat(file).content().contains(" velocity 0 0.3 0.0");
+        assertThat(written("session.txt")).contains(" velocity 0 0.3 0.0");
         assertThat(printed("replay DIR/session.txt --world worlds/paper-arena.cfg"))
                 .contains("the same bit for bit", "robot1: ", " contacts");
         assertThat(troupe("replay DIR/session.txt --world worlds/office.cfg")).isEqualTo(1);
@@ -123,7 +123,7 @@ class ServeCommandTest extends CommandLineBench {
 
     /** Returns the times of the last readings of clients that read so often. */
     private ConcurrentLinkedQueue<Double> timesOfPullingClients(String world, int clients, int readings)
-            throws IOException {
+            throws Exception {
         var seen = new ConcurrentLinkedQueue<Double>();
         try (var serving = open(world, true, 0)) {
             var pulling = IntStream.range(0, clients).<Runnable>mapToObj(index -> () -> {
@@ -141,7 +141,7 @@ class ServeCommandTest extends CommandLineBench {
     }
 
     @Test
-    void lockStep_pullClientsAreWaitedFor_andTimeBeginsWhenAllHaveBegun() throws IOException {
+    void lockStep_pullClientsAreWaitedFor_andTimeBeginsWhenAllHaveBegun() throws Exception {
         assertThat(timesOfPullingClients("track.cfg", 1, 100))
                 .as("one frame per readAll, the first at time 0")
                 .containsExactly(9.9);
@@ -191,7 +191,7 @@ class ServeCommandTest extends CommandLineBench {
         assertRefused("serve --crowd 0", "--crowd is 0, expected a number from 1 to 20000");
         assertRefused("serve --clients 0", "--clients is 0, expected a number of at least 1");
         assertRefused("serve --port 70000", "--port is 70000, expected a number from 0 to 65535");
-        assertRefused("serve --realtime --speed 2");
+        assertRefused("serve --realtime --speed 2", "--realtime, --speed");
         assertThat(troupe("serve --bind", "no such host!")).isEqualTo(2);
         assertThat(err.toString()).contains("--bind is no such host!, expected an address of this machine");
     }

@@ -76,9 +76,13 @@ class ShippedWorldsTest {
         assertThat(cave.shape().outlines()).hasSizeBetween(5, 40);
     }
 
+    /** {@code -Dfigures=write} writes the image. */
     @Test
     void caveImage_isWhatItsGeneratorDraws() throws IOException {
         BufferedImage drawn = CaveImage.draw();
+        if ("write".equals(System.getProperty("figures"))) {
+            assertThat(ImageIO.write(drawn, "png", file("cave.png").toFile())).isTrue();
+        }
         BufferedImage shipped = ImageIO.read(file("cave.png").toFile());
 
         assertThat(List.of(shipped.getWidth(), shipped.getHeight()))
