@@ -4,12 +4,13 @@ import static io.troupe.demo.evaluate.ClaimVerdict.CANNOT_BE_TOLD;
 import static io.troupe.demo.evaluate.ClaimVerdict.DOES_NOT_HOLD;
 import static io.troupe.demo.evaluate.ClaimVerdict.HOLDS;
 import static io.troupe.demo.evaluate.Measurement.BOTH;
+import static io.troupe.demo.evaluate.Measurement.FOLLOWER;
+import static io.troupe.demo.evaluate.Measurement.WANDERER;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.demo.ParsedSvg;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
-import io.troupe.demo.svg.Chart;
 import io.troupe.services.subsumption.Mode;
 import java.awt.image.BufferedImage;
 import java.nio.file.Files;
@@ -30,10 +31,67 @@ import org.junit.jupiter.params.provider.CsvSource;
 class EvaluationFindingsTest {
     private static final String FASTER_THAN_CALLBACK = "It [promise] is faster than [..] actor with callback";
 
-    private final SyntheticMeasurements made = SyntheticMeasurements.confirmingThePaper();
+    private static final List<Mode> MODES = List.of(Mode.values());
+    private static final List<Integer> CORES = List.of(2, 3);
+    private static final int REPETITIONS = ClaimVerdict.ENOUGH_REPETITIONS;
+
+    private record Key(Kind kind, Mode mode, String subject, Quantity quantity) {}
+
+    private final Map<Key, Double> values = new LinkedHashMap<>();
+
+    /** Measurements that confirm every claim of the paper. */
+    EvaluationFindingsTest() {
+        double[] both = {8_000, 4_010, 4_000};
+        for (Mode mode : MODES) {
+            loops(mode, BOTH, Quantity.TIME, both[mode.ordinal()]);
+            loops(mode, BOTH, Quantity.TURN, both[mode.ordinal()]);
+            loops(mode, BOTH, Quantity.PROCESSOR, 10_000);
+            for (Quantity quantity : List.of(Quantity.TIME, Quantity.CYCLE)) {
+                loops(mode, FOLLOWER, quantity, 4_000);
+                loops(mode, WANDERER, quantity, 1_000);
+            }
+            loops(mode, WANDERER, Quantity.INTERVAL, 250);
+            switches(mode, Quantity.STATE_CHANGES, 10);
+        }
+        values.put(new Key(Kind.ALONE, Mode.PROMISE, FOLLOWER, Quantity.TIME), 4_000.0);
+        values.put(new Key(Kind.ALONE, Mode.PROMISE, WANDERER, Quantity.TIME), 4_000.0);
+        switches(Mode.CALLBACK, Quantity.DELAY, 1_500);
+        switches(Mode.CALLBACK, Quantity.DELAY_P99, 2_000);
+        switches(Mode.CALLBACK, Quantity.SENT, 300);
+        switches(Mode.PROMISE, Quantity.SENT, 10);
+    }
+
+    private void loops(Mode mode, String subject, Quantity quantity, double value) {
+        values.put(new Key(Kind.LOOPS, mode, subject, quantity), value);
+    }
+
+    private void switches(Mode mode, Quantity quantity, double value) {
+        values.put(new Key(Kind.SWITCHES, mode, BOTH, quantity), value);
+    }
+
+    private Measurements measured() {
+        var measurements = new Measurements();
+        for (int cores : CORES) {
+            for (int repetition = 1; repetition <= REPETITIONS; repetition++) {
+                int number = repetition;
+                values.forEach((key, value) -> measurements.add(
+                        new Measurement(key.kind(), key.mode(), cores, number, key.subject(), key.quantity(), value)));
+            }
+        }
+        return measurements;
+    }
+
+    private Evaluation.Settings settings() {
+        return new Evaluation.Settings(
+                Path.of("none.world"), 1000, CORES, MODES, REPETITIONS, 0, 300, false, false, out.resolve("log"));
+    }
+
+    private List<PaperClaims.Judged> claims() {
+        return PaperClaims.judge(measured(), MODES, CORES, false);
+    }
 
     private ClaimVerdict verdict(String words, String measure) {
-        return made.claims().stream()
+        return claims().stream()
                 .filter(each -> each.claim().words().contains(words)
                         && each.claim().measure().equals(measure))
                 .findFirst()
@@ -84,7 +142,7 @@ class EvaluationFindingsTest {
 
     @Test
     void everythingAsThePaperSays_holds() {
-        assertThat(made.claims())
+        assertThat(claims())
                 .hasSize(17)
                 .allSatisfy(each ->
                         assertThat(each.verdict()).as(each.claim().words()).isEqualTo(HOLDS));
@@ -110,14 +168,13 @@ class EvaluationFindingsTest {
             })
     void measurementThatIsDifferent_decidesAClaim(
             Mode mode, String subject, Quantity quantity, double value, ClaimVerdict verdict, String words) {
-        made.loops(mode, subject, quantity, value);
+        loops(mode, subject, quantity, value);
         assertThat(verdict(words, "simulated time")).isEqualTo(verdict);
     }
 
     @Test
     void onTheWall_aDifferenceOfLessThanACycle_isNone() {
-        var claims =
-                PaperClaims.judge(made.measurements(), SyntheticMeasurements.MODES, SyntheticMeasurements.CORES, true);
+        var claims = PaperClaims.judge(measured(), MODES, CORES, true);
         assertThat(claims)
                 .filteredOn(each -> each.claim().measure().equals("time on the wall")
                         && each.claim().words().contains(FASTER_THAN_CALLBACK))
@@ -133,9 +190,9 @@ class EvaluationFindingsTest {
 
     @Test
     void computing_isJudgedByItself() {
-        made.loops(Mode.CALLBACK, BOTH, Quantity.TURN, 2_000)
-                .loops(Mode.SYNC, BOTH, Quantity.TURN, 5_000)
-                .loops(Mode.PROMISE, Measurement.WANDERER, Quantity.CYCLE, 9_000);
+        loops(Mode.CALLBACK, BOTH, Quantity.TURN, 2_000);
+        loops(Mode.SYNC, BOTH, Quantity.TURN, 5_000);
+        loops(Mode.PROMISE, WANDERER, Quantity.CYCLE, 9_000);
         String turn = "computing time with messages";
         assertThat(List.of(
                         "promise takes less time than callback",
@@ -149,43 +206,41 @@ class EvaluationFindingsTest {
 
     @Test
     void wakingUp_decidesNothing() {
-        var before = made.claims();
-        made.loops(Mode.SYNC, BOTH, Quantity.PROCESSOR, 1);
-        assertThat(made.claims()).isEqualTo(before);
+        var before = claims();
+        loops(Mode.SYNC, BOTH, Quantity.PROCESSOR, 1);
+        assertThat(claims()).isEqualTo(before);
     }
 
     @Test
     void messages_areCountedAndTimed_andNothingIsToldOfThemWithoutAChangeOfState() {
-        made.add(Kind.SWITCHES, Mode.CALLBACK, BOTH, Quantity.DELAY, 1)
-                .add(Kind.SWITCHES, Mode.PROMISE, BOTH, Quantity.SENT, 30)
-                .add(Kind.SWITCHES, Mode.CALLBACK, BOTH, Quantity.SENT, 10);
+        switches(Mode.CALLBACK, Quantity.DELAY, 1);
+        switches(Mode.PROMISE, Quantity.SENT, 30);
+        switches(Mode.CALLBACK, Quantity.SENT, 10);
         assertThat(verdict("1-2 milliseconds", "delay of a message")).isEqualTo(DOES_NOT_HOLD);
         assertThat(verdict("only single time", "messages")).isEqualTo(DOES_NOT_HOLD);
         assertThat(verdict("repeatedly", "messages")).isEqualTo(DOES_NOT_HOLD);
 
-        made.add(Kind.SWITCHES, Mode.PROMISE, BOTH, Quantity.SENT, 10)
-                .add(Kind.SWITCHES, Mode.PROMISE, BOTH, Quantity.STATE_CHANGES, 0);
+        switches(Mode.PROMISE, Quantity.SENT, 10);
+        switches(Mode.PROMISE, Quantity.STATE_CHANGES, 0);
         assertThat(verdict("only single time", "messages")).isEqualTo(CANNOT_BE_TOLD);
     }
 
     @Test
     void incompleteRepetitions_decideNothing() {
-        var settings = SyntheticMeasurements.settings(out);
-        var two = Evaluation.Outcome.of(settings, 2, made.measurements());
+        var two = Evaluation.Outcome.of(settings(), 2, measured());
         assertThat(two.settings().repetitions()).isEqualTo(2);
         assertThat(two.claims())
                 .hasSize(17)
                 .extracting(PaperClaims.Judged::verdict)
                 .contains(CANNOT_BE_TOLD);
         assertThat(two.measurements().all()).hasSizeLessThan(two.all().all().size());
-        assertThat(Evaluation.Outcome.of(settings, 0, made.measurements()).claims())
-                .isEmpty();
+        assertThat(Evaluation.Outcome.of(settings(), 0, measured()).claims()).isEmpty();
     }
 
     @Test
     void modeThatWasNotMeasured_hasNoClaim() {
-        made.forget(Kind.LOOPS, Mode.SYNC).forget(Kind.LOOPS, Mode.CALLBACK);
-        assertThat(made.claims())
+        values.keySet().removeIf(key -> key.kind() == Kind.LOOPS && key.mode() != Mode.PROMISE);
+        assertThat(claims())
                 .extracting(each -> each.claim().words())
                 .hasSize(4)
                 .noneMatch(words -> words.contains("[callback]") || words.contains("sum"));
@@ -205,14 +260,14 @@ class EvaluationFindingsTest {
     private static final int BLUE = 0x4477AA;
     private static final int YELLOW = 0xDDAA33;
     private static final int GREEN = 0x228833;
-    private static final List<String> SUBJECTS = List.of(Measurement.FOLLOWER, Measurement.WANDERER, Measurement.BOTH);
+    private static final List<String> SUBJECTS = List.of(FOLLOWER, WANDERER, BOTH);
     private static final String THIN_LINE = "stroke-width=\"1.2\"";
 
     @TempDir
     private Path out;
 
     private EvaluationFigures figures(Measurements measurements) {
-        return new EvaluationFigures(SyntheticMeasurements.settings(out), measurements);
+        return new EvaluationFigures(settings(), measurements);
     }
 
     private EvaluationFigures figuresOfPromises(boolean realTime, Measurements measurements) {
@@ -221,29 +276,26 @@ class EvaluationFindingsTest {
         return new EvaluationFigures(settings, measurements);
     }
 
-    private static List<String> texts(Chart chart) throws Exception {
-        return ParsedSvg.parse(chart.svg()).texts();
-    }
-
     @Test
     void everyFigureOfThePaper_saysWhatItFound_inSeconds() throws Exception {
-        var charts = figures(made.measurements()).charts();
+        var charts = figures(measured()).charts();
 
         assertThat(charts.keySet())
                 .containsExactly("evaluation-15", "evaluation-18", "evaluation-21", "evaluation-22", "evaluation-23");
-        assertThat(texts(charts.get("evaluation-15")))
+        assertThat(ParsedSvg.parse(charts.get("evaluation-15").svg()).texts())
                 .contains("sync: both services take 8 s, the wall follower 4 s and the space wanderer 1 s")
                 .contains("JVM with 2 cores", "JVM with 3 cores", "Simulated time, s for 1000 loops");
         String title = "Both services take: sync 8 s, callback 4.01 s, promise 4 s";
-        assertThat(texts(charts.get("evaluation-23")))
+        var svg = ParsedSvg.parse(charts.get("evaluation-23").svg());
+        assertThat(svg.texts())
                 .contains(title, "Figure 23 of the paper, 1000 loops of each service, on a JVM with 3 cores")
                 .contains("sync", "callback", "promise", "8", "4.01", "4");
-        assertThat(ParsedSvg.parse(charts.get("evaluation-23").svg()).title()).isEqualTo(title);
+        assertThat(svg.title()).isEqualTo(title);
     }
 
     @Test
     void files_arePicturesWithBarsAsHighAsTheNumbers() throws Exception {
-        var names = figures(made.measurements()).write(out);
+        var names = figures(measured()).write(out);
         assertThat(names).hasSize(5);
         for (String name : names) {
             var svg = Files.readString(out.resolve(name + ".svg"));
@@ -272,11 +324,11 @@ class EvaluationFindingsTest {
     }
 
     @Test
-    void whatWasMeasuredOnce_hasNoSpread() throws Exception {
+    void whatWasMeasuredOnce_hasNoSpread_andModesThatWereNotMeasuredHaveNoFigure() throws Exception {
         var once = new Measurements();
         var often = new Measurements();
         for (int repetition = 1; repetition <= 5; repetition++) {
-            for (var each : made.measurements().all()) {
+            for (var each : measured().all()) {
                 double value = each.value() * repetition;
                 var varied = new Measurement(
                         each.kind(), each.mode(), each.cores(), repetition, each.subject(), each.quantity(), value);
@@ -286,12 +338,13 @@ class EvaluationFindingsTest {
                 }
             }
         }
-        var single = figuresOfPromises(true, once).charts().get("evaluation-21");
-        var repeated = figures(often).charts().get("evaluation-21");
-
-        assertThat(texts(single)).contains("Computing time, µs for a loop, measured once");
-        assertThat(single.svg()).doesNotContain(THIN_LINE);
-        assertThat(repeated.svg()).contains(THIN_LINE);
+        String single =
+                figuresOfPromises(true, once).charts().get("evaluation-21").svg();
+        assertThat(ParsedSvg.parse(single).texts()).contains("Computing time, µs for a loop, measured once");
+        assertThat(single).doesNotContain(THIN_LINE);
+        String repeated = figures(often).charts().get("evaluation-21").svg();
+        assertThat(repeated).contains(THIN_LINE);
+        assertThat(figuresOfPromises(false, measured()).charts()).containsOnlyKeys("evaluation-21");
     }
 
     /** {@code -Dfigures=write} writes the documented figures. */
@@ -337,84 +390,5 @@ class EvaluationFindingsTest {
         }
         assertThat(measurements.all()).hasSize(6 * 5 * 3 * 2);
         return measurements;
-    }
-
-    @Test
-    void modesThatWereNotMeasured_haveNoFigure() {
-        assertThat(figuresOfPromises(false, made.measurements()).charts()).containsOnlyKeys("evaluation-21");
-    }
-
-    /** Synthetic measurements for all modes and for 2 and 3 cores. */
-    private static final class SyntheticMeasurements {
-        static final List<Mode> MODES = List.of(Mode.values());
-        static final List<Integer> CORES = List.of(2, 3);
-        static final int REPETITIONS = ClaimVerdict.ENOUGH_REPETITIONS;
-
-        private record Key(Kind kind, Mode mode, String subject, Quantity quantity) {}
-
-        private final Map<Key, Double> values = new LinkedHashMap<>();
-
-        static Evaluation.Settings settings(Path out) {
-            return new Evaluation.Settings(
-                    Path.of("none.world"), 1000, CORES, MODES, REPETITIONS, 0, 300, false, false, out.resolve("log"));
-        }
-
-        /** Measurements that confirm every claim of the paper. */
-        static SyntheticMeasurements confirmingThePaper() {
-            var made = new SyntheticMeasurements();
-            double[] both = {5_000, 4_010, 4_000};
-            for (Mode mode : MODES) {
-                made.loops(mode, Measurement.BOTH, Quantity.TIME, both[mode.ordinal()])
-                        .loops(mode, Measurement.BOTH, Quantity.TURN, both[mode.ordinal()])
-                        .loops(mode, Measurement.BOTH, Quantity.PROCESSOR, 2 * both[mode.ordinal()]);
-                for (Quantity quantity : List.of(Quantity.TIME, Quantity.CYCLE)) {
-                    made.loops(mode, Measurement.FOLLOWER, quantity, 4_000)
-                            .loops(mode, Measurement.WANDERER, quantity, 1_000);
-                }
-                made.loops(mode, Measurement.WANDERER, Quantity.INTERVAL, 250);
-                made.add(Kind.SWITCHES, mode, Measurement.BOTH, Quantity.STATE_CHANGES, 10);
-            }
-            made.loops(Mode.SYNC, Measurement.BOTH, Quantity.TIME, 8_000)
-                    .add(Kind.ALONE, Mode.PROMISE, Measurement.FOLLOWER, Quantity.TIME, 4_000)
-                    .add(Kind.ALONE, Mode.PROMISE, Measurement.WANDERER, Quantity.TIME, 4_000);
-            made.loops(Mode.SYNC, Measurement.BOTH, Quantity.TURN, 8_000)
-                    .add(Kind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY, 1_500)
-                    .add(Kind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.DELAY_P99, 2_000)
-                    .add(Kind.SWITCHES, Mode.CALLBACK, Measurement.BOTH, Quantity.SENT, 300)
-                    .add(Kind.SWITCHES, Mode.PROMISE, Measurement.BOTH, Quantity.SENT, 10);
-            return made;
-        }
-
-        SyntheticMeasurements loops(Mode mode, String subject, Quantity quantity, double value) {
-            return add(Kind.LOOPS, mode, subject, quantity, value);
-        }
-
-        /** Adds a value; replaces an existing one. */
-        SyntheticMeasurements add(Kind kind, Mode mode, String subject, Quantity quantity, double value) {
-            values.put(new Key(kind, mode, subject, quantity), value);
-            return this;
-        }
-
-        SyntheticMeasurements forget(Kind kind, Mode mode) {
-            values.keySet().removeIf(key -> key.kind() == kind && key.mode() == mode);
-            return this;
-        }
-
-        Measurements measurements() {
-            var measurements = new Measurements();
-            values.forEach((key, value) -> {
-                for (int cores : CORES) {
-                    for (int repetition = 1; repetition <= REPETITIONS; repetition++) {
-                        measurements.add(new Measurement(
-                                key.kind(), key.mode(), cores, repetition, key.subject(), key.quantity(), value));
-                    }
-                }
-            });
-            return measurements;
-        }
-
-        List<PaperClaims.Judged> claims() {
-            return PaperClaims.judge(measurements(), MODES, CORES, false);
-        }
     }
 }
