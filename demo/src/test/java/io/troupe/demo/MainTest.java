@@ -103,16 +103,13 @@ class MainTest extends CommandLineBench {
     }
 
     @Test
-    void recordingThatCannotBeWritten_isOneLineWithoutNamesOfClasses() {
+    void fileThatCannotBeWritten_isOneLineWithoutNamesOfClasses_andANameThatCanBeNoFileIsToldWithTheEncoding() {
         assertThat(troupe("serve " + ARENA + "--port 0 --record DIR/missing/session.txt"))
                 .isEqualTo(Main.USAGE);
         assertThat(err.toString().lines())
                 .containsExactly(local("troupe: --record is DIR/missing/session.txt, but there is no directory"
                         + " DIR/missing (see troupe serve --help)"));
-    }
 
-    @Test
-    void nameThatCanBeNoFile_isToldWithTheEncoding() {
         assertRefused("draw a\0b", "'a\0b' can be no file here, where names are in ");
     }
 
@@ -134,17 +131,11 @@ class MainTest extends CommandLineBench {
         String problem = "DIR/bad.table:2:13: there is no service called 'spaceWandrer'";
         assertRefused("table DIR/bad.table --out DIR", problem, "did you mean 'spaceWanderer'?");
         assertMissing("states.svg");
-    }
 
-    @Test
-    void netWithMoreTokensThanAnIntHolds_isOneLine() {
         var net = PetriNet.builder("many").place("p", Integer.MAX_VALUE).transition("t", List.of(), List.of("p"));
         Pnml.write(net.build(), directory.resolve("many.pnml"));
         assertRefused("verify --net DIR/many.pnml --out DIR", "many.pnml", "place p would hold 2147483648 tokens");
-    }
 
-    @Test
-    void configurationThatSwapsTheRobots_isRefused() throws IOException {
         for (String name : List.of("paper-arena.world", "pioneer.inc")) {
             Files.copy(Path.of("worlds", name), directory.resolve(name));
         }

@@ -65,7 +65,8 @@ class StartScriptTest extends CommandLineBench {
     }
 
     @Test
-    void linksToTheScript_leadToItsInstallation() throws Exception {
+    void linksToTheScript_leadToItsInstallation_whoseJarsAreTakenSinceTheBuildersRepositoryMayBeOutOfReach()
+            throws Exception {
         Path first = Files.createSymbolicLink(home.resolve("t"), Path.of("troupe"));
         Path bin = Files.createDirectories(directory.resolve("bin"));
         Path link = Files.createSymbolicLink(bin.resolve("troupe"), Path.of("..", "home", "t"));
@@ -74,10 +75,7 @@ class StartScriptTest extends CommandLineBench {
             assertThat(outcome.text()).contains("-Dtroupe.home=" + home + "\n", "--version");
             assertThat(outcome.status()).isZero();
         }
-    }
 
-    @Test
-    void jarsBesideTheBuild_areTaken_sinceTheBuildersRepositoryMayBeOutOfReach() throws Exception {
         assertThat(run(Map.of(), List.of(home + "/troupe", "--version")).text())
                 .contains("\n" + home + "/demo/target/classes:" + home + "/demo/target/lib/some.jar\n");
     }

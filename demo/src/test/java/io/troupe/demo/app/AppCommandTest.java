@@ -84,7 +84,7 @@ class AppCommandTest extends CommandLineBench {
     }
 
     @Test
-    void mistakes_areStatus2_andToldWithTheirPlace() throws IOException {
+    void mistakes_areStatus2_andToldWithTheirPlace_andARobotThatTwoDriveStatus1() throws IOException {
         String file = file("my.app", "application a\ncomponent r is plyer\n").toString();
         assertThat(troupe(APP + "DIR/my.app")).isEqualTo(2);
         assertThat(err.toString())
@@ -97,21 +97,7 @@ class AppCommandTest extends CommandLineBench {
         assertThat(err.toString().strip()).isEqualTo("troupe: no-such.app: no such file" + expected);
         assertRefused(APP + "applications", expected);
         assertThat(err.toString().strip()).isEqualTo("troupe: applications: a directory" + expected);
-    }
 
-    @Test
-    void component_mayHaveAnyName() throws IOException {
-        file("my.app", """
-                application a
-                component report        is wallFollower
-                component a.application is spaceWanderer
-                a needs service wallFollower
-                """);
-        printed(APP + "DIR/my.app --seconds 0.2");
-    }
-
-    @Test
-    void robotThatTwoDrive_isStatus1() throws IOException {
         file("my.app", """
                 application quarrel
                 component robots is player port=${port}
@@ -121,14 +107,23 @@ class AppCommandTest extends CommandLineBench {
                 robot1 needs service wallFollower
                 robot1 needs service spaceWanderer
                 """);
+        err.getBuffer().setLength(0);
         assertThat(troupe(APP + "DIR/my.app")).isEqualTo(1);
         assertThat(err.toString()).startsWith("troupe: robot1/velocity would be fed twice");
     }
 
     @Test
-    void list_namesTheKindsAndWhatCanBeSaidOfThem() {
+    void list_namesTheKindsAndWhatCanBeSaidOfThem_andAComponentMayHaveAnyName() throws IOException {
         assertThat(printed(APP + "--list"))
                 .contains("player", "wallFollower", "spaceWanderer", "colourFinder", "process", "robots=", "run=");
+
+        file("my.app", """
+                application a
+                component report        is wallFollower
+                component a.application is spaceWanderer
+                a needs service wallFollower
+                """);
+        printed(APP + "DIR/my.app --seconds 0.2");
     }
 
     // ---- a process, started by the broker, that connects over TCP by the Player protocol

@@ -72,7 +72,7 @@ class CrowdTest {
     }
 
     @Test
-    void states_withRobotsEnough_haveAllServices_whichTheNextStateMovesOn() {
+    void states_withRobotsEnough_haveAllServices_whichTheNextStateMovesOn_andALoneWallFollowerWanders() {
         assertThat(table(20, 6, 20).states())
                 .hasSize(6)
                 .allSatisfy(state -> assertThat(new HashSet<>(state.services())).hasSize(20));
@@ -82,10 +82,7 @@ class CrowdTest {
                 .zipSatisfy(
                         states.get(0).services(),
                         (next, service) -> assertThat(next).isNotEqualTo(service));
-    }
 
-    @Test
-    void loneWallFollower_whomNobodyLooksForColoursBeside_wandersInstead() {
         assertThat(table(1, 2, 2).states())
                 .extracting(state -> state.services().getFirst())
                 .containsOnly(Service.SPACE_WANDERER);

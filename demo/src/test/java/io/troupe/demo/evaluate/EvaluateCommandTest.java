@@ -119,21 +119,18 @@ class EvaluateCommandTest extends CommandLineBench {
     }
 
     @Test
-    void directoryThatIsNone_isRefusedBeforeAnythingIsMeasured() throws IOException {
-        file("file", "");
-        assertRefused(EVALUATE + "--out DIR/file", "--out is DIR/file, but DIR/file is a file, expected a directory");
-        Files.createDirectories(directory.resolve("taken/evaluation.log"));
-        assertRefused(EVALUATE + "--out DIR/taken", "--out DIR/taken is no directory that can be written to");
-    }
-
-    @Test
-    void wrongNumbers_areRefused() {
+    void wrongNumbersAndDirectories_areRefusedBeforeAnythingIsMeasured() throws IOException {
         assertRefused(EVALUATE + "--loops 1", "--loops is 1, expected a number from 2 to 1000000");
         assertRefused(EVALUATE + "--cores 2,0", "--cores is 0, expected numbers from 1 to 64");
         assertRefused(EVALUATE + "--repetitions 0", "--repetitions is 0, expected");
         assertRefused(EVALUATE + "--seconds -1", "--seconds is -1.0, expected");
         assertRefused(EVALUATE + "--warm-up -1", "--warm-up is -1, expected");
         assertRefused(EVALUATE + "--modes both", "both");
+
+        file("file", "");
+        assertRefused(EVALUATE + "--out DIR/file", "--out is DIR/file, but DIR/file is a file, expected a directory");
+        Files.createDirectories(directory.resolve("taken/evaluation.log"));
+        assertRefused(EVALUATE + "--out DIR/taken", "--out DIR/taken is no directory that can be written to");
     }
 
     // ---- the JVMs that measure

@@ -173,18 +173,6 @@ class ServeCommandTest extends CommandLineBench {
     }
 
     @Test
-    void maxClients_moreAreDisconnected() throws IOException {
-        try (var serving = open("track.cfg", true, 1)) {
-            var first = client(serving);
-            assertThatThrownBy(() -> client(serving))
-                    .isInstanceOf(PlayerException.class)
-                    .hasMessageContaining("it closed the connection instead of greeting");
-            first.requestDeviceList();
-            first.close();
-        }
-    }
-
-    @Test
     void wrongNumbers_areRefusedInOneLine() {
         assertRefused("serve --max-clients -1", "--max-clients is -1, expected a number of at least 0");
         assertRefused("serve --speed 0", "--speed is 0.0, expected a number above 0");
@@ -197,11 +185,20 @@ class ServeCommandTest extends CommandLineBench {
     }
 
     @Test
-    void portInUse_isSaid() throws IOException {
+    void portInUse_isSaid_andMoreThanTheMostClientsAreDisconnected() throws IOException {
         try (var taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             assertThat(troupe("serve --world worlds/track.cfg --port " + taken.getLocalPort()))
                     .isEqualTo(1);
             assertThat(err.toString()).contains("cannot listen on", "" + taken.getLocalPort());
+        }
+
+        try (var serving = open("track.cfg", true, 1)) {
+            var first = client(serving);
+            assertThatThrownBy(() -> client(serving))
+                    .isInstanceOf(PlayerException.class)
+                    .hasMessageContaining("it closed the connection instead of greeting");
+            first.requestDeviceList();
+            first.close();
         }
     }
 

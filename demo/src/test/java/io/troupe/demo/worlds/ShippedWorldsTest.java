@@ -60,20 +60,17 @@ class ShippedWorldsTest {
     }
 
     @Test
-    void office_lasersAreWhereTheConfigurationSays() {
-        assertThat(read("office.cfg").devices())
-                .filteredOn(device -> device.interfaceName().equals("laser"))
-                .extracting(DeviceBinding::model)
-                .containsExactly("robot1");
-    }
-
-    @Test
-    void cave_hasFewPiecesAndExactOutlines() {
+    void cave_hasFewPiecesAndExactOutlines_andTheLasersOfTheOfficeAreWhereTheConfigurationSays() {
         ObstacleSpec cave = read("cave.world").world().obstacles().getFirst();
 
         // the rectangles cover the dark pixels, the lines surround them; the boundary adds four pieces
         assertThat(cave.shape().polygons()).hasSizeBetween(100, 1200);
         assertThat(cave.shape().outlines()).hasSizeBetween(5, 40);
+
+        assertThat(read("office.cfg").devices())
+                .filteredOn(device -> device.interfaceName().equals("laser"))
+                .extracting(DeviceBinding::model)
+                .containsExactly("robot1");
     }
 
     /** {@code -Dfigures=write} writes the image. */
