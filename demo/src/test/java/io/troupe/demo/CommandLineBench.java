@@ -78,10 +78,14 @@ public abstract class CommandLineBench {
         return out.toString();
     }
 
-    /** A usage error is one line with the given parts, and status 2. A part with "troupe: " begins the line. */
     protected final void assertRefused(String line, String... parts) {
+        assertFails(Main.USAGE, line, parts);
+    }
+
+    /** The error is one line with the given parts. A part with "troupe: " begins the line. */
+    protected final void assertFails(int status, String line, String... parts) {
         err.getBuffer().setLength(0);
-        assertThat(troupe(line)).isEqualTo(Main.USAGE);
+        assertThat(troupe(line)).isEqualTo(status);
         String[] expected = Stream.of(parts).map(this::local).toArray(String[]::new);
         assertThat(err.toString().lines())
                 .singleElement()

@@ -205,8 +205,7 @@ class MainTest extends CommandLineBench {
     void logThatCannotBeWritten_isOneLine_andALongRunWarnsBeforeIt() throws IOException {
         Files.createDirectories(directory.resolve("run.jsonl"));
         String command = "run " + ARENA + "--out DIR --seconds ";
-        assertThat(troupe(command + "1")).isEqualTo(1);
-        assertThat(err.toString().lines()).singleElement().asString().contains("run.jsonl");
+        assertFails(1, command + "1", "run.jsonl");
         err.getBuffer().setLength(0);
         assertThat(troupe(command + "100000")).isEqualTo(1);
         assertThat(err.toString().lines())
@@ -374,7 +373,9 @@ class MainTest extends CommandLineBench {
                 .endsWith(" in 20 s");
         assertThat(svg.pixelsPerMetre()).isCloseTo(70, within(0.1));
         captionIsInside(svg);
-        everyRobotHasALineOfItsOwn(svg);
+        var legend = dashes(svg.elements("line", "stroke", "#444444"));
+        assertThat(legend).as("every robot has a line of its own").hasSize(5).doesNotHaveDuplicates();
+        assertThat(dashes(svg.elements("polyline"))).containsAll(legend);
         assertThat(svg.elements("text", "font-weight", "bold"))
                 .as("numbers can be read on the bodies")
                 .extracting(text -> text.getTextContent() + " " + text.getAttribute("fill"))
@@ -396,12 +397,6 @@ class MainTest extends CommandLineBench {
                     .isLessThan(Double.parseDouble(viewBox[2]));
             assertThat(ParsedSvg.number(text, "y")).isLessThan(Double.parseDouble(viewBox[3]));
         });
-    }
-
-    private static void everyRobotHasALineOfItsOwn(ParsedSvg svg) {
-        var legend = dashes(svg.elements("line", "stroke", "#444444"));
-        assertThat(legend).hasSize(5).doesNotHaveDuplicates();
-        assertThat(dashes(svg.elements("polyline"))).containsAll(legend);
     }
 
     private static List<String> dashes(List<Element> lines) {

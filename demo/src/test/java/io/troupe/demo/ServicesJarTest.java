@@ -101,18 +101,6 @@ class ServicesJarTest extends CommandLineBench {
         assertWritten("run.jsonl");
     }
 
-    /** A leader that drives 4 m in 20 s, and a robot behind it, about as far as the followers want to be. */
-    private void writeParade() throws IOException {
-        String worlds = Path.of("worlds").toAbsolutePath().toString().replace('\\', '/');
-        file("parade.world", """
-                interval_sim 100
-                include "%1$s/pioneer.inc"
-                include "%1$s/laser.inc"
-                pioneer2dx ( name "leader" color "orange" pose [ 1.5 0 0 0 ] scanner () )
-                pioneer2dx ( name "follower" color "black" pose [ 0 0 0 0 ] scanner () )
-                """.formatted(worlds));
-    }
-
     private static void assertFollowed(String text, String distanceOfTheFollower) {
         var distance = Pattern.compile(distanceOfTheFollower).matcher(text);
         assertThat(distance.find()).as(text).isTrue();
@@ -123,7 +111,15 @@ class ServicesJarTest extends CommandLineBench {
     @ValueSource(strings = {"chase(gap 0.8)", "follow(colour orange, gap 0.8)"})
     void followerOfAJar_byLaserOrByCamera_followsAsAServiceOfATable_andAsAComponent(String follower)
             throws IOException {
-        writeParade();
+        // a leader that drives 4 m in 20 s, and a robot behind it, about as far as the followers want to be
+        String worlds = Path.of("worlds").toAbsolutePath().toString().replace('\\', '/');
+        file("parade.world", """
+                interval_sim 100
+                include "%1$s/pioneer.inc"
+                include "%1$s/laser.inc"
+                pioneer2dx ( name "leader" color "orange" pose [ 1.5 0 0 0 ] scanner () )
+                pioneer2dx ( name "follower" color "black" pose [ 0 0 0 0 ] scanner () )
+                """.formatted(worlds));
         file("parade.table", """
                 robots 2
                 service lead = goToGoal(9, 0; speed 0.2)

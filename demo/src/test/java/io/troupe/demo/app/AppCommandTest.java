@@ -85,11 +85,9 @@ class AppCommandTest extends CommandLineBench {
 
     @Test
     void mistakes_areStatus2_andToldWithTheirPlace_andARobotThatTwoDriveStatus1() throws IOException {
-        String file = file("my.app", "application a\ncomponent r is plyer\n").toString();
-        assertThat(troupe(APP + "DIR/my.app")).isEqualTo(2);
-        assertThat(err.toString())
-                .startsWith(
-                        "troupe: " + file + ":2:16: there is no kind of component \"plyer\"; did you mean \"player\"?");
+        file("my.app", "application a\ncomponent r is plyer\n");
+        String kind = "there is no kind of component \"plyer\"; did you mean \"player\"?";
+        assertRefused(APP + "DIR/my.app", "troupe: DIR/my.app:2:16: " + kind);
         assertRefused(APP, "FILE is missing");
         assertRefused(APP + "x.app --seconds 0", "--seconds is 0.0, expected");
         String expected = ", expected the file of a declaration (see troupe app --help)";
@@ -107,9 +105,7 @@ class AppCommandTest extends CommandLineBench {
                 robot1 needs service wallFollower
                 robot1 needs service spaceWanderer
                 """);
-        err.getBuffer().setLength(0);
-        assertThat(troupe(APP + "DIR/my.app")).isEqualTo(1);
-        assertThat(err.toString()).startsWith("troupe: robot1/velocity would be fed twice");
+        assertFails(1, APP + "DIR/my.app", "troupe: robot1/velocity would be fed twice");
     }
 
     @Test

@@ -188,9 +188,9 @@ class CrowdTest {
             var need = Need.ofService("arbitrator", RobotServices.SERVICE);
             var services = actors.connect(type, need, ConnectionSettings.DEFAULT.withoutAnswerLimit())
                     .actor();
-            Arbitrator arbitrator = space.spawn(
-                    Arbitrator.class, () -> new Arbitrator(Mode.PROMISE, services, table, (state, seenBy) -> {}));
-            arbitrator.live();
+            Arbitrator.StateListener nobody = (state, seenBy) -> {};
+            space.spawn(Arbitrator.class, () -> new Arbitrator(Mode.PROMISE, services, table, nobody))
+                    .live();
             var begun = new CountDownLatch(1);
             space.onIdle(begun::countDown);
             begun.await();
