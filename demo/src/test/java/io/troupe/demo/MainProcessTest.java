@@ -28,7 +28,7 @@ import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
 
 /**
- * Commands in a JVM of their own that are interrupted, commands whose output goes to {@code /dev/full}, and the start
+ * Commands in a separate JVM that are interrupted, commands whose output goes to {@code /dev/full}, and the start
  * script.
  */
 @Timeout(300)

@@ -65,7 +65,7 @@ class ServeCommandTest extends CommandLineBench {
         return robot;
     }
 
-    /** Runs the server until all its clients, each on its own thread, have ended. */
+    /** Runs the server until all its clients, each on a separate thread, have ended. */
     private void serve(Serving serving, Pace pace, Runnable... clients) throws InterruptedException {
         var ended = CompletableFuture.allOf(Stream.of(clients)
                 .map(client -> CompletableFuture.runAsync(client, threads))

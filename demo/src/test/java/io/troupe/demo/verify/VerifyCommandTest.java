@@ -233,7 +233,7 @@ class VerifyCommandTest extends CommandLineBench {
         assertThat(statement(A, "lower priority").ours()).isEqualTo(withPriority);
     }
 
-    /** Returns what is said of a corrected statement that does not hold for a net. */
+    /** Returns our numbers for a statement about the corrected net, which does not hold for a changed one. */
     private static String refuted(PetriNetBuilder net, int statement) {
         var judged = new CorrectedStatements(NetStudy.of(net.build())).all().get(statement);
         assertThat(judged.holds()).isFalse();
