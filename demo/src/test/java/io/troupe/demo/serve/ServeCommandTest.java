@@ -49,9 +49,12 @@ class ServeCommandTest extends CommandLineBench {
         return ScenarioReader.read(Path.of("worlds", name));
     }
 
-    private static Serving open(String world, boolean lockStep, int maxClients) throws IOException {
-        var address = InetAddress.getByName("127.0.0.2");
-        return Serving.open(scenario(world), WorldSettings.DEFAULT, address, 0, lockStep, maxClients);
+    private static InetAddress address() throws IOException {
+        return InetAddress.getByName("127.0.0.2");
+    }
+
+    private static Serving open(String world, boolean lockStep) throws IOException {
+        return Serving.open(scenario(world), WorldSettings.DEFAULT, address(), 0, lockStep);
     }
 
     /** A client on TCP: for {@code localhost} it would find the world in the same process, without a socket. */
@@ -78,7 +81,7 @@ class ServeCommandTest extends CommandLineBench {
     @Test
     void push_client_drivesAndTheRecordingReplays() throws Exception {
         Path file = directory.resolve("session.txt");
-        try (var serving = open("paper-arena.cfg", false, 0)) {
+        try (var serving = open("paper-arena.cfg", false)) {
             serving.record(file);
             serve(serving, new Pace.RealTime(50), () -> drive(serving));
         }
@@ -124,7 +127,7 @@ class ServeCommandTest extends CommandLineBench {
     private ConcurrentLinkedQueue<Double> timesOfPullingClients(String world, int clients, int readings)
             throws Exception {
         var seen = new ConcurrentLinkedQueue<Double>();
-        try (var serving = open(world, true, 0)) {
+        try (var serving = open(world, true)) {
             var pulling = IntStream.range(0, clients).<Runnable>mapToObj(index -> () -> {
                 var robot = pullingClient(serving);
                 var wheels = robot.requestInterfacePosition2D(index, PlayerConstants.PLAYER_OPEN_MODE);
@@ -151,7 +154,7 @@ class ServeCommandTest extends CommandLineBench {
     void recordingThatCannotBeWritten_endsTheServer_andNamesTheFile() throws IOException {
         Path full = Path.of("/dev/full");
         assumeThat(full).exists();
-        try (var serving = open("track.cfg", true, 0)) {
+        try (var serving = open("track.cfg", true)) {
             serving.record(full);
             Runnable driver = () -> {
                 var robot = pullingClient(serving);
@@ -191,7 +194,7 @@ class ServeCommandTest extends CommandLineBench {
             assertThat(err.toString()).contains("cannot listen on", "" + taken.getLocalPort());
         }
 
-        try (var serving = open("track.cfg", true, 1)) {
+        try (var serving = Serving.open(scenario("track.cfg"), WorldSettings.DEFAULT, address(), 0, true, 1)) {
             var first = client(serving);
             assertThatThrownBy(() -> client(serving))
                     .isInstanceOf(PlayerException.class)
