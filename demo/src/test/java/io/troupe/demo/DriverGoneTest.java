@@ -292,7 +292,7 @@ class DriverGoneTest {
     }
 
     @Test
-    void driverComponentThatFallsSilentWithoutALastWord_andDrivesAgain_andWhoseBusIsClosed() throws Exception {
+    void driverComponentThatFallsSilentWithoutALastWord_andDrivesAgain() throws Exception {
         var silent = new AtomicBoolean();
         try (var space = space()) {
             var bus = Bus.inProcess("here", BusSettings.on(space));
@@ -301,6 +301,14 @@ class DriverGoneTest {
             assertStandsAfterHalfASecond(0);
             silent.set(false);
             awaitMoving(0);
+        }
+    }
+
+    @Test
+    void busThatIsClosed_betweenTheDriverAndItsRobot() throws Exception {
+        try (var space = space()) {
+            var bus = Bus.inProcess("here", BusSettings.on(space));
+            start(space, bus, () -> senses -> Optional.of(TURNING));
             bus.close();
             assertStandsAfterHalfASecond(0);
         }
