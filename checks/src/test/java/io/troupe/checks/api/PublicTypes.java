@@ -5,8 +5,8 @@ import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.util.DocTrees;
 import com.sun.source.util.JavacTask;
 import com.sun.source.util.TreePath;
+import io.troupe.checks.Repository;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -32,17 +32,16 @@ public final class PublicTypes {
     private PublicTypes() {}
 
     public static List<PublicType> in(Path folder) throws IOException {
-        List<Path> sources;
-        try (var files = Files.walk(folder)) {
-            sources = files.filter(file -> file.toString().endsWith(".java"))
-                    .sorted()
-                    .toList();
-        }
         var compiler = Objects.requireNonNull(ToolProvider.getSystemJavaCompiler(), "a JDK, not a JRE, runs the tests");
         List<PublicType> types = new ArrayList<>();
         try (var files = compiler.getStandardFileManager(null, null, null)) {
             var task = (JavacTask) compiler.getTask(
-                    null, files, null, List.of("-proc:none"), null, files.getJavaFileObjectsFromPaths(sources));
+                    null,
+                    files,
+                    null,
+                    List.of("-proc:none"),
+                    null,
+                    files.getJavaFileObjectsFromPaths(Repository.files(folder, ".java")));
             var docs = DocTrees.instance(task);
             for (CompilationUnitTree unit : task.parse()) {
                 for (var declaration : unit.getTypeDecls()) {

@@ -1,11 +1,16 @@
 package io.troupe.checks.builds;
 
+import io.troupe.checks.builds.Build.Dependency;
+import io.troupe.checks.builds.Build.Module;
+import io.troupe.checks.builds.Build.NotUnderstood;
+import io.troupe.checks.builds.Build.Scope;
 import io.troupe.checks.builds.KotlinScript.Statement;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,8 +22,8 @@ import java.util.regex.Pattern;
 /**
  * The Gradle build, read from its scripts without running Gradle.
  *
- * <p><b>Errors.</b> It understands the few forms that our scripts use. Anything else is a {@link BuildFileException};
- * so is a skipped part that mentions a subject on which the two builds must agree.
+ * <p><b>Errors.</b> It understands the few forms that our scripts use. Anything else is a {@link NotUnderstood}; so is
+ * a skipped part that mentions a subject on which the two builds must agree.
  */
 final class GradleReader {
     private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
@@ -88,7 +93,7 @@ final class GradleReader {
             } else if (statement.head().equals("dependencyResolutionManagement")) {
                 var body = statement.body().strip().replaceAll("\\s+", " ");
                 if (!body.equals(REPOSITORIES)) {
-                    throw new BuildFileException(file + ": expected " + REPOSITORIES + ", found " + body);
+                    throw new NotUnderstood(file + ": expected " + REPOSITORIES + ", found " + body);
                 }
             } else if (!statement.head().equals("rootProject.name = \"troupe\"")) {
                 throw notUnderstood(file, statement);
@@ -111,7 +116,7 @@ final class GradleReader {
             }
         }
         if (release.isEmpty()) {
-            throw new BuildFileException(file + ": no options.release.set(..) for JavaCompile");
+            throw new NotUnderstood(file + ": no options.release.set(..) for JavaCompile");
         }
     }
 
@@ -211,14 +216,14 @@ final class GradleReader {
             case "runtimeOnly" -> Scope.RUNTIME;
             case "testImplementation", "testRuntimeOnly" -> Scope.TEST;
             case "annotationProcessor" -> Scope.PROCESSOR;
-            default -> throw new BuildFileException("configuration " + configuration + " is not understood");
+            default -> throw new NotUnderstood("configuration " + configuration + " is not understood");
         };
     }
 
     private String property(String name) {
         var value = properties.getProperty(name);
         if (value == null) {
-            throw new BuildFileException("gradle.properties: " + name + " is missing");
+            throw new NotUnderstood("gradle.properties: " + name + " is missing");
         }
         return value;
     }
@@ -226,13 +231,82 @@ final class GradleReader {
     private static void requireNothingTelling(String file, Statement statement) {
         var telling = TELLING.matcher(statement.head() + " {" + statement.body());
         if (telling.find()) {
-            throw new BuildFileException(
-                    file + ": \"" + telling.group() + "\" is not understood in: " + statement.head());
+            throw new NotUnderstood(file + ": \"" + telling.group() + "\" is not understood in: " + statement.head());
         }
     }
 
-    private static BuildFileException notUnderstood(String file, Statement statement) {
-        return new BuildFileException(
-                file + ": not understood: " + statement.head() + (statement.block() ? " {..}" : ""));
+    private static NotUnderstood notUnderstood(String file, Statement statement) {
+        return new NotUnderstood(file + ": not understood: " + statement.head() + (statement.block() ? " {..}" : ""));
+    }
+
+    /** Reads {@code gradle/libs.versions.toml}; it understands versions, and libraries with module and version. */
+    static final class VersionCatalog {
+        private static final String FILE = "libs.versions.toml: ";
+        private static final Pattern VERSION = Pattern.compile("([\\w-]+)\\s*=\\s*\"([^\"]+)\"");
+        private static final Pattern LIBRARY = Pattern.compile(
+                "([\\w-]+)\\s*=\\s*\\{\\s*module\\s*=\\s*\"([^\":]+:[^\":]+)\"\\s*,\\s*version\\.ref\\s*=\\s*\"([^\"]+)\"\\s*}");
+
+        private final Map<String, String> versions = new LinkedHashMap<>();
+        private final Map<String, Dependency> libraries = new LinkedHashMap<>();
+        private final Set<String> used = new HashSet<>();
+
+        VersionCatalog(String toml) {
+            var section = "";
+            for (String line : toml.lines().map(String::strip).toList()) {
+                if (line.startsWith("[")) {
+                    section = line;
+                } else if (!line.isEmpty() && !line.startsWith("#")) {
+                    switch (section) {
+                        case "[versions]" -> version(line);
+                        case "[libraries]" -> library(line);
+                        default -> throw new NotUnderstood(FILE + "section " + section + " is not understood");
+                    }
+                }
+            }
+        }
+
+        /**
+         * Reads one version. Gradle's "2.57!!" means exactly this version, which Maven assumes for every direct
+         * dependency.
+         */
+        private void version(String line) {
+            var match = VERSION.matcher(line);
+            if (!match.matches() || versions.put(match.group(1), match.group(2).replaceFirst("!!$", "")) != null) {
+                throw new NotUnderstood(FILE + "not understood, or given twice: " + line);
+            }
+        }
+
+        private void library(String line) {
+            var match = LIBRARY.matcher(line);
+            if (!match.matches()) {
+                throw new NotUnderstood(FILE + "expected alias = { module = .., version.ref = .. }, found: " + line);
+            }
+            var version = versions.get(match.group(3));
+            if (version == null) {
+                throw new NotUnderstood(FILE + "no version named " + match.group(3) + ", asked for by: " + line);
+            }
+            libraries.put(accessor(match.group(1)), new Dependency(Scope.COMPILE, match.group(2), version));
+        }
+
+        /** The library that {@code libs.<accessor>} or an alias names, in the given scope. */
+        Dependency library(Scope scope, String alias) {
+            var library = libraries.get(accessor(alias));
+            if (library == null) {
+                throw new NotUnderstood(FILE + "no library " + alias + "; there are " + libraries.keySet());
+            }
+            used.add(accessor(alias));
+            return new Dependency(scope, library.coordinates(), library.version());
+        }
+
+        /** The libraries that were not requested yet. */
+        Set<String> unused() {
+            var unused = new TreeSet<>(libraries.keySet());
+            unused.removeAll(used);
+            return unused;
+        }
+
+        private static String accessor(String alias) {
+            return alias.replace('-', '.').replace('_', '.');
+        }
     }
 }

@@ -1,7 +1,9 @@
 package io.troupe.checks.builds;
 
+import io.troupe.checks.builds.Build.NotUnderstood;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /**
  * Splits a plain Gradle script into its statements. It knows comments, strings and brackets, and nothing else of
@@ -15,105 +17,50 @@ final class KotlinScript {
         }
     }
 
+    private static final Pattern COMMENT = Pattern.compile("//.*|(?s:/\\*.*?(?:\\*/|$))");
+    private static final Pattern STRING = Pattern.compile("\"(?:[^\"\\\\\\n]|\\\\.)*\"");
+    private static final Pattern TOKEN = Pattern.compile(COMMENT + "|\"\"\"|" + STRING + "|(?s:.)");
+
     private KotlinScript() {}
 
     static List<Statement> statements(String file, String script) {
-        var text = withoutComments(script);
         var statements = new ArrayList<Statement>();
-        int start = 0;
+        var text = new StringBuilder();
         int depth = 0;
-        for (int i = 0; i < text.length(); i++) {
-            char c = text.charAt(i);
-            if (c == '"') {
-                i = endOfString(text, i);
-            } else if ("({[".indexOf(c) >= 0) {
+        int brace = -1; // where the last block of the statement begins
+        for (var match : TOKEN.matcher(script + "\n").results().toList()) {
+            var token = match.group();
+            if (token.equals("\"\"\"")) {
+                throw new NotUnderstood("a raw string is not understood here");
+            } else if (token.equals("\"")) {
+                var line = script.substring(match.start()).lines().findFirst().orElse("");
+                throw new NotUnderstood("a string is not closed: " + line);
+            } else if ("({[".contains(token)) {
+                brace = token.equals("{") && depth == 0 ? text.length() : brace;
                 depth++;
-            } else if (")}]".indexOf(c) >= 0 && --depth < 0) {
-                throw new BuildFileException(file + ": a " + c + " that nothing opened");
-            } else if ((c == '\n' || c == ';') && depth == 0) {
-                add(statements, text.substring(start, i));
-                start = i + 1;
+            } else if (")}]".contains(token) && --depth < 0) {
+                throw new NotUnderstood(file + ": a " + token + " that nothing opened");
+            }
+            if ((token.equals("\n") || token.equals(";")) && depth == 0) {
+                add(statements, text.toString().stripTrailing(), brace);
+                text.setLength(0);
+                brace = -1;
+            } else if (!COMMENT.matcher(token).matches()) {
+                text.append(token);
             }
         }
         if (depth != 0) {
-            throw new BuildFileException(file + ": a bracket is not closed");
+            throw new NotUnderstood(file + ": a bracket is not closed");
         }
-        add(statements, text.substring(start));
         return statements;
     }
 
-    private static void add(List<Statement> statements, String text) {
-        var trimmed = text.strip();
-        if (trimmed.isEmpty()) {
-            return;
-        }
-        int brace = openingBrace(trimmed);
-        if (brace < 0) {
-            statements.add(new Statement(trimmed, false, ""));
-        } else {
+    private static void add(List<Statement> statements, String text, int brace) {
+        if (brace >= 0 && text.endsWith("}")) {
             statements.add(new Statement(
-                    trimmed.substring(0, brace).strip(), true, trimmed.substring(brace + 1, trimmed.length() - 1)));
+                    text.substring(0, brace).strip(), true, text.substring(brace + 1, text.length() - 1)));
+        } else if (!text.isBlank()) {
+            statements.add(new Statement(text.strip(), false, ""));
         }
-    }
-
-    /**
-     * The start of the block that ends the statement, or -1. The brace must be outside of strings and other brackets.
-     */
-    private static int openingBrace(String statement) {
-        if (!statement.endsWith("}")) {
-            return -1;
-        }
-        int depth = 0;
-        int last = -1;
-        for (int i = 0; i < statement.length(); i++) {
-            char c = statement.charAt(i);
-            if (c == '"') {
-                i = endOfString(statement, i);
-            } else if ("({[".indexOf(c) >= 0) {
-                if (c == '{' && depth == 0) {
-                    last = i;
-                }
-                depth++;
-            } else if (")}]".indexOf(c) >= 0) {
-                depth--;
-            }
-        }
-        return last;
-    }
-
-    private static String withoutComments(String text) {
-        var kept = new StringBuilder();
-        int i = 0;
-        while (i < text.length()) {
-            if (text.charAt(i) == '"') {
-                int end = endOfString(text, i);
-                kept.append(text, i, end + 1);
-                i = end + 1;
-            } else if (text.startsWith("//", i)) {
-                int end = text.indexOf('\n', i);
-                i = end < 0 ? text.length() : end;
-            } else if (text.startsWith("/*", i)) {
-                int end = text.indexOf("*/", i + 2);
-                i = end < 0 ? text.length() : end + 2;
-            } else {
-                kept.append(text.charAt(i++));
-            }
-        }
-        return kept.toString();
-    }
-
-    private static int endOfString(String text, int start) {
-        if (text.startsWith("\"\"\"", start)) {
-            throw new BuildFileException("a raw string is not understood here");
-        }
-        for (int i = start + 1; i < text.length() && text.charAt(i) != '\n'; i++) {
-            if (text.charAt(i) == '\\') {
-                i++;
-            } else if (text.charAt(i) == '"') {
-                return i;
-            }
-        }
-        throw new BuildFileException("a string is not closed: "
-                + text.substring(start).lines().findFirst().orElse(""));
     }
 }

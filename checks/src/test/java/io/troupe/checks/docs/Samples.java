@@ -1,10 +1,12 @@
 package io.troupe.checks.docs;
 
+import static java.util.stream.Collectors.toSet;
+
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
-import java.util.TreeMap;
 import java.util.regex.Pattern;
 
 /**
@@ -63,14 +65,11 @@ final class Samples {
 
     /** The index of the brace that closes an inline tag, whose content has balanced braces. */
     private static int endOfSnippet(String java, int start) {
-        int depth = 1;
-        for (int end = start; end < java.length(); end++) {
+        int end = start;
+        for (int depth = 1; depth > 0; end++) {
             depth += java.charAt(end) == '{' ? 1 : java.charAt(end) == '}' ? -1 : 0;
-            if (depth == 0) {
-                return end;
-            }
         }
-        throw new IllegalArgumentException("a snippet without an end: " + java.substring(start));
+        return end - 1;
     }
 
     /** The text without what the comparison ignores. */
@@ -88,15 +87,11 @@ final class Samples {
      * @param sources essences by path
      */
     static Set<String> missing(Sample sample, Map<String, String> sources) {
-        var missingOf = new TreeMap<Integer, Set<String>>(); // by the number of missing pieces
-        for (String essence : sources.values()) {
-            var missing = sample.pieces().stream()
-                    .filter(piece -> !essence.contains(essence(piece)))
-                    .collect(java.util.stream.Collectors.toSet());
-            missingOf.putIfAbsent(missing.size(), missing);
-        }
-        return missingOf.isEmpty()
-                ? Set.copyOf(sample.pieces())
-                : missingOf.firstEntry().getValue();
+        return sources.values().stream()
+                .map(essence -> sample.pieces().stream()
+                        .filter(piece -> !essence.contains(essence(piece)))
+                        .collect(toSet()))
+                .min(Comparator.comparingInt(Set::size))
+                .orElse(Set.copyOf(sample.pieces()));
     }
 }

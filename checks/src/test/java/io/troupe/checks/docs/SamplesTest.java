@@ -4,9 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.checks.Repository;
 import io.troupe.checks.api.PublicTypes;
+import io.troupe.checks.docs.Samples.Sample;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -36,42 +38,39 @@ class SamplesTest {
                 "view/README.md"
             })
     void samples_occurInCompiledSources(String page) throws IOException {
-        var samples = Samples.of(page, Files.readString(Repository.root().resolve(page)));
-        assertThat(samples).extracting(Samples.Sample::language).contains("java");
-        var sources = essences();
-        var missing = new TreeMap<String, Set<String>>();
-        for (var sample : samples) {
-            var pieces = Samples.missing(sample, sources);
-            if (!pieces.isEmpty()) {
-                missing.put(sample.toString(), pieces);
-            }
-        }
-        assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
+        var samples = Samples.of(page, Repository.text(page));
+        assertThat(samples).extracting(Sample::language).contains("java");
+        requireInSources(samples);
     }
 
     @Test
     void samplesInJavadoc_occurInCompiledSources() throws IOException {
-        var sources = essences();
-        var missing = new TreeMap<String, Set<String>>();
-        int count = 0;
+        List<Sample> all = new ArrayList<>();
         for (Path source : Repository.javaSources()) {
             if (source.toString().contains("/src/main/")) {
                 String text = Files.readString(source);
                 var samples = Samples.ofJavadoc(source.getFileName().toString(), text);
-                int all = text.split("\\* \\{@snippet ", -1).length - 1;
-                int others = text.split("\\* \\{@snippet lang = \"text\":", -1).length - 1;
-                assertThat(samples).as("Java samples of " + source).hasSize(all - others);
-                for (var sample : samples) {
-                    assertThat(sample.text()).as(sample.toString()).isNotBlank();
-                    count++;
-                    var pieces = Samples.missing(sample, sources);
-                    if (!pieces.isEmpty()) {
-                        missing.put(sample.toString(), pieces);
-                    }
-                }
+                int snippets = text.split("\\* \\{@snippet ", -1).length;
+                int others = text.split("\\* \\{@snippet lang = \"text\":", -1).length;
+                assertThat(samples).as("Java samples of " + source).hasSize(snippets - others);
+                all.addAll(samples);
             }
         }
-        assertThat(count).as("samples").isGreaterThan(20);
+        assertThat(all).hasSizeGreaterThan(20).noneMatch(sample -> sample.text().isBlank());
+        requireInSources(all);
+    }
+
+    private static void requireInSources(List<Sample> samples) throws IOException {
+        Map<String, String> essences = new TreeMap<>();
+        for (Path source : Repository.javaSources()) {
+            essences.put(source.toString(), Samples.essence(Files.readString(source)));
+        }
+        for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on Troupe, of the README
+            essences.put(script, Samples.essence(Repository.text("docs/examples/consumer/" + script)));
+        }
+        Map<String, Set<String>> missing = new TreeMap<>();
+        samples.forEach(sample -> missing.put(sample.toString(), Samples.missing(sample, essences)));
+        missing.values().removeIf(Set::isEmpty);
         assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
     }
 
@@ -132,16 +131,16 @@ class SamplesTest {
     void sample_isFoundAsTheFormatterWritesIt_andByItsPieces() {
         var sample = sample("void set(int x) { this.x = x; }  // one\n\nlamp.set(1);\n");
         var formatted = "@Override public void set(int x) {\n    this.x = x; // why\n}\n lamp\n    .set(1);";
-        assertThat(Samples.missing(sample, Map.of("A.java", Samples.essence(formatted))))
+        assertThat(Samples.missing(sample, Map.of("A", Samples.essence(formatted))))
                 .isEmpty();
     }
 
     @Test
     void sample_thatDiffersOrIsSpreadOverTwoSources_isMissing() {
         var sample = sample("lamp.set(1);\n\nlamp.on();\n");
-        assertThat(Samples.missing(sample, Map.of("A.java", "lamp.set(2);lamp.on();")))
+        assertThat(Samples.missing(sample, Map.of("A", "lamp.set(2);lamp.on();")))
                 .containsExactly("lamp.set(1);");
-        assertThat(Samples.missing(sample, Map.of("A.java", "lamp.set(1);", "B.java", "lamp.on();")))
+        assertThat(Samples.missing(sample, Map.of("A", "lamp.set(1);", "B", "lamp.on();")))
                 .hasSize(1);
         assertThat(Samples.missing(sample, Map.of())).hasSize(2);
     }
@@ -152,27 +151,14 @@ class SamplesTest {
         assertThat(Samples.essence("get(\"http://x\")")).isEqualTo("get(\"http://x\")");
     }
 
-    private static Samples.Sample sample(String java) {
+    private static Sample sample(String java) {
         return Samples.of("page.md", "# Title\n\n```java\n" + java + "```\n").getFirst();
-    }
-
-    private static Map<String, String> essences() throws IOException {
-        Map<String, String> essences = new TreeMap<>();
-        for (Path source : Repository.javaSources()) {
-            essences.put(source.toString(), Samples.essence(Files.readString(source)));
-        }
-        for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on Troupe, of the README
-            Path source = Repository.root().resolve("docs/examples/consumer").resolve(script);
-            essences.put(source.toString(), Samples.essence(Files.readString(source)));
-        }
-        return essences;
     }
 
     @Test
     void sources_areThoseOfAllModules() {
-        List<String> names = Repository.javaSources().stream()
-                .map(source -> source.getFileName().toString())
-                .toList();
-        assertThat(names).contains("ActorSpace.java", "ActorsGuideTest.java", "Main.java");
+        assertThat(Repository.javaSources())
+                .extracting(source -> source.getFileName().toString())
+                .contains("ActorSpace.java", "ActorsGuideTest.java", "Main.java");
     }
 }

@@ -1,5 +1,8 @@
 package io.troupe.petri.wiring;
 
+import static java.util.stream.Collectors.groupingBy;
+import static java.util.stream.Collectors.toList;
+
 import io.troupe.petri.Arc;
 import io.troupe.petri.PetriNet;
 import java.util.ArrayList;
@@ -9,28 +12,16 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.TreeMap;
+import java.util.TreeSet;
 
 /**
  * Decides whether two nets differ only in their names. Nodes are coloured by their tokens and then repeatedly by the
  * colours around them. Where several nodes have the same colour, one of them is given a separate colour, together with
  * each candidate of the other net in turn. The mapping found is verified by renaming.
  */
-final class Isomorphism {
-    private final PetriNet one;
-    private final PetriNet other;
-
-    private Isomorphism(PetriNet one, PetriNet other) {
-        this.one = one;
-        this.other = other;
-    }
-
+record Isomorphism(PetriNet one, PetriNet other) {
     /** The names of the second net by those of the first. */
     static Optional<Map<String, String>> find(PetriNet one, PetriNet other) {
-        if (one.places().size() != other.places().size()
-                || one.transitions().size() != other.transitions().size()
-                || one.arcCount() != other.arcCount()) {
-            return Optional.empty();
-        }
         return new Isomorphism(one, other).match(start(one), start(other));
     }
 
@@ -40,30 +31,26 @@ final class Isomorphism {
         refine(a, b);
         var classes = byColour(a);
         var otherClasses = byColour(b);
-        for (var colour : classes.keySet()) {
-            if (!otherClasses.containsKey(colour)
-                    || otherClasses.get(colour).size() != classes.get(colour).size()) {
-                return Optional.empty();
-            }
-        }
-        for (var colour : classes.keySet()) {
-            var members = classes.get(colour);
-            if (members.size() > 1) {
-                a.put(members.get(0), -1);
-                for (var candidate : otherClasses.get(colour)) {
-                    var tried = new HashMap<>(b);
-                    tried.put(candidate, -1);
-                    var found = match(a, tried);
-                    if (found.isPresent()) {
-                        return found;
-                    }
-                }
-                return Optional.empty();
-            }
-        }
         var names = new HashMap<String, String>();
-        classes.forEach((colour, members) ->
-                names.put(members.get(0), otherClasses.get(colour).get(0)));
+        for (var members : classes.entrySet()) {
+            var candidates = otherClasses.getOrDefault(members.getKey(), List.of());
+            if (candidates.size() != members.getValue().size()) {
+                return Optional.empty();
+            }
+            names.put(members.getValue().getFirst(), candidates.getFirst());
+        }
+        for (var members : classes.entrySet()) {
+            if (members.getValue().size() > 1) {
+                a.put(members.getValue().getFirst(), -1);
+                return otherClasses.get(members.getKey()).stream()
+                        .flatMap(candidate -> {
+                            var tried = new HashMap<>(b);
+                            tried.put(candidate, -1);
+                            return match(a, tried).stream();
+                        })
+                        .findFirst();
+            }
+        }
         var renamed = one.renamed(other.name(), name -> Objects.requireNonNull(names.get(name)));
         return renamed.sameStructureAs(other) ? Optional.of(names) : Optional.empty();
     }
@@ -76,23 +63,19 @@ final class Isomorphism {
     }
 
     private void refine(Map<String, Integer> a, Map<String, Integer> b) {
-        var before = 0;
+        var before = -1;
         while (true) {
-            var ids = new TreeMap<String, Integer>();
-            var seenA = views(one, a);
-            var seenB = views(other, b);
-            seenA.values().forEach(view -> ids.put(view, 0));
-            seenB.values().forEach(view -> ids.put(view, 0));
-            var next = 0;
-            for (var id : ids.entrySet()) {
-                id.setValue(next++);
-            }
-            seenA.forEach((name, view) -> a.put(name, ids.get(view)));
-            seenB.forEach((name, view) -> b.put(name, ids.get(view)));
-            if (ids.size() == before) {
+            var viewsA = views(one, a);
+            var viewsB = views(other, b);
+            var all = new TreeSet<>(viewsA.values());
+            all.addAll(viewsB.values());
+            var numbered = List.copyOf(all);
+            a.replaceAll((name, colour) -> numbered.indexOf(viewsA.get(name)));
+            b.replaceAll((name, colour) -> numbered.indexOf(viewsB.get(name)));
+            if (numbered.size() == before) {
                 return;
             }
-            before = ids.size();
+            before = numbered.size();
         }
     }
 
@@ -120,10 +103,6 @@ final class Isomorphism {
     }
 
     private static Map<Integer, List<String>> byColour(Map<String, Integer> colours) {
-        var classes = new TreeMap<Integer, List<String>>();
-        new TreeMap<>(colours)
-                .forEach((name, colour) ->
-                        classes.computeIfAbsent(colour, c -> new ArrayList<>()).add(name));
-        return classes;
+        return colours.keySet().stream().sorted().collect(groupingBy(colours::get, TreeMap::new, toList()));
     }
 }

@@ -1,11 +1,11 @@
 package io.troupe.petri.wiring;
 
+import static io.troupe.petri.Nets.refused;
 import static io.troupe.petri.wiring.Protocol.does;
 import static io.troupe.petri.wiring.Protocol.provides;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.petri.SearchEnd;
@@ -15,6 +15,7 @@ import io.troupe.petri.wiring.WiringResult.Proved;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Wirings and their results, and declarations that are refused. */
 class WiringCheckTest {
     private static Protocol client() {
         return Protocol.of("client")
@@ -34,18 +35,22 @@ class WiringCheckTest {
     }
 
     /** Takes a token when its neighbour passes one on, or passes one on itself. */
-    private static Protocol neighbour() {
-        return Protocol.of("neighbour")
-                .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
-                .build();
-    }
+    private static final Protocol NEIGHBOUR = Protocol.of("neighbour")
+            .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
+            .build();
 
     private static Wiring ring(int size) {
-        var ring = Wiring.of("ring").components("node", size, neighbour());
+        var ring = Wiring.of("ring").components("node", size, NEIGHBOUR);
         for (var i = 1; i <= size; i++) {
             ring.bind("node" + i, "next", "node" + (i % size + 1));
         }
         return ring.build();
+    }
+
+    private static WiringBuilder wiring(String name, Protocol... components) {
+        var wiring = Wiring.of(name);
+        List.of(components).forEach(wiring::component);
+        return wiring;
     }
 
     @Test
@@ -80,12 +85,9 @@ class WiringCheckTest {
 
     @Test
     void sixClients_ofOnePlanner_areProved() {
-        var robots = Wiring.of("six")
-                .components("robot", 6, client())
-                .component(planner())
-                .build();
+        var robots = Wiring.of("six").components("robot", 6, client()).component(planner());
 
-        var result = WiringCheck.check(robots);
+        var result = WiringCheck.check(robots.build());
 
         assertThat(result).isInstanceOf(Proved.class);
         assertThat(result.figures().isComplete()).isTrue();
@@ -157,29 +159,20 @@ class WiringCheckTest {
     void stop_leavesOneBlockedWhileAnotherGoesOn() {
         var server = Protocol.of("server")
                 .in("off", provides("open").then("on"))
-                .in("on", provides("use").then("on"), stops())
-                .build();
+                .in("on", provides("use").then("on"), stops());
         var user = Protocol.of("user")
                 .in("start", requests("server.open").then("using"))
-                .in("using", requests("server.use").then("using"))
-                .build();
-        var clock =
-                Protocol.of("clock").in("ticking", does("tick").then("ticking")).build();
-        var wiring = Wiring.of("blocked")
-                .component(server)
-                .component(user)
-                .component(clock)
-                .build();
+                .in("using", requests("server.use").then("using"));
+        var clock = Protocol.of("clock").in("ticking", does("tick").then("ticking"));
 
-        var result = (Blocked) WiringCheck.check(wiring);
+        var result = (Blocked) WiringCheck.check(
+                wiring("blocked", server.build(), user.build(), clock.build()).build());
 
         assertThat(result.figures().deadMarkings()).isZero();
         assertThat(result.counterexample().sentence())
                 .isEqualTo("server stops; user waits for server.use, which nobody will answer");
         assertThat(result.counterexample().waits()).extracting(Wait::component).containsExactly("server", "user");
-        assertThat(result.pairs())
-                .singleElement()
-                .satisfies(pair -> assertThat(pair.isFree()).isFalse());
+        assertThat(result.pairs()).extracting(PairResult::isFree).containsExactly(false);
     }
 
     @Test
@@ -194,11 +187,9 @@ class WiringCheckTest {
                 .bind("node2", "next", "node1")
                 .build();
 
-        var result = (Deadlock) WiringCheck.check(wiring);
+        var repair = ((Deadlock) WiringCheck.check(wiring)).repair().orElseThrow();
 
-        var repair = result.repair().orElseThrow();
         assertThat(repair.isProved()).isFalse();
-        assertThat(repair.result()).isInstanceOf(Deadlock.class);
         assertThat(repair.toString()).contains("not proved");
         assertThat(((Deadlock) repair.result()).repair()).isEmpty();
     }
@@ -208,18 +199,15 @@ class WiringCheckTest {
         var lamp = Protocol.of("lamp")
                 .in("off", does("start").then("dark"))
                 .in("dark", provides("light").then("bright"), stops())
-                .in("bright", provides("dim").then("dark"), stops())
-                .build();
+                .in("bright", provides("dim").then("dark"), stops());
         var user = Protocol.of("user")
                 .in("away", does("come").then("wants light"))
                 .in("wants light", requests("lamp.light").then("wants dark"))
                 .in("wants dark", requests("lamp.dim").then("thinks"))
                 .in("thinks", does("go on").then("wants light"), does("leave").then("leaving"))
-                .in("leaving", stops())
-                .build();
-        var wiring = Wiring.of("lamp").component(lamp).component(user).build();
+                .in("leaving", stops());
 
-        var together = wiring.withSynchronisedStop();
+        var together = wiring("lamp", lamp.build(), user.build()).build().withSynchronisedStop();
 
         assertThat(together.net().transitions())
                 .extracting(Object::toString)
@@ -230,13 +218,9 @@ class WiringCheckTest {
 
     @Test
     void openCall_isMadeFromOutside() {
-        var wiring = Wiring.of("open")
-                .component(planner())
-                .open("planner.plan")
-                .open("planner.correct")
-                .build();
+        var wiring = Wiring.of("open").component(planner()).open("planner.plan").open("planner.correct");
 
-        var result = WiringCheck.check(wiring);
+        var result = WiringCheck.check(wiring.build());
 
         assertThat(result).isInstanceOf(Proved.class);
         assertThat(result.figures()).isEqualTo(new Figures(1, 2, 4, 1, 2, 0, SearchEnd.COMPLETE, List.of()));
@@ -246,15 +230,13 @@ class WiringCheckTest {
     void stateOfAWiring_thatNobodyReaches_isInTheFigures() {
         var server = Protocol.of("server")
                 .in("first", provides("first").then("second"))
-                .in("second", provides("second").then("first"))
-                .build();
+                .in("second", provides("second").then("first"));
         var wrong = Protocol.of("wrong")
                 .in("start", requests("server.second").then("then"))
-                .in("then", requests("server.first").then("start"))
-                .build();
+                .in("then", requests("server.first").then("start"));
 
-        var result = (Deadlock) WiringCheck.check(
-                Wiring.of("order").component(wrong).component(server).build());
+        var result = (Deadlock)
+                WiringCheck.check(wiring("order", wrong.build(), server.build()).build());
 
         assertThat(result.figures().neverReached()).contains("server.second", "wrong.then");
         assertThat(result.counterexample().sentence())
@@ -264,8 +246,116 @@ class WiringCheckTest {
 
     @Test
     void limit_belowOne_isRefused() {
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> WiringCheck.check(ring(3), 0))
-                .withMessage("maxMarkings is 0, expected 1 or more");
+        refused(() -> WiringCheck.check(ring(3), 0), "maxMarkings is 0, expected 1 or more");
+    }
+
+    // ---- declarations that are refused
+
+    private static final Protocol PLAYER = Protocol.of("player")
+            .in("ready", provides("setValues").then("ready"))
+            .build();
+
+    private static Protocol asking(String target) {
+        return Protocol.of("robot").in("idle", requests(target).then("idle")).build();
+    }
+
+    private static WiringBuilder w(Protocol... components) {
+        return wiring("w", components);
+    }
+
+    private static ProtocolBuilder p(String state, Branch... branches) {
+        return Protocol.of("p").in(state, branches);
+    }
+
+    @Test
+    void request_thatIsNotOffered_namesTheNearest() {
+        refused(
+                w(asking("plaier.setValues"), PLAYER)::build,
+                "wiring w: robot requests plaier.setValues in state idle, but there is no component plaier; did you mean"
+                        + " player? known: robot, player");
+        refused(
+                w(asking("player.setValue"), PLAYER)::build,
+                "wiring w: robot requests player.setValue in state idle, but player never offers setValue; did you mean"
+                        + " setValues? known: setValues");
+        refused(
+                w(asking("robot2.move")).component("robot2", asking("robot.move"))::build,
+                "wiring w: robot requests robot2.move in state idle, but robot2 never offers move; there are none");
+        refused(
+                w(asking("robot.move"))::build,
+                "wiring w: robot requests robot.move in state idle of itself; expected another component");
+    }
+
+    @Test
+    void offer_thatNobodyRequests_mustBeOpen() {
+        refused(
+                w(PLAYER)::build,
+                "wiring w: player offers setValues, but nobody requests it; request it, or declare player.setValues"
+                        + " open");
+        refused(
+                w(PLAYER).open("player.setValue")::build,
+                "wiring w: open call player.setValue is not offered; did you mean player.setValues? known:"
+                        + " player.setValues");
+        refused(
+                w(PLAYER, asking("player.setValues")).open("player.setValues")::build,
+                "wiring w: player.setValues is declared open and requested by [robot]; expected one of the two");
+        refused(
+                () -> p("a", provides("x").then("b")).in("b", provides("x").then("a")),
+                "protocol p: call x is offered twice, in state a and in state b; expected one state that offers it");
+    }
+
+    @Test
+    void state_declaredBadly_isRefused() {
+        var loop = does("x").then("a");
+        refused(
+                p("a", loop).in("b", does("y").then("a"))::build,
+                "protocol p: state b cannot be reached from the first state a; expected a step that leads to it");
+        refused(
+                p("driving", does("x").then("drivng"))::build,
+                "protocol p: a step of state driving leads to state drivng, which is not declared; did you mean"
+                        + " driving? known: driving");
+        refused(Protocol.of("p")::build, "protocol p: there are no states; expected 1 or more");
+        refused(() -> p("a"), "protocol p: nothing leads out of state a; expected a step or a stop");
+        refused(() -> p("a", loop).in("a", does("y").then("a")), "protocol p: state a is declared twice");
+        refused(() -> p("a", loop, loop), "protocol p: state a does x twice; expected different names for a choice");
+        refused(
+                () -> p("a", stops()),
+                "protocol p: state a is the first one and stops; expected a stop in a later state");
+        refused(
+                () -> p(" a", stops()),
+                "protocol p: a state is called \" a\", expected text without control characters or space around it");
+    }
+
+    @Test
+    void names_ofCallsAndComponents_areWords_andDiffer() {
+        refused(() -> asking("setValues"), "protocol robot: state idle requests setValues, expected component.call");
+        refused(
+                () -> asking("player.set values"),
+                "protocol robot: the call of request player.set values is \"set values\", expected letters, digits, -"
+                        + " and _ without spaces or dots");
+        refused(
+                () -> w().component("a.b", PLAYER),
+                "wiring w: the name of a component is \"a.b\", expected letters, digits, - and _ without spaces or"
+                        + " dots");
+        refused(() -> w(PLAYER, PLAYER), "wiring w: there are two components called player");
+        refused(w()::build, "wiring w: there are no components; expected 1 or more");
+        refused(() -> w().components("p", 0, PLAYER), "wiring w: there are 0 components p, expected 1 or more");
+    }
+
+    @Test
+    void binding_toUnknownNames_isRefused() {
+        var wiring = w(asking("player.setValues")).component("player1", PLAYER).bind("robot", "player", "player2");
+        refused(
+                wiring::build,
+                "wiring w: robot.player is bound to the unknown component player2; did you mean player1? known: robot,"
+                        + " player1");
+        refused(
+                () -> wiring.bind("robot", "player", "player1"),
+                "wiring w: robot.player is bound twice, to player2 and to player1");
+        refused(
+                w(PLAYER).bind("player", "robot", "player")::build,
+                "wiring w: player.robot is bound, but player requests nothing of robot; there are none");
+        refused(
+                w(PLAYER).bind("playr", "robot", "player")::build,
+                "wiring w: playr.robot is bound, but there is no component playr; did you mean player? known: player");
     }
 }
