@@ -51,9 +51,7 @@ class LivenessTest {
         var net = design.equals("priorities")
                 ? PaperNets.lowPriorityStops(reading)
                 : Nets.paper(reading, design.equals("corrected"));
-
         var liveness = liveness(net);
-
         assertThat(sizes(liveness)).isEqualTo(sizes);
         assertThat(liveness.live()).isEqualTo(live);
         assertThat(liveness.reversible()).isEqualTo(reversible);
@@ -92,9 +90,7 @@ class LivenessTest {
                 .remove("Tstop")
                 .transition("Tstop", List.of(from.split(" ")), List.of(to.split(" ")))
                 .build();
-
         var liveness = liveness(net);
-
         assertThat(liveness.graph().dead().stream().map(State::toString).collect(joining(" ")))
                 .isEqualTo(dead);
         assertThat(liveness.reversible()).isEqualTo(reversible);
@@ -105,7 +101,6 @@ class LivenessTest {
     void partialDeadlock_ofReadingB_isFoundWhereNoMarkingIsDead() {
         var net = PaperNets.uncorrected(Reading.B);
         var stuck = net.marking("P1", "R7''");
-
         assertThat(liveness(net).terminalComponents())
                 .filteredOn(component -> !component.isDead())
                 .singleElement()
@@ -137,9 +132,7 @@ class LivenessTest {
     @Test
     void transition_thatIsLost_isShownByTheNearestComponent() {
         var net = net("fork", "start=1 loop end", "in: start > loop", "turn: loop > loop", "out: start > end");
-
         var liveness = liveness(net);
-
         var turn = liveness.lossOf(net.transition("turn")).orElseThrow();
         var out = liveness.lossOf(net.transition("out")).orElseThrow();
         assertThat(List.of(turn.entry(), out.entry())).hasToString("[{end}, {loop}]");
@@ -159,9 +152,7 @@ class LivenessTest {
     void summaries_ofManyComponentsAndNames_areShort() {
         var net = Nets.choices(10).toBuilder();
         IntStream.range(0, 1000).forEach(i -> net.place("empty" + i));
-
         var liveness = liveness(net.build());
-
         assertThat(liveness.terminalComponents()).hasSize(1024);
         assertThat(liveness.summary().lines()).hasSizeLessThan(20);
         assertThat(liveness.summary()).endsWith("\n    and 1008 more");
@@ -172,7 +163,6 @@ class LivenessTest {
     @Test
     void ring_ofHundredThousandMarkings_isOneComponent() {
         var liveness = liveness(net("ring", "a=100000 b", "ab: a > b", "reset: 100000*b > 100000*a"));
-
         assertThat(sizes(liveness)).isEqualTo("100001");
         assertThat(liveness.live()).isEqualTo(Verdict.YES);
         assertThat(liveness.reversible()).isEqualTo(Verdict.YES);
@@ -183,10 +173,8 @@ class LivenessTest {
     void graph_thatIsNotComplete_refutesOrDoesNotKnow() {
         var net = net("count", "on=1 off n", "up: on > on n");
         var stoppable = net("count", "on=1 off n", "up: on > on n", "stop: on > off");
-
         var endless = Liveness.of(ReachabilityGraph.explore(net, 50));
         var refuted = Liveness.of(ReachabilityGraph.explore(stoppable, 50));
-
         assertThat(endless.terminalComponents()).isEmpty();
         assertThat(endless.live()).isEqualTo(Verdict.UNKNOWN);
         assertThat(endless.reversible()).isEqualTo(Verdict.UNKNOWN);
@@ -226,7 +214,6 @@ class LivenessTest {
             table.transition("right" + i, List.of("wait" + i, right), List.of("eat" + i));
             table.transition("done" + i, List.of("eat" + i), List.of("think" + i, "fork" + i, right));
         }
-
         assertThat(blocks(table.build(), 2)).isEmpty();
         assertThat(blocks(table.build(), 3)).containsExactly("[wait0, wait1, wait2] 1 3");
     }

@@ -1,5 +1,6 @@
 package io.troupe.petri;
 
+import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import io.troupe.petri.PaperNets.Reading;
@@ -18,6 +19,16 @@ public final class Nets {
 
     public static void refused(ThrowingCallable call, String message) {
         assertThatIllegalArgumentException().isThrownBy(call).withMessage(message);
+    }
+
+    /** The messages of the exceptions of these calls, in a line each. */
+    public static String refusals(ThrowingCallable... calls) {
+        return Stream.of(calls)
+                .map(call -> assertThatIllegalArgumentException()
+                        .isThrownBy(call)
+                        .actual()
+                        .getMessage())
+                .collect(joining("\n"));
     }
 
     /** A small net in words: {@code net("carts", "parts=5 cart", "make: 2*parts > cart", "sell: cart >")}. */

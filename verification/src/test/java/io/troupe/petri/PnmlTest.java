@@ -50,7 +50,6 @@ class PnmlTest {
                 PaperNets.uncorrected(reading), PaperNets.corrected(reading), PaperNets.lowPriorityStops(reading))) {
             Pnml.write(net, file);
             var back = Pnml.read(file);
-
             assertThat(back.structure()).isEqualTo(net.structure());
             assertThat(back.name()).isEqualTo(net.name());
             assertThat(back.places()).isEqualTo(net.places());
@@ -66,9 +65,7 @@ class PnmlTest {
         net.transition(go, List.of("page"), List.of("_st", "a1"))
                 .arc("1st", go, 3)
                 .priority(go, Integer.MIN_VALUE);
-
         var back = Pnml.parse("text", Pnml.toText(net.build()));
-
         assertThat(back.name()).isEqualTo("a < b & \"c\" ]]>");
         assertThat(back.structure()).isEqualTo(net.build().structure());
     }
@@ -85,7 +82,6 @@ class PnmlTest {
               <referencePlace id="r" ref="s"/><referencePlace id="s" ref="p1"/></page>
             <arc id="x2" source="t1" target="p1"/><arc id="x3" source="t1" target="s"/>
             """);
-
         assertThat(net.name()).isEqualTo("n");
         assertThat(net.structure()).isEqualTo("place full name 3\ntransition t1 0 [full name*2] -> [full name*2]");
     }
@@ -96,7 +92,6 @@ class PnmlTest {
                 STANDARD,
                 "<place id='p1'><name><text>x</text></name></place>"
                         + "<transition id='t1'><name><text>x</text></name></transition><place id='x'/>");
-
         assertThat(net.places()).hasToString("[p1, x]");
         assertThat(net.transitions()).hasToString("[t1]");
     }
@@ -117,12 +112,12 @@ class PnmlTest {
             <place id='p'/>~<place id='q'/>~<arc id='a' source='p' target='q'/> | 4 | joins two places
             <place id='p'/>~<arc id='a' source='p' target='gone'/> | 3 | there is no place or transition with id gone
             <place id='p'/>~<arc id='a' source='p'/> | 3 | <arc> has no target
-            <place id='p'/><transition id='t'/>~<arc id='a' source='p' target='t'><type value='inhibitor'/></arc> | 3 | \
-            type of arc a is "inhibitor", expected normal in a place/transition net
+            <place id='p'/><transition id='t'/>~<arc id='a' source='p' target='t'><type value='inhibitor'/></arc> | \
+            3 | type of arc a is "inhibitor", expected normal in a place/transition net
             <transition id='t'><initialMarking><text>1</text></initialMarking></transition> | 2 | \
             <initialMarking> in transition t
-            <referencePlace id='r' ref='s'/>~<referencePlace id='s' ref='r'/>~<arc id='a' source='r' target='r'/> | 2 | \
-            reference r refers to itself
+            <referencePlace id='r' ref='s'/>~<referencePlace id='s' ref='r'/>~<arc id='a' source='r' target='r'/> | \
+            2 | reference r refers to itself
             <transition id='t'/>~<referencePlace id='r' ref='t'/>~<arc id='a' source='r' target='t'/> | 3 | \
             a reference to a place names t, which is none
             <place id='p'>~</plaice> | 3 | the matching end-tag "</place>"
@@ -184,7 +179,6 @@ class PnmlTest {
     @Test
     void normalArcsAndEqualPriorities_ofAnotherTool_areRead() {
         var priority = "<transition id='%s'><priority><value>1</value></priority></transition>";
-
         assertThat(read(STANDARD, NODES + "<arc id='a' source='p' target='t' type='normal'/>")
                         .arcCount())
                 .isEqualTo(1);
@@ -216,7 +210,6 @@ class PnmlTest {
         var secret = Files.writeString(directory.resolve("secret.txt"), "7");
         var doctype = "\n<!DOCTYPE pnml [<!ENTITY secret SYSTEM \"" + secret.toUri() + "\">]>\n";
         var body = "<place id='p'><initialMarking><text>&secret;</text></initialMarking></place>";
-
         assertRefused("%s" + STANDARD, doctype, body).hasMessage("x:2: a document type declaration is not accepted");
         assertRefused(STANDARD, body).hasMessageContaining("secret");
     }
@@ -252,7 +245,6 @@ class PnmlTest {
         var marked = Files.writeString(directory.resolve("8.pnml"), "\ufeff" + text);
         var declared = "<?xml version='1.0' encoding='ISO-8859-1'?>" + text;
         var latin = Files.write(directory.resolve("1.pnml"), declared.getBytes(ISO_8859_1));
-
         assertThat(List.of(utf16, marked, latin))
                 .allSatisfy(file -> assertThat(Pnml.read(file).places()).hasToString("[\u00e9]"));
     }
@@ -270,7 +262,6 @@ class PnmlTest {
         var net = read(OPEN, type, """
                 <place id='p'><name><text>full</text></name><initialMarking><text>2</text></initialMarking></place>
                 <transition id='t'/><arc id='a' source='p' target='t'/>""");
-
         assertThat(net.structure()).isEqualTo("place full 2\ntransition t 0 [full*1] -> []");
         assertThat(warnings)
                 .containsExactly(
@@ -302,7 +293,6 @@ class PnmlTest {
               <type value="normal"/></arc>
             <stategroup name="G1" id="SG1"><statecondition condition="P0 &gt; 0"/></stategroup>
             """);
-
         assertThat(net.structure()).isEqualTo("place P0 3\ntransition T0 0 [P0*2] -> []");
         assertRefused(OPEN, "P/T net", "<token id='Default'/>\n<token id='Red'/>")
                 .hasMessage("x:3: tokens have a second colour, Red; expected one, Default");
@@ -314,7 +304,6 @@ class PnmlTest {
                 <name/><page id='n0'><place id='p'/><transition id='t'/><arc id='a' source='p' target='t'>\
                 <name><text>1</text></name><arctype><text>normal</text></arctype></arc></page>
                 <finalmarkings><marking><place idref='p'><text>0</text></place></marking></finalmarkings>""");
-
         assertThat(net.arcCount()).isEqualTo(1);
         assertThat(warnings).anyMatch(warning -> warning.startsWith("x:3: final markings are left out"));
     }
@@ -326,7 +315,6 @@ class PnmlTest {
                 <arc id='a' source='p' target='t'/>
                 <arc id='a' source='t' target='p'/>
                 <arc source='t' target='p'/><arc id='t' source='t' target='p'/>""");
-
         assertThat(net.structure()).isEqualTo("place p 0\ntransition t 0 [p*1] -> [p*3]");
         assertThat(warnings).containsExactly("x:4: id a of an arc is used twice", "x:5: arc t -> p has no id");
     }

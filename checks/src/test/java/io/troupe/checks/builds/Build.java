@@ -71,6 +71,12 @@ record Build(String tool, String group, String version, Map<String, Module> modu
         NotUnderstood(String message) {
             super(message);
         }
+
+        static void unless(boolean understood, String message) {
+            if (!understood) {
+                throw new NotUnderstood(message);
+            }
+        }
     }
 
     /** All differences from the other build, each described in one line; empty if they agree. */

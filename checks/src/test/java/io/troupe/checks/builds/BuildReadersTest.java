@@ -142,8 +142,9 @@ class BuildReadersTest {
             | kapt(libs.my.asm)                | configuration kapt is not understood
             | if (a) { api(libs.my.asm) }      | core/build.gradle.kts: not understood: if (a) {..}
             core/build.gradle.kts | plugins { kotlin }         | core/build.gradle.kts: not understood: plugins {..}
-            core/build.gradle.kts | configurations.all { }     | core/build.gradle.kts: not understood: configurations.all {..}
-            core/build.gradle.kts | apply(from = "x.kts")      | core/build.gradle.kts: not understood: apply(from = "x.kts")
+            core/build.gradle.kts | configurations.all { } | \
+            core/build.gradle.kts: not understood: configurations.all {..}
+            core/build.gradle.kts | apply(from = "x.kts") | core/build.gradle.kts: not understood: apply(from = "x.kts")
             core/build.gradle.kts | tasks.compileJava { options.release.set(17) } | \
             core/build.gradle.kts: "release" is not understood in: tasks.compileJava
             core/build.gradle.kts | tasks.x { project.dependencies.add("api", "a") } | \
@@ -218,7 +219,9 @@ class BuildReadersTest {
                   <groupId>${project.groupId}</groupId><artifactId>sim</artifactId><version>${project.version}</version>
                 </dependency></dependencies>
                 <build><plugins><plugin><configuration><annotationProcessorPaths>
-                  <path><groupId>org.ow2.asm</groupId><artifactId>asm</artifactId><version>${asm.version}</version></path>
+                  <path>
+                    <groupId>org.ow2.asm</groupId><artifactId>asm</artifactId><version>${asm.version}</version>
+                  </path>
                 </annotationProcessorPaths></configuration></plugin></plugins></build>
                 """);
         assertThat(module)

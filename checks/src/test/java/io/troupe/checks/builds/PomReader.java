@@ -114,18 +114,17 @@ final class PomReader {
         requireOnly(UNDERSTOOD, file, project, "");
         all(project, "profiles", "profile").forEach(profile -> requireOnly(IN_PROFILE, file, profile, " in a profile"));
         for (String name : List.of("release", "source", "target", "testRelease")) {
-            if (project.getElementsByTagName(name).getLength() > 0) {
-                throw new NotUnderstood(
-                        file + ": <" + name + "> is not understood, the level is the property maven.compiler.release");
-            }
+            NotUnderstood.unless(
+                    project.getElementsByTagName(name).getLength() == 0,
+                    file + ": <" + name + "> is not understood, the level is the property maven.compiler.release");
         }
     }
 
     private static void requireOnly(Set<String> understood, String file, Element parent, String where) {
         for (Element child : children(parent)) {
-            if (!understood.contains(child.getTagName())) {
-                throw new NotUnderstood(file + ": <" + child.getTagName() + ">" + where + " is not understood");
-            }
+            NotUnderstood.unless(
+                    understood.contains(child.getTagName()),
+                    file + ": <" + child.getTagName() + ">" + where + " is not understood");
         }
     }
 
@@ -134,9 +133,7 @@ final class PomReader {
     }
 
     private static void require(String file, String what, String value, String expected) {
-        if (!value.equals(expected)) {
-            throw new NotUnderstood(file + ": " + what + " is " + value + ", expected " + expected);
-        }
+        NotUnderstood.unless(value.equals(expected), file + ": " + what + " is " + value + ", expected " + expected);
     }
 
     private String value(String property) {

@@ -99,9 +99,7 @@ class DrawingTest {
         var dead = WHOLE.dead().getFirst();
         var trace = dead.shortestTrace();
         var drawing = NetDrawing.of(UNCORRECTED).marked(dead.marking()).highlighting(trace);
-
         var picture = picture(drawing);
-
         assertThat(picture.coloured("transition")).containsExactlyInAnyOrderElementsOf(new HashSet<>(names(trace)));
         assertThat(picture.coloured("arc")).containsExactlyInAnyOrderElementsOf(arcs(UNCORRECTED, trace::contains));
         assertThat(picture.titles("place"))
@@ -115,7 +113,6 @@ class DrawingTest {
         var place = picture(NetDrawing.of(net("tokens", "p=" + tokens)))
                 .groups("place")
                 .getFirst();
-
         assertThat(Picture.texts(place)).isEqualTo(tokens <= 4 ? List.of("p") : List.of("" + tokens, "p"));
         assertThat(Picture.elements(place, "circle"))
                 .hasSize(1 + (tokens <= 4 ? tokens : 0))
@@ -127,9 +124,7 @@ class DrawingTest {
         var net = net("weights", "p=2 q", "t: 2*p > q").toBuilder()
                 .priority("t", -3)
                 .build();
-
         var picture = picture(NetDrawing.of(net));
-
         assertThat(picture.groups("arc")).flatExtracting(Picture::texts).containsExactly("2");
         assertThat(picture.groups("transition")).flatExtracting(Picture::texts).containsExactly("t", "priority -3");
         assertThat(NetDrawing.of(net).dot())
@@ -139,10 +134,8 @@ class DrawingTest {
     @Test
     void dot_ofTheWholeNet_hasEveryNodeAndArcOnce_andColoursTheTrace() {
         var trace = WHOLE.dead().getFirst().shortestTrace();
-
         var statements =
                 DotReader.read(NetDrawing.of(UNCORRECTED).highlighting(trace).dot());
-
         var expected = new ArrayList<>(names(UNCORRECTED.places()));
         expected.addAll(names(UNCORRECTED.transitions()));
         assertThat(withNodes(statements, 1).stream().skip(3))
@@ -164,10 +157,8 @@ class DrawingTest {
                 .transition(other)
                 .arc(name, other)
                 .build();
-
         var statements = DotReader.read(NetDrawing.of(net).dot());
         var picture = picture(NetDrawing.of(net));
-
         assertThat(statements.getFirst().attributes()).containsEntry("label", name);
         assertThat(statements.get(3).attributes()).containsEntry("label", name + "\n●");
         assertThat(statements.get(4).attributes()).containsEntry("label", other);
@@ -182,9 +173,7 @@ class DrawingTest {
         var drawing = NetDrawing.of(net);
         var again = NetDrawing.of(PaperNets.corrected(Reading.A));
         var before = drawing.svg();
-
         var other = drawing.marked(net.marking("P4")).highlighting(net.transitions());
-
         assertThat(List.of(drawing.svg(), again.svg())).containsOnly(before);
         assertThat(drawing.dot()).isEqualTo(again.dot());
         assertThat(other.svg()).isNotEqualTo(before);
@@ -218,7 +207,6 @@ class DrawingTest {
     void markingOrTransition_ofAnotherNet_isRefused() {
         var drawing = NetDrawing.of(PaperNets.robot());
         var player = PaperNets.player();
-
         refused(() -> drawing.marked(player.initialMarking()), "place P1 of marking {P1} is not of net robot");
         assertThatIllegalArgumentException().isThrownBy(() -> drawing.marked(player.marking()));
         refused(() -> drawing.highlighting(player.transitions()), "transition Tp1 is not of net robot");
@@ -233,9 +221,7 @@ class DrawingTest {
     void randomNets_areDrawnInsideTheViewBox_withoutOverlap() {
         for (var seed = 0; seed < 150; seed++) {
             var net = Nets.any(new Random(seed));
-
             var picture = picture(NetDrawing.of(net));
-
             assertThat(picture.titles("arc"))
                     .as("seed " + seed)
                     .containsExactlyInAnyOrderElementsOf(arcs(net, t -> true));
@@ -269,8 +255,10 @@ class DrawingTest {
     }
 
     @Test
-    void graphSvg_ofAPair_writesAllMarkingsAndTransitions() {
+    void graphSvg_ofAPair_writesAllMarkingsAndTransitions_andColoursThePath() {
+        var dead = PAIR.dead().getFirst();
         var picture = picture(GraphDrawing.of(PAIR));
+        var coloured = picture(GraphDrawing.of(PAIR).pathTo(dead));
 
         assertThat(picture.groups("state")).hasSize(28);
         assertThat(picture.groups("state"))
@@ -288,25 +276,15 @@ class DrawingTest {
         assertThat(picture.titles("dead")).singleElement().asString().endsWith(": {P1, R7''}, dead");
         assertThat(picture.groups("path")).isEmpty();
         picture.requireApart(picture.groups("state"), "pair");
-    }
-
-    @Test
-    void graphSvg_withThePathToTheDeadlock_coloursJustThat() {
-        var dead = PAIR.dead().getFirst();
-
-        var picture = picture(GraphDrawing.of(PAIR).pathTo(dead));
-
-        assertThat(picture.coloured("edge")).hasSize(8).containsExactlyInAnyOrderElementsOf(path(PAIR, dead));
-        assertThat(picture.coloured("state")).hasSize(9);
-        assertThat(picture.titles("edge")).containsExactlyInAnyOrderElementsOf(edges(PAIR));
+        assertThat(coloured.coloured("edge")).hasSize(8).containsExactlyInAnyOrderElementsOf(path(PAIR, dead));
+        assertThat(coloured.coloured("state")).hasSize(9);
+        assertThat(coloured.titles("edge")).containsExactlyInAnyOrderElementsOf(edges(PAIR));
     }
 
     @Test
     void graphSvg_ofTheWholeNet_drawsAllMarkingsAsDots_andNamesThePath() {
         var dead = WHOLE.dead().getFirst();
-
         var picture = picture(GraphDrawing.of(WHOLE).pathTo(dead));
-
         assertThat(picture.groups("state")).hasSize(1264);
         assertThat(picture.titles("edge")).containsExactlyInAnyOrderElementsOf(edges(WHOLE));
         assertThat(picture.groups("dead")).hasSize(6);
@@ -321,7 +299,6 @@ class DrawingTest {
     void graphDot_hasEveryMarkingAndEdge_andColoursThePath() {
         var dead = PAIR.dead().getFirst();
         var statements = DotReader.read(GraphDrawing.of(PAIR).pathTo(dead).dot());
-
         var states = withNodes(statements, 1).subList(3, 31);
         var edges = withNodes(statements, 2);
         assertThat(withNodes(statements, 1)).hasSize(31);
@@ -340,7 +317,6 @@ class DrawingTest {
         var again = ReachabilityGraph.explore(PAIR.net());
         var drawing = GraphDrawing.of(PAIR).pathTo(PAIR.dead().getFirst());
         var second = GraphDrawing.of(again).pathTo(again.dead().getFirst());
-
         assertThat(drawing.svg()).isEqualTo(second.svg()).isEqualTo(drawing.svg());
         assertThat(drawing.dot()).isEqualTo(second.dot());
         assertThat(GraphDrawing.of(PAIR).svg()).isNotEqualTo(drawing.svg());
@@ -350,18 +326,16 @@ class DrawingTest {
     void graph_tooLargeForSvg_isRefused_butWrittenAsDot() {
         var net = net("counter", "count", "more: > count");
         var drawing = GraphDrawing.of(ReachabilityGraph.explore(net, GraphDrawing.MOST_SVG_MARKINGS + 1));
-
         refused(
                 drawing::svg,
-                "the reachability graph of counter has 2001 markings, expected at most 2000 for an SVG drawing; dot() has"
-                        + " no limit");
+                "the reachability graph of counter has 2001 markings, expected at most 2000 for an SVG drawing; dot()"
+                        + " has no limit");
         assertThat(DotReader.read(drawing.dot())).hasSize(4 + 2001 + 2000 - 1);
     }
 
     @Test
     void state_ofAnotherGraph_isRefused() {
         var other = ReachabilityGraph.explore(PAIR.net()).states().get(3);
-
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> GraphDrawing.of(PAIR).pathTo(other))
                 .withMessageContaining("is not of the graph robot player: 28 markings");
@@ -373,9 +347,7 @@ class DrawingTest {
             var as = "seed " + seed;
             var graph = ReachabilityGraph.explore(Nets.any(new Random(seed)), 20 + 2 * seed);
             var end = graph.states().getLast();
-
             var picture = picture(GraphDrawing.of(graph).pathTo(end));
-
             assertThat(picture.titles("edge")).as(as).containsExactlyInAnyOrderElementsOf(edges(graph));
             assertThat(picture.coloured("edge")).as(as).containsExactlyInAnyOrderElementsOf(path(graph, end));
             assertThat(picture.groups("state")).hasSize(graph.size());

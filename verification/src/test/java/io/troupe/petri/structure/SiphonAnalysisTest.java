@@ -95,11 +95,9 @@ class SiphonAnalysisTest {
     })
     void part_isProvedDeadlockFreeExactlyWhenItIs(String components, String requests, int siphons, int dead) {
         var net = Nets.part(components, requests);
-
         var graph = ReachabilityGraph.explore(net);
         var analysis = SiphonAnalysis.of(net);
         var program = EmptySiphonProgram.solve(net, LIMIT);
-
         assertThat(graph.dead()).hasSize(dead);
         assertThat(analysis.deadlock()).isInstanceOf(dead == 0 ? NoDeadMarking.class : Candidates.class);
         assertThat(program).isInstanceOf(dead == 0 ? NoneCanBeEmptied.class : EmptySiphonVerdict.MayBeEmptied.class);
@@ -113,7 +111,6 @@ class SiphonAnalysisTest {
     @Test
     void stopsOfLowerPriority_stillHaveTwentyCandidates() {
         var net = PaperNets.lowPriorityStops(A);
-
         assertThat(((Candidates) SiphonAnalysis.of(net).deadlock()).siphons()).hasSize(20);
         assertThat(ReachabilityGraph.explore(net).deadlockFree()).isEqualTo(Verdict.YES);
     }
@@ -122,9 +119,7 @@ class SiphonAnalysisTest {
     void confirm_emptiedSiphon_showsTheNearestMarkingAndItsTrace() {
         var net = PaperNets.uncorrected(A);
         var siphon = PlaceSet.of(net, "M1", "M4", "M9''", "S3''", "S4", "S7", "S8", "S9", "S10");
-
         var emptied = (Emptied) SiphonAnalysis.confirm(siphon, ReachabilityGraph.explore(net));
-
         var after = net.fire(net.initialMarking(), emptied.state().shortestTrace());
         assertThat(siphon.tokens(after)).isZero();
     }
@@ -134,7 +129,6 @@ class SiphonAnalysisTest {
         var net = PaperNets.corrected(A);
         var siphon = Siphons.minimalSiphons(net).sets().get(0);
         var part = ReachabilityGraph.explore(net, 10);
-
         assertThat(SiphonAnalysis.confirm(siphon, part)).isInstanceOf(MayBeEmptied.class);
         refused(() -> SiphonAnalysis.confirm(PlaceSet.of(net, "R5"), part), "{R5} is not a siphon of net corrected A");
     }
@@ -142,7 +136,6 @@ class SiphonAnalysisTest {
     @Test
     void deadlock_withoutAllSiphons_isNotDecided() {
         var analysis = SiphonAnalysis.of(PaperNets.corrected(A), 5);
-
         assertThat(analysis.verdicts()).isNotEmpty();
         assertThat(((Undecided) analysis.deadlock()).reason())
                 .startsWith("net corrected A: none of the ")
@@ -155,7 +148,6 @@ class SiphonAnalysisTest {
         var asked = new AtomicInteger();
         var found = SiphonAnalysis.of(
                 net, Siphons.DEFAULT_MAX_STEPS, () -> Duration.ofHours(asked.incrementAndGet() > 2_000 ? 0 : 1));
-
         assertThat(found.siphons().isComplete()).isFalse();
         assertThat(found.verdicts()).hasSameSizeAs(found.siphons().sets()).allMatch(MayBeEmptied.class::isInstance);
         assertThat(found.deadlock()).isNotInstanceOf(NoDeadMarking.class);
@@ -169,7 +161,6 @@ class SiphonAnalysisTest {
     @Test
     void inputWeight_leavesDeadMarkingsOpen() {
         var analysis = SiphonAnalysis.of(PAIRS);
-
         assertThat(analysis.verdicts()).singleElement().isInstanceOf(HoldsMarkedTrap.class);
         assertThat(analysis.deadlock())
                 .isEqualTo(new Undecided(
@@ -189,9 +180,7 @@ class SiphonAnalysisTest {
     void judge_siphonWithoutMarkedTrap_isProvedByTheStateEquation() {
         var net = net("weights", "a=3 b c=1 d", "t: a c > d");
         var siphon = PlaceSet.of(net, "a");
-
         var proved = (HoldsTokens) SiphonAnalysis.judge(siphon);
-
         assertThat(proved.bound().tokens()).isEqualTo(2);
         assertThat(proved.siphon()).isEqualTo(siphon);
         assertThat(new StateEquation(net).leastTokens(siphon).orElseThrow()).isCloseTo(2, within(1e-9));
@@ -234,7 +223,6 @@ class SiphonAnalysisTest {
     @Test
     void severalTokens_fillAPlaceUpToItsBound() {
         var net = net("convoy", "near=3 far", "go: near > far");
-
         assertThat(new StateEquation(net).upperBound(net.place("far"))).hasValue(3);
         assertThat(EmptySiphonProgram.solve(net, LIMIT)).isInstanceOf(EmptySiphonVerdict.MayBeEmptied.class);
     }
@@ -243,7 +231,6 @@ class SiphonAnalysisTest {
     @Test
     void programAtItsLimit_isNotDecided() {
         var net = PaperNets.corrected(A);
-
         assertThat(EmptySiphonProgram.solve(net, Duration.ofNanos(1))).isInstanceOf(EmptySiphonVerdict.Undecided.class);
         refused(() -> EmptySiphonProgram.solve(net, Duration.ZERO), "limit is PT0S, expected longer than zero");
     }

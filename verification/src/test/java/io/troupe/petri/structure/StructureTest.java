@@ -10,11 +10,13 @@ import static java.util.stream.Collectors.toSet;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.petri.Arc;
+import io.troupe.petri.Marking;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
+import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.RobotTeams;
 import io.troupe.petri.structure.SiphonVerdict.MayBeEmptied;
 import java.io.IOException;
@@ -22,7 +24,9 @@ import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.Collection;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.TreeMap;
@@ -33,8 +37,10 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
-class SiphonsTest {
+/** Siphons, traps and invariants. */
+class StructureTest {
     /** Two ways between a and b, a source into c, and a sink from d. */
     private static final PetriNet SMALL =
             net("small", "a=1 b c d=1", "there: a > b", "back: b > a", "source: > c", "sink: d >");
@@ -46,7 +52,7 @@ class SiphonsTest {
 
     /** Lists of sets of places that other tools found, from a file of the form {"list": [["P1", "P4"], ...], ...}. */
     private static Set<Set<String>> read(String file, String list) throws IOException {
-        try (var in = Objects.requireNonNull(SiphonsTest.class.getResourceAsStream(file), file)) {
+        try (var in = Objects.requireNonNull(StructureTest.class.getResourceAsStream(file), file)) {
             var text = new String(in.readAllBytes(), StandardCharsets.UTF_8);
             var body = Pattern.compile("\"" + list + "\"\\s*:\\s*\\[((?:\\s*\\[[^\\[\\]]*\\]\\s*,?)*)\\s*\\]")
                     .matcher(text);
@@ -71,10 +77,8 @@ class SiphonsTest {
     void paperNet_hasTheKnownNumbersOfMinimalSiphonsAndTraps(
             Reading reading, boolean corrected, int siphons, int traps) {
         var net = Nets.paper(reading, corrected);
-
         var foundSiphons = Siphons.minimalSiphons(net);
         var foundTraps = Siphons.minimalTraps(net);
-
         assertThat(foundSiphons.isComplete() && foundTraps.isComplete()).isTrue();
         assertThat(foundSiphons.sets()).hasSize(siphons).doesNotHaveDuplicates().allMatch(Siphons::isSiphon);
         assertThat(foundTraps.sets()).hasSize(traps).doesNotHaveDuplicates().allMatch(Siphons::isTrap);
@@ -93,7 +97,6 @@ class SiphonsTest {
                 .filter(MayBeEmptied.class::isInstance)
                 .map(SiphonVerdict::siphon)
                 .toList();
-
         assertThat(names(siphons)).isEqualTo(read(file, "minimalSiphons"));
         assertThat(names(Siphons.minimalTraps(net).sets())).isEqualTo(read(file, "minimalTraps"));
         assertThat(names(candidates)).isEqualTo(read(file, "emptiable"));
@@ -106,7 +109,6 @@ class SiphonsTest {
     void twoRobots_haveTheKnownNumberOfMinimalSiphons() {
         var uncorrected = Siphons.minimalSiphons(RobotTeams.uncorrected(2));
         var corrected = Siphons.minimalSiphons(RobotTeams.stoppingTogether(2));
-
         assertThat(uncorrected.isComplete() && corrected.isComplete()).isTrue();
         assertThat(uncorrected.sets()).hasSize(112).doesNotHaveDuplicates();
         assertThat(corrected.sets()).hasSize(248).doesNotHaveDuplicates();
@@ -118,7 +120,6 @@ class SiphonsTest {
         var all = Siphons.minimalSiphons(net).sets();
         var limited = Siphons.minimalSiphons(net, 20);
         var cancelled = Siphons.minimalSiphons(net, Siphons.DEFAULT_MAX_STEPS, after(2_000));
-
         for (var some : List.of(limited, cancelled)) {
             assertThat(some.isComplete()).isFalse();
             assertThat(some.sets()).isNotEmpty().hasSizeLessThan(44).isSubsetOf(all);
@@ -133,7 +134,6 @@ class SiphonsTest {
         var net =
                 net("places", IntStream.range(0, 20_000).mapToObj(i -> "p" + i).collect(joining(" ")));
         var none = new MinimalSets(List.of(), false);
-
         assertThat(Siphons.minimalSiphons(net, Siphons.DEFAULT_MAX_STEPS, after(50)))
                 .isEqualTo(none);
         assertThat(Siphons.minimalTraps(net, Siphons.DEFAULT_MAX_STEPS, after(50)))
@@ -154,7 +154,6 @@ class SiphonsTest {
     @Test
     void largestOnes_areWhatRemainsWhenNothingMustGo() {
         var all = PlaceSet.of(SMALL, SMALL.places());
-
         assertThat(Siphons.largestSiphonIn(all)).isEqualTo(PlaceSet.of(SMALL, "a", "b", "d"));
         assertThat(Siphons.largestTrapIn(all)).isEqualTo(PlaceSet.of(SMALL, "a", "b", "c"));
         assertThat(Siphons.largestTrapIn(PlaceSet.of(SMALL, "a", "c"))).isEqualTo(PlaceSet.of(SMALL, "c"));
@@ -164,7 +163,6 @@ class SiphonsTest {
     @Test
     void placeSet_countsTokensAndRefusesForeignPlaces() {
         var set = PlaceSet.of(SMALL, "a", "b", "d");
-
         assertThat(set.tokens(SMALL.initialMarking())).isEqualTo(2);
         assertThat(set.isMarked(SMALL.marking("c"))).isFalse();
         assertThat(SMALL.places()).filteredOn(set::contains).hasToString("[a, b, d]");
@@ -180,7 +178,6 @@ class SiphonsTest {
             var net = Nets.sparse(seed, 1);
             var siphons = Siphons.minimalSiphons(net).sets();
             var traps = Siphons.minimalTraps(net).sets();
-
             assertThat(siphons).as("siphons, seed %d", seed).doesNotHaveDuplicates();
             assertThat(Set.copyOf(siphons)).as("seed %d", seed).isEqualTo(new Definition(net, false).minimal());
             assertThat(traps).as("traps, seed %d", seed).doesNotHaveDuplicates();
@@ -242,5 +239,89 @@ class SiphonsTest {
             var chosen = net.places().stream().filter(place -> (mask >> place.index() & 1) != 0);
             return PlaceSet.of(net, chosen.toList());
         }
+    }
+
+    // ---- invariants
+
+    private static long sum(Map<Place, Long> invariant, Marking marking) {
+        return invariant.entrySet().stream()
+                .mapToLong(weight -> weight.getValue() * marking.tokens(weight.getKey()))
+                .sum();
+    }
+
+    private static void requireConstant(List<Map<Place, Long>> invariants, PetriNet net, int limit, String as) {
+        for (var state : ReachabilityGraph.explore(net, limit).states()) {
+            assertThat(invariants)
+                    .as(as)
+                    .allMatch(each -> sum(each, state.marking()) == sum(each, net.initialMarking()));
+        }
+    }
+
+    @Test
+    void component_isOneCycleOfStates() {
+        var net = PaperNets.player();
+        assertThat(Invariants.ofPlaces(net).invariants())
+                .containsExactly(Map.of(net.place("P1"), 1L, net.place("P4"), 1L, net.place("P7"), 1L));
+        assertThat(Invariants.ofTransitions(net).invariants())
+                .containsExactlyInAnyOrder(
+                        Map.of(net.transition("Tp1"), 1L, net.transition("Tp4"), 1L),
+                        Map.of(net.transition("Tp2"), 1L, net.transition("Tp3"), 1L));
+    }
+
+    @Test
+    void weights_areTheSmallestIntegers() {
+        var net = net("pairs", "single=4 pair", "t: 4*single > 2*pair");
+        assertThat(Invariants.ofPlaces(net).invariants())
+                .containsExactly(Map.of(net.place("single"), 1L, net.place("pair"), 2L));
+        assertThat(Invariants.ofTransitions(net).invariants()).isEmpty();
+    }
+
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void wholeNet_keepsEveryInvariantInEveryMarkingAndHoldsTheComponents(boolean corrected) {
+        var net = Nets.paper(A, corrected);
+        var found = Invariants.ofPlaces(net);
+        assertThat(found.isComplete()).isTrue();
+        requireConstant(found.invariants(), net, 10_000, net.name());
+        PaperNets.components(net).values().forEach(places -> {
+            var ofComponent = new HashMap<Place, Long>();
+            places.forEach(place -> ofComponent.put(place, 1L));
+            assertThat(found.invariants()).contains(ofComponent);
+        });
+    }
+
+    @Test
+    void limitAndCancellation_areKeptAndSaid() {
+        assertThat(Invariants.ofPlaces(PaperNets.corrected(A), 1).isComplete()).isFalse();
+        refused(() -> Invariants.ofPlaces(PaperNets.player(), 0), "maxRows is 0, expected 1 or more");
+        var net = PaperNets.uncorrected(A);
+        for (var questions : List.of(0, 20, 60, 200)) {
+            var places = Invariants.ofPlaces(net, Invariants.DEFAULT_MAX_ROWS, after(questions));
+            var transitions = Invariants.ofTransitions(net, Invariants.DEFAULT_MAX_ROWS, after(questions));
+            assertThat(places.isComplete()).isFalse();
+            assertThat(Invariants.ofPlaces(net).invariants()).containsAll(places.invariants());
+            assertThat(transitions.isComplete()).isFalse();
+            assertThat(Invariants.ofTransitions(net).invariants()).containsAll(transitions.invariants());
+        }
+        assertThat(Invariants.ofPlaces(net("places", "p0 p1 p2"), 10, () -> true)
+                        .isComplete())
+                .isFalse();
+    }
+
+    @Test
+    void randomNets_invariantsHoldAndNoneContainsAnother() {
+        var some = 0;
+        for (var seed = 1L; seed <= 500; seed++) {
+            var net = Nets.sparse(seed, 2);
+            var found = Invariants.ofPlaces(net).invariants();
+            some += found.isEmpty() ? 0 : 1;
+            requireConstant(found, net, 100, "seed " + seed);
+            for (var one : found) {
+                assertThat(found)
+                        .as("seed %d", seed)
+                        .noneMatch(other -> other != one && one.keySet().containsAll(other.keySet()));
+            }
+        }
+        assertThat(some).isGreaterThan(50);
     }
 }

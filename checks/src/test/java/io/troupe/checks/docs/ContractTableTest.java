@@ -1,4 +1,4 @@
-package io.troupe.checks.api;
+package io.troupe.checks.docs;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
