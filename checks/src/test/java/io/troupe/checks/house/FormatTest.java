@@ -1,4 +1,4 @@
-package io.troupe.checks.format;
+package io.troupe.checks.house;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -35,15 +35,14 @@ class FormatTest {
     void sources_areFormatted() throws IOException {
         var write = System.getProperty("format", "check").equals("write");
         List<Path> unformatted = new ArrayList<>();
-        for (Path source : sources()) {
+        assertThat(Repository.javaSources()).isNotEmpty();
+        for (Path source : Repository.javaSources()) {
             var text = Files.readString(source);
             var formatted = formatted(source, text);
-            if (!formatted.equals(text)) {
-                if (write) {
-                    Files.writeString(source, formatted);
-                } else {
-                    unformatted.add(Repository.root().relativize(source));
-                }
+            if (write && !formatted.equals(text)) {
+                Files.writeString(source, formatted);
+            } else if (!formatted.equals(text)) {
+                unformatted.add(Repository.root().relativize(source));
             }
         }
         assertThat(unformatted)
@@ -123,20 +122,12 @@ class FormatTest {
 
     /** The index after the brace that closes the one at {@code start}. */
     private static int endOfBraces(String source, int start) {
+        int end = start;
         int open = 0;
-        for (int i = start; i < source.length(); i++) {
-            char character = source.charAt(i);
+        do {
+            char character = source.charAt(end++);
             open += character == '{' ? 1 : character == '}' ? -1 : 0;
-            if (open == 0) {
-                return i + 1;
-            }
-        }
-        throw new IllegalArgumentException("no brace closes " + source.substring(start, start + 20));
-    }
-
-    private static List<Path> sources() {
-        var sources = Repository.javaSources();
-        assertThat(sources).as("Java sources of the repository").isNotEmpty();
-        return sources;
+        } while (open > 0);
+        return end;
     }
 }
