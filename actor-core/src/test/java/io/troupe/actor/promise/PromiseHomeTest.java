@@ -313,7 +313,7 @@ class PromiseHomeTest extends InTestSpace {
             @Override
             protected @Nullable Home home() {
                 listeners.forEach(node -> lockHeld.add(Thread.holdsLock(node)));
-                return Home.of(test.space());
+                return EventLoop.homeOf(test.space());
             }
         };
         for (int count = 0; count < 20; count++) {
