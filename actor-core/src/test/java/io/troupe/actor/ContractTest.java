@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.io.File;
@@ -20,53 +19,15 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Points of the contract that have no other test; {@code docs/contract-actor-core.md} lists them all. */
-class ContractTest {
-    interface Desk {
-        void note(List<String> where);
-
-        Promise<Integer> ask(int number, String text);
-    }
-
-    static final class PlainDesk implements Desk {
-        private int asked;
-
-        @Override
-        public void note(List<String> where) {
-            where.add("noted");
-        }
-
-        @Override
-        public Promise<Integer> ask(int number, String text) {
-            if (number < 0) {
-                throw new IllegalArgumentException(text);
-            }
-            asked += number;
-            return Promise.of(asked);
-        }
-    }
-
-    /** Reports the caller of a method. */
-    interface Witness {
-        Promise<List<String>> callers();
-    }
-
+class ContractTest extends InTestSpace {
     /** Does not know this library. */
     interface Door {
         void open(String who);
-    }
-
-    private final TestSpace test = new TestSpace();
-    private final List<String> log = new ArrayList<>();
-
-    @AfterEach
-    void nothingIsLeft() {
-        test.close();
     }
 
     /** In a separate class loader, so that no other test can have used the global space before. */
@@ -99,12 +60,12 @@ class ContractTest {
     @Test
     void spacesThatAreCreated_areIsolated() {
         try (var other = new TestSpace()) {
-            Desk here = test.spawn(Desk.class, PlainDesk::new);
-            Desk there = other.spawn(Desk.class, PlainDesk::new);
+            Doer here = test.spawn(Doer.class, Doer::new);
+            Doer there = other.spawn(Doer.class, Doer::new);
             test.space().execute(() -> {
                 throw new IllegalStateException("here only");
             });
-            here.note(log);
+            here.run(me -> log.add("noted"));
             other.crank();
             assertThat(log).isEmpty();
             assertThat(other.takeProblems()).isEmpty();
@@ -112,101 +73,47 @@ class ContractTest {
             assertThat(test.takeProblems()).hasSize(1);
             test.space().stop(here);
             test.crank();
-            assertThat(other.get(there.ask(2, ""))).isEqualTo(2);
+            there.run(me -> log.add("still there"));
+            other.crank();
+            assertThat(log).containsExactly("noted", "still there");
         }
     }
 
-    @Test
-    void messageClasses_haveTypedFields_inThePackageOfTheActorType() {
-        Desk desk = test.spawn(Desk.class, PlainDesk::new);
-        Promise<Integer> request = desk.ask(1, "one");
-        Class<?> message = request.getClass();
-        assertThat(message.getPackage()).isSameAs(Desk.class.getPackage());
-        assertThat(Arrays.stream(message.getDeclaredFields()).map(Field::getType))
-                .containsExactly(int.class, String.class);
-        assertThat(desk.getClass().getPackage()).isSameAs(Desk.class.getPackage());
-        test.get(request);
+    interface Desk {
+        Promise<Integer> ask(int number, String text);
     }
 
     @Test
-    void request_isPromiseAndQueueEntryInOne() throws Exception {
-        Desk desk = test.spawn(Desk.class, PlainDesk::new);
-        Promise<Integer> answer = desk.ask(1, "one");
-        assertThat(answer).isInstanceOf(Request.class).isInstanceOf(Node.class);
+    void request_isPromiseAndQueueEntryInOne_withTypedFields_inThePackageOfItsActorType() throws Exception {
+        Desk desk = test.spawn(Desk.class, () -> (number, text) -> Promise.of(number));
+        Promise<Integer> request = desk.ask(1, "one");
+        Class<?> type = request.getClass();
+        assertThat(request).isInstanceOf(Request.class).isInstanceOf(Node.class);
         assertThat(Modifier.isAbstract(Promise.class.getModifiers())).isTrue();
         assertThat(Modifier.isProtected(Promise.class.getDeclaredConstructor().getModifiers()))
                 .isTrue();
-        test.get(answer);
+        assertThat(Arrays.stream(type.getDeclaredFields()).map(Field::getType))
+                .containsExactly(int.class, String.class);
+        assertThat(List.of(type.getPackage(), desk.getClass().getPackage())).containsOnly(Desk.class.getPackage());
+        test.get(request);
+    }
+
+    /** Reports the caller of a method. */
+    interface Witness {
+        Promise<List<String>> callers();
     }
 
     @Test
     void call_runsWithoutReflection() {
-        Witness witness = test.spawn(Witness.class, () -> new Witness() {
-            @Override
-            public Promise<List<String>> callers() {
-                return Promise.of(StackWalker.getInstance(Option.SHOW_HIDDEN_FRAMES)
+        Witness witness = test.spawn(
+                Witness.class,
+                () -> () -> Promise.of(StackWalker.getInstance(Option.SHOW_HIDDEN_FRAMES)
                         .walk(frames -> frames.map(StackWalker.StackFrame::getClassName)
                                 .takeWhile(name -> !name.equals(TestSpace.class.getName()))
-                                .toList()));
-            }
-        });
+                                .toList())));
         assertThat(test.get(witness.callers()))
                 .hasSizeGreaterThan(2)
                 .allMatch(name -> name.startsWith("io.troupe.actor"));
-    }
-
-    @Test
-    void callbacks_runAtMost256InARow_beforeAMessage() {
-        Desk desk = test.spawn(Desk.class, PlainDesk::new);
-        test.run(() -> {
-            desk.note(log);
-            for (int count = 0; count < 1_000; count++) {
-                Promise.of(count).then(value -> {
-                    log.add("callback");
-                });
-            }
-        });
-        assertThat(log).hasSize(1_001);
-        assertThat(log.indexOf("noted")).isEqualTo(256);
-    }
-
-    @Test
-    void endlessMessages_doNotStarveTheCallbacks() {
-        var spins = new int[1];
-        var spinner = new Door[1];
-        var answered = new Deferred<Integer>();
-        spinner[0] = test.spawn(Door.class, () -> who -> {
-            if (spins[0]++ == 0) {
-                answered.then(value -> {
-                    log.add("answered after " + spins[0]);
-                });
-                answered.resolve(1);
-            }
-            if (spins[0] < 10_000) {
-                spinner[0].open(who);
-            }
-        });
-        spinner[0].open("me");
-        test.crank();
-        assertThat(log).containsExactly("answered after 1");
-        assertThat(spins[0]).isEqualTo(10_000);
-    }
-
-    @Test
-    void hotActor_doesNotStarveTheOthers() {
-        var spins = new int[1];
-        var hot = new Door[1];
-        hot[0] = test.spawn(Door.class, () -> who -> {
-            if (spins[0]++ < 10_000) {
-                hot[0].open(who);
-            }
-        });
-        Door quiet = test.spawn(Door.class, () -> who -> log.add("served after " + spins[0]));
-        test.run(() -> {
-            hot[0].open("me");
-            quiet.open("me");
-        });
-        assertThat(log).containsExactly("served after 1");
     }
 
     interface Source {
@@ -226,65 +133,30 @@ class ContractTest {
     }
 
     @Test
-    void testSpace_hasNoThread_theTestServes() {
-        Door door = test.spawn(Door.class, () -> who -> log.add(name()));
-        door.open("me");
-        assertThat(log).isEmpty();
-        test.crank();
-        assertThat(log).containsExactly(name());
-    }
-
-    private static String name() {
-        return Thread.currentThread().threadId() + " " + Thread.currentThread().getName();
-    }
-
-    static final class Escaping extends Actor implements Door {
-        @Override
-        public void open(String who) {
-            space();
-        }
-
-        void askForItsSpace() {
-            space();
-        }
-
-        void setTimer() {
-            after(Duration.ofSeconds(1), () -> {});
-        }
-    }
-
-    @Test
     void actorOnlyMethods_ofASpawnedActor_throwOnAForeignThread() {
-        var escaped = new Escaping();
-        Door door = test.spawn(Door.class, () -> escaped);
-        door.open("on its own thread");
+        var escaped = new Doer();
+        test.spawn(Doer.class, () -> escaped).run(me -> log.add("on its own thread in " + me.space()));
         test.crank();
-        assertThatThrownBy(escaped::askForItsSpace)
+        assertThat(log).containsExactly("on its own thread in test-space");
+        assertThatThrownBy(escaped::space)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("space()");
-        assertThatThrownBy(escaped::setTimer)
+        assertThatThrownBy(() -> escaped.after(Duration.ofSeconds(1), () -> {}))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("after(..)");
     }
 
     @Test
-    void plainObject_behindAnInterfaceThatKnowsNothingOfThisLibrary_isAnActor() {
-        Door plain = who -> log.add("hello " + who);
+    void plainObject_behindAnInterfaceThatKnowsNothingOfThisLibrary_isAnActor_thatTheTestsThreadServes() {
+        Door plain = who -> log.add("hello " + who + " on " + Thread.currentThread());
         Door actor = test.spawn(Door.class, () -> plain);
+        String greeting = "hello Ann on " + Thread.currentThread();
         for (Door door : List.of(plain, actor)) {
             door.open("Ann");
         }
-        assertThat(log).containsExactly("hello Ann");
+        assertThat(log).containsExactly(greeting);
         test.crank();
-        assertThat(log).containsExactly("hello Ann", "hello Ann");
-    }
-
-    @Test
-    void caller_receivesAnException_beforeAnyTimeHasPassed() {
-        Desk desk = test.spawn(Desk.class, PlainDesk::new);
-        Throwable error = test.error(desk.ask(-1, "no such number").orTimeout(Duration.ofSeconds(30)));
-        assertThat(error).isExactlyInstanceOf(IllegalArgumentException.class).hasMessage("no such number");
-        assertThat(test.clock().nanos()).isZero();
+        assertThat(log).containsExactly(greeting, greeting);
     }
 
     @Test
@@ -299,10 +171,14 @@ class ContractTest {
 
     @Test
     void cancel_ofWhatFollowsARequest_leavesTheRequestAlone() {
-        Desk desk = test.spawn(Desk.class, PlainDesk::new);
-        Promise<Integer> follower = desk.ask(5, "").thenApply(sum -> sum + 1);
+        Desk desk = test.spawn(Desk.class, () -> (number, text) -> {
+            log.add(text);
+            return Promise.of(number);
+        });
+        Promise<Integer> follower = desk.ask(5, "asked").thenApply(sum -> sum + 1);
         follower.cancel();
-        assertThat(test.get(desk.ask(0, ""))).isEqualTo(5);
+        test.crank();
+        assertThat(log).containsExactly("asked");
         assertThat(follower.isCancelled()).isTrue();
     }
 }

@@ -1,251 +1,69 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.LONG;
+import static io.troupe.actor.Concurrently.await;
+import static io.troupe.actor.Concurrently.onAnotherThread;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.testkit.TestSpace;
-import io.troupe.actor.time.Timer;
+import io.troupe.actor.time.ManualClock;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** Promises, callbacks and calls whose actor or space ends first: none is lost, and no caller waits for ever. */
-class EndOfThingsTest {
-    private final TestSpace test = new TestSpace();
-    private final List<String> log = new ArrayList<>();
-    private Promise<?> loop = Promise.done();
+/** Promises, timers and calls whose actor or space ends first: none is lost, and no caller waits for ever. */
+@Timeout(20)
+class EndOfThingsTest extends InTestSpace {
+    private static final Duration SECOND = Duration.ofSeconds(1);
+    private static final Duration HOUR = Duration.ofHours(1);
 
-    @AfterEach
-    void nothingIsLeft() {
-        test.close();
-    }
-
-    /** Has a method for every kind of call. */
-    public static class Worker extends Actor {
-        private final EndOfThingsTest outer;
-
-        Worker(EndOfThingsTest outer) {
-            this.outer = outer;
-        }
-
-        public void failAfterAskingForACallback() {
-            Promise.done().thenRun(() -> outer.log.add("callback of the failed instance"));
-            throw new IllegalStateException("failed");
-        }
-
-        public void stopAfterAskingForACallback() {
-            Promise.done().thenRun(() -> outer.log.add("callback of the stopped actor"));
-            stop();
-        }
-
-        public void loop(Promise<?> step) {
-            outer.loop = repeatWhile(() -> true, () -> step);
-        }
-
-        public void listenTo(Promise<String> promise) {
-            promise.thenAccept(value -> outer.log.add("heard " + value));
-        }
-
-        public void stream(Callback<Integer> results) {}
-
-        public Promise<Integer> streamAndAnswer(Callback<Integer> results) {
-            return Promise.of(1);
-        }
-
-        public void end() {
-            stop();
-        }
-
-        public Promise<Timer> setTimer() {
-            return Promise.of(after(Duration.ofHours(1), () -> {}));
-        }
-
-        public void setTimers(int number) {
-            every(Duration.ofSeconds(1), () -> {});
-            for (int timer = 0; timer < number; timer++) {
-                after(Duration.ofHours(1), () -> {});
-            }
-        }
-
-        @Override
-        protected void started() {
-            outer.log.add("started");
-        }
-    }
-
-    private Worker spawn(ActorSettings settings) {
-        Worker worker = test.space().spawn(Worker.class, () -> new Worker(this), settings);
-        test.crank();
-        return worker;
-    }
+    // ---- actors
 
     @Test
-    void restart_comesBeforeTheCallbacksThatWait() {
-        Worker worker = spawn(ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofSeconds(1))));
-        worker.failAfterAskingForACallback();
+    void stopAndRestart_comeBeforeTheCallbacksThatWait() {
+        class Starting extends Doer {
+            @Override
+            protected void started() {
+                log.add("started");
+            }
+        }
+        var restarting = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND));
+        test.spawn(Doer.class, Starting::new, restarting).run(me -> {
+            Promise.done().thenRun(() -> log.add("callback of the failed instance"));
+            throw new IllegalStateException("failed");
+        });
         test.crank();
         assertThat(log).containsExactly("started", "started");
         assertThat(test.takeProblems()).hasSize(1);
+        test.spawn(Doer.class, Starting::new).run(me -> {
+            Promise.done().thenRun(() -> log.add("callback of the stopped actor"));
+            me.stop();
+        });
+        test.crank();
+        assertThat(log).containsExactly("started", "started", "started");
     }
 
-    @Test
-    void stop_comesBeforeTheCallbacksThatWait() {
-        Worker worker = spawn(ActorSettings.DEFAULT);
-        worker.stopAfterAskingForACallback();
-        test.crank();
-        assertThat(log).containsExactly("started");
-    }
+    private final Doer worker = test.spawn(Doer.class, Doer::new);
 
     @Test
     void loop_ofAnActorThatStops_endsAtItsNextRound() {
-        Worker worker = spawn(ActorSettings.DEFAULT);
         var step = new Deferred<Integer>(test.space());
-        worker.loop(step);
+        var loop = new AtomicReference<Promise<?>>();
+        worker.run(me -> loop.set(me.repeatWhile(() -> true, () -> step)));
         test.crank();
-        worker.end();
-        test.crank();
+        stop(worker);
         step.resolve(1);
-        assertThat(test.error(loop)).isInstanceOf(CancellationException.class);
-    }
-
-    @Test
-    void rejection_whoseOnlyListenerHasStopped_isReported() {
-        Worker worker = spawn(ActorSettings.DEFAULT);
-        var source = new Deferred<String>(test.space());
-        worker.listenTo(source);
-        test.crank();
-        worker.end();
-        test.crank();
-        source.reject(new IllegalStateException("nobody is left"));
-        test.crank();
-        assertThat(test.takeProblems())
-                .extracting(problem -> problem.error().getMessage())
-                .containsExactly("nobody is left");
-    }
-
-    @Test
-    void callback_givenToAnActorThatHasStopped_isFailed() {
-        Worker worker = spawn(ActorSettings.DEFAULT);
-        worker.end();
-        test.crank();
-        worker.stream((result, error) -> log.add("stream: " + error));
-        Promise<Integer> answer = worker.streamAndAnswer((result, error) -> log.add("request: " + error));
-        assertThat(test.error(answer)).isInstanceOf(ActorStoppedException.class);
-        assertThat(log).hasSize(3);
-        assertThat(log.get(1)).contains("stream: ", "ActorStoppedException", "was not begun");
-        assertThat(log.get(2)).contains("request: ", "ActorStoppedException", "was not begun");
-        assertThat(test.takeDeadLetters()).hasSize(1);
-    }
-
-    @Test
-    void callback_ofACallThatAFullMailboxRejectsOrACancelSkips_isFailed() {
-        Worker worker = spawn(ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT));
-        Promise<Integer> taken = worker.streamAndAnswer((result, error) -> log.add("first: " + error));
-        worker.stream((result, error) -> log.add("second: " + error));
-        taken.cancel();
-        test.crank();
-        assertThat(log).hasSize(3);
-        assertThat(log.get(1))
-                .contains("second: ", "MailboxFullException"); // a callback: it does not wait for messages
-        assertThat(log.get(2)).contains("first: ", "CancellationException", "before it began");
-        assertThat(test.takeDeadLetters()).hasSize(1);
-    }
-
-    @Test
-    void delayAndTimeLimit_inASpaceThatIsClosed_areEnded() {
-        var space = ActorSpace.create(SpaceSettings.named("short-lived").withHandCrank());
-        Promise<@Nullable Void> delay = space.delay(Duration.ofHours(1));
-        Promise<String> limited = new Deferred<String>(space).orTimeout(Duration.ofHours(1));
-        delay.exceptionally(error -> null);
-        limited.exceptionally(error -> "");
-        space.crank();
-        Leftovers leftovers = space.close(Duration.ofSeconds(1));
-        assertThat(leftovers.timers()).isEqualTo(2);
-        assertThat(leftovers.isEmpty()).isTrue();
-        assertThat(delay.error()).isInstanceOf(CancellationException.class).hasMessageContaining("PT1H");
-        assertThat(limited.error()).isInstanceOf(CancellationException.class).hasMessageContaining("was closed before");
-        assertThat(space.delay(Duration.ofSeconds(1)).error()).isInstanceOf(CancellationException.class);
-    }
-
-    @Test
-    void close_reportsWhatWasStillQueued() {
-        var letters = new ArrayList<DeadLetter>();
-        var space = ActorSpace.create(SpaceSettings.named("left")
-                .withOnDeadLetter(letters::add)
-                .withOnError((where, error) -> {})
-                .withHandCrank());
-        Worker worker = space.spawn(Worker.class, () -> new Worker(this), ActorSettings.named("worker"));
-        var request = new ArrayList<Promise<Integer>>();
-        space.crank();
-        space.execute(() -> {
-            space.close(); // the calls below are queued behind it
-            worker.end();
-            request.add(worker.streamAndAnswer((result, error) -> {}));
-        });
-        space.crank();
-        Leftovers leftovers = space.close(Duration.ofSeconds(1));
-        assertThat(leftovers.messages()).isEqualTo(1);
-        assertThat(leftovers.requests()).isEqualTo(1);
-        assertThat(leftovers.examples().getFirst()).isEqualTo("Worker.end() to worker");
-        assertThat(leftovers.examples().get(1))
-                .startsWith("Worker.streamAndAnswer(")
-                .endsWith(" of worker");
-        assertThat(letters).hasSize(1);
-        assertThat(request.getFirst().error()).isInstanceOf(ActorStoppedException.class);
-    }
-
-    @Test
-    @Tag("threads")
-    @Timeout(60)
-    void close_ofASpaceThatIsBusy_reportsWithWhat() throws Exception {
-        var begun = new CountDownLatch(1);
-        var goOn = new CountDownLatch(1);
-        var space = ActorSpace.create(SpaceSettings.named("busy").withOnStall(Duration.ZERO, stall -> {}));
-        space.execute(() -> {
-            begun.countDown();
-            try {
-                goOn.await();
-            } catch (InterruptedException e) {
-                throw new IllegalStateException(e);
-            }
-        });
-        begun.await();
-        assertThatThrownBy(() -> space.close(Duration.ofMillis(1)))
-                .isInstanceOf(ActorException.class)
-                .hasMessageContainingAll("space busy did not end within PT0.001S", "busy at ");
-        goOn.countDown();
-        assertThat(space.close(Duration.ofSeconds(30)).isEmpty()).isTrue();
-    }
-
-    @Test
-    void timers_ofAnActorThatStops_leaveTheWheelAtOnce() {
-        Worker worker = spawn(ActorSettings.DEFAULT);
-        worker.setTimers(20);
-        test.crank();
-        assertThat(test.space().metrics().timers()).isEqualTo(21);
-        worker.end();
-        test.crank();
-        assertThat(test.space().metrics().timers()).isZero();
-    }
-
-    @Test
-    void timer_cancelledOnAnotherThread_throwsAndNamesTheThread() {
-        Worker worker = spawn(ActorSettings.DEFAULT);
-        var timer = test.get(worker.setTimer());
-        assertThatThrownBy(timer::cancel)
-                .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("on the thread of its space only");
-        test.run(() -> assertThat(timer.cancel()).isTrue());
+        assertThat(test.error(loop.get())).isInstanceOf(CancellationException.class);
     }
 
     @Test
@@ -261,18 +79,250 @@ class EndOfThingsTest {
     }
 
     @Test
-    void race_ofNothing_isRejected() {
-        assertThat(Promise.race(List.<Promise<Integer>>of()).error()).hasMessage("race of no promises");
+    void rejection_whoseOnlyListenerHasStopped_isReported() {
+        var source = new Deferred<String>(test.space());
+        worker.run(me -> source.thenAccept(value -> log.add("heard " + value)));
+        test.crank();
+        stop(worker);
+        source.reject(new IllegalStateException("nobody is left"));
+        test.crank();
+        assertThat(takeErrors()).containsExactly("nobody is left");
     }
 
     @Test
-    void dropOldest_keepsNoMoreThanItsCapacityQueued() {
-        Worker worker = spawn(ActorSettings.DEFAULT.withMailbox(3, Overflow.DROP_OLDEST));
-        for (int call = 0; call < 1000; call++) {
-            worker.stream((result, error) -> {});
-        }
-        assertThat(test.takeDeadLetters()).hasSize(997);
-        assertThat(test.space().metrics().waiting() - 997).isEqualTo(3); // and 997 queued callbacks of rejected calls
+    void timers_ofAnActorThatStops_leaveTheWheelAtOnce() {
+        worker.run(me -> {
+            me.every(SECOND, () -> {});
+            me.after("once", HOUR, () -> {});
+            me.every("again", SECOND, () -> {});
+            for (int timer = 0; timer < 20; timer++) {
+                me.after(HOUR, () -> {});
+            }
+        });
         test.crank();
+        assertThat(test.space().metrics().timers()).isEqualTo(23);
+        stop(worker);
+        assertThat(test.space().metrics().timers()).isZero();
+    }
+
+    @Test
+    void timer_cancelledOnAnotherThread_throwsAndNamesTheThread() {
+        var timer = test.get(worker.ask(me -> Promise.of(me.after(HOUR, () -> {}))));
+        assertThatThrownBy(timer::cancel)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("on the thread of its space only");
+        test.run(() -> assertThat(timer.cancel()).isTrue());
+    }
+
+    // ---- spaces
+
+    private final List<DeadLetter> letters = new ArrayList<>();
+    private final ManualClock clock = new ManualClock();
+    private final SpaceSettings settings = SpaceSettings.named("ending")
+            .withClock(clock)
+            .withOnDeadLetter(letters::add)
+            .withOnError((where, error) -> log.add(where))
+            .withHandCrank();
+    private final ActorSpace space = ActorSpace.create(settings);
+    private final Doer doer = space.spawn(Doer.class, Doer::new);
+
+    private void runIn(ActorSpace any, Runnable task) {
+        any.execute(task);
+        any.crank();
+    }
+
+    interface Desk {
+        Promise<String> ask(Object what);
+    }
+
+    interface Sink {
+        void take(Object what);
+    }
+
+    @Test
+    void close_callBeforeItsActorHasStarted_isRejected() {
+        var made = new AtomicReference<Doer>();
+        runIn(space, () -> {
+            onAnotherThread(() -> made.set(space.spawn(Doer.class, Doer::new))); // its start is in the inbox
+            space.close();
+            made.get().run(me -> log.add("took a call"));
+        });
+        assertThat(log).isEmpty();
+        assertThat(letters).hasSize(1);
+    }
+
+    @Test
+    void close_retryFromOutside_ends() {
+        space.execute(space::close);
+        Promise<String> retried = space.retry(3, SECOND, () -> doer.ask(me -> new Deferred<>()));
+        space.crank();
+        assertThat(retried.isDone()).isTrue();
+    }
+
+    @Test
+    void close_lastListener_delaysAreCancelled_andItsErrorIsReported() {
+        var late = new AtomicReference<Promise<?>>();
+        runIn(space, () -> {
+            space.close();
+            doer.ask(me -> Promise.of("")).whenComplete((value, tooLate) -> {
+                late.set(space.delay(SECOND));
+                throw new IllegalStateException("a fault in a listener");
+            });
+        });
+        assertThat(late.get().error()).isInstanceOf(CancellationException.class);
+        assertThat(log).hasSize(1);
+    }
+
+    @Test
+    void close_lastErrorHandlerCallsAnActor_callIsADeadLetter() {
+        class Loser extends Actor {
+            @Override
+            protected void stopped() {
+                new Deferred<String>().reject(new IllegalStateException("nobody listens"));
+            }
+        }
+        var logger = new AtomicReference<Doer>();
+        var own = ActorSpace.create(
+                settings.withOnError((where, error) -> logger.get().run(me -> log.add(where))));
+        logger.set(own.spawn(Doer.class, Doer::new));
+        own.crank();
+        own.spawn(Loser.class, Loser::new);
+        own.close();
+        assertThat(letters).hasSize(1);
+    }
+
+    @Test
+    void close_idleActionThatWaits_isNotLostInSilence() {
+        runIn(space, () -> {
+            space.onIdle(() -> log.add("idle"));
+            space.close();
+            space.execute(() -> {}); // so that it is never idle again, and this is a dead letter
+        });
+        assertThat(log.size() + letters.size()).isEqualTo(2);
+    }
+
+    @Test
+    void close_deadLetterHandlerThrowsAnError_turnsEverythingAway_andKeepsTheLeftovers() {
+        var own = ActorSpace.create(settings.withOnDeadLetter(letter -> {
+            letters.add(letter);
+            throw new AssertionError("no dead letters in this test");
+        }));
+        runIn(own, () -> {
+            own.close();
+            own.execute(() -> log.add("never"));
+            own.execute(() -> log.add("never"));
+        });
+        assertThat(own.close(SECOND).tasks()).isEqualTo(2);
+        own.crank();
+        assertThat(own.close(SECOND).tasks()).isEqualTo(2);
+        assertThat(letters).hasSize(2);
+    }
+
+    @Test
+    void close_droppedCallsTicket_leftoversNameTheCallThatWaits() {
+        var one = ActorSettings.DEFAULT.withMailbox(1, Overflow.DROP_OLDEST);
+        Desk desk = space.spawn(Desk.class, () -> what -> new Deferred<>(), one);
+        space.crank();
+        runIn(space, () -> {
+            space.close();
+            desk.ask("old").exceptionally(error -> "");
+            desk.ask("new").exceptionally(error -> "");
+        });
+        Leftovers left = space.close(SECOND);
+        assertThat(left.requests()).isEqualTo(1);
+        assertThat(left.examples()).singleElement().asString().contains("new");
+    }
+
+    interface Source {
+        Promise<Integer> stream(Callback<Integer> results);
+    }
+
+    @Test
+    void close_reportsWhatWasStillQueued() {
+        Sink sink = space.spawn(Sink.class, () -> what -> {}, ActorSettings.named("sink"));
+        Source source = space.spawn(Source.class, () -> results -> Promise.of(1), ActorSettings.named("source"));
+        var request = new AtomicReference<Promise<Integer>>();
+        space.crank();
+        runIn(space, () -> {
+            space.close(); // the calls below are queued behind it
+            sink.take("x".repeat(81));
+            request.set(source.stream((result, error) -> {}));
+        });
+        Leftovers leftovers = space.close(SECOND);
+        assertThat(leftovers.messages()).isEqualTo(1);
+        assertThat(leftovers.requests()).isEqualTo(1);
+        assertThat(leftovers.examples())
+                .satisfiesExactly(
+                        first -> assertThat(first).isEqualTo("Sink.take(" + "x".repeat(77) + "...) to sink"),
+                        second ->
+                                assertThat(second).startsWith("Source.stream(").endsWith(" of source"));
+        assertThat(letters).hasSize(1);
+        assertThat(request.get().error()).isInstanceOf(ActorStoppedException.class);
+    }
+
+    @Test
+    void close_waitingCallWhoseArgumentHasNoText_turnsEverythingAway() {
+        Sink sink = space.spawn(Sink.class, () -> what -> {});
+        runIn(space, () -> {
+            space.close();
+            sink.take(new FailedCallTest.Sourpuss());
+            sink.take("fine");
+        });
+        assertThat(space.close(SECOND).messages()).isEqualTo(2);
+        assertThat(letters).hasSize(2);
+    }
+
+    @Test
+    void delayAndTimeLimit_inASpaceThatIsClosed_areEnded() {
+        Promise<@Nullable Void> delay = space.delay(HOUR);
+        Promise<String> limited = new Deferred<String>(space).orTimeout(HOUR);
+        delay.exceptionally(error -> null);
+        limited.exceptionally(error -> "");
+        space.crank();
+        Leftovers leftovers = space.close(SECOND);
+        assertThat(leftovers.timers()).isEqualTo(2);
+        assertThat(leftovers.isEmpty()).isTrue();
+        assertThat(delay.error()).isInstanceOf(CancellationException.class).hasMessageContaining("PT1H");
+        assertThat(limited.error()).isInstanceOf(CancellationException.class).hasMessageContaining("was closed before");
+        assertThat(space.delay(SECOND).error()).isInstanceOf(CancellationException.class);
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void close_ofASpaceThatIsBusy_reportsWithWhat() {
+        var begun = new CountDownLatch(1);
+        var goOn = new CountDownLatch(1);
+        var busy = ActorSpace.create(SpaceSettings.named("busy").withOnStall(Duration.ZERO, stall -> {}));
+        busy.execute(() -> {
+            begun.countDown();
+            await(goOn);
+        });
+        await(begun);
+        assertThatThrownBy(() -> busy.close(Duration.ofMillis(1)))
+                .isInstanceOf(ActorException.class)
+                .hasMessageContainingAll("space busy did not end within PT0.001S", "busy at ");
+        goOn.countDown();
+        assertThat(busy.close(LONG).isEmpty()).isTrue();
+    }
+
+    @Test
+    void deadLetterHandler_listenerItRegisters_isNotThatOfTheActorWhoseTurnWasBefore() {
+        var own = new AtomicReference<ActorSpace>();
+        own.set(ActorSpace.create(
+                settings.withOnDeadLetter(letter -> own.get().delay(SECOND).thenRun(() -> log.add("alarm")))));
+        Doer stopped = own.get().spawn(Doer.class, Doer::new);
+        own.get().stop(stopped);
+        own.get().crank();
+        Doer other = own.get().spawn(Doer.class, Doer::new);
+        other.run(me -> log.add("took a call"));
+        stopped.run(me -> log.add("never"));
+        own.get().crank();
+        own.get().stop(other);
+        own.get().crank();
+        clock.advance(SECOND.multipliedBy(2));
+        own.get().crank();
+        assertThat(log).containsExactly("took a call", "alarm");
+        own.get().close();
     }
 }

@@ -1,83 +1,82 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.LONG;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
+import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.testkit.TestSpace;
+import io.troupe.actor.time.ManualClock;
 import java.time.Duration;
-import java.util.ArrayList;
+import java.time.temporal.ChronoUnit;
+import java.util.List;
 import java.util.concurrent.CancellationException;
-import org.junit.jupiter.api.AfterEach;
+import java.util.concurrent.TimeoutException;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
+import org.junit.jupiter.params.provider.MethodSource;
 
-/** Calls that fail, or that no actor handles. */
-class FailedCallTest {
+/** Calls that fail, that no actor handles, or that are not answered in time; and user code of the space that throws. */
+@Timeout(20)
+class FailedCallTest extends InTestSpace {
+    private static final Duration SECOND = Duration.ofSeconds(1);
+
     interface Counter {
         Promise<Integer> add(int amount);
 
-        void fail(String why);
-
-        Promise<Integer> failing(String why);
-    }
-
-    private static final class FailingCounter implements Counter {
-        private int sum;
-
-        @Override
-        public Promise<Integer> add(int amount) {
-            sum += amount;
-            return Promise.of(sum);
-        }
-
-        @Override
-        public void fail(String why) {
+        default void fail(String why) {
             throw new IllegalArgumentException(why);
         }
 
-        @Override
-        public Promise<Integer> failing(String why) {
+        default Promise<Integer> failing(String why) {
             throw new IllegalArgumentException(why);
         }
     }
 
-    private final TestSpace test = new TestSpace();
+    private static Counter failingCounter() {
+        var sum = new int[1];
+        return amount -> Promise.of(sum[0] += amount);
+    }
 
-    @AfterEach
-    void nothingIsLeft() {
-        test.close();
+    private final Counter counter = test.spawn(Counter.class, FailedCallTest::failingCounter);
+
+    private void assertReported(String where, String message) {
+        assertThat(test.takeProblems()).singleElement().satisfies(problem -> {
+            assertThat(problem.where()).isEqualTo(where);
+            assertThat(problem.error()).hasMessage(message);
+        });
     }
 
     @Test
-    void exception_inARequest_rejectsItsPromiseUnwrapped() {
-        Counter counter = test.spawn(Counter.class, FailingCounter::new);
-        Throwable error = test.error(counter.failing("no reason"));
-        assertThat(error).isExactlyInstanceOf(IllegalArgumentException.class).hasMessage("no reason");
+    void exception_inARequest_rejectsItsPromiseUnwrapped_beforeAnyTimeHasPassed() {
+        for (var request :
+                List.of(counter.failing("why"), counter.failing("why").orTimeout(Duration.ofSeconds(30)))) {
+            assertThat(test.error(request))
+                    .isExactlyInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("why");
+        }
+        assertThat(test.clock().nanos()).isZero();
     }
 
     @Test
     void exception_inAOneWayMessage_goesToTheErrorHandler() {
-        Counter counter = test.spawn(Counter.class, FailingCounter::new);
         counter.fail("on purpose");
         test.crank();
-        assertThat(test.takeProblems()).singleElement().satisfies(problem -> {
-            assertThat(problem.where()).isEqualTo("Counter.fail(String) of Counter#1");
-            assertThat(problem.error()).hasMessage("on purpose");
-        });
+        assertReported("Counter.fail(String) of Counter#1", "on purpose");
         assertThat(test.get(counter.add(2))).isEqualTo(2);
     }
 
     @Test
     void exception_goesToTheActorsOwnHandlerFirst() {
-        var own = new ArrayList<String>();
-        Counter counter = test.space()
-                .spawn(
-                        Counter.class,
-                        FailingCounter::new,
-                        ActorSettings.named("tally")
-                                .withOnError((where, error) -> own.add(where + ": " + error.getMessage())));
-        counter.fail("mine");
+        var settings =
+                ActorSettings.named("tally").withOnError((where, error) -> log.add(where + ": " + error.getMessage()));
+        test.spawn(Counter.class, FailedCallTest::failingCounter, settings).fail("mine");
         test.crank();
-        assertThat(own).containsExactly("Counter.fail(String) of tally: mine");
+        assertThat(log).containsExactly("Counter.fail(String) of tally: mine");
     }
 
     @Test
@@ -87,46 +86,33 @@ class FailedCallTest {
         }
         Careless careless = test.spawn(Careless.class, () -> () -> null);
         assertThat(test.error(careless.ask()))
-                .hasMessage("Careless.ask() of Careless#1 answered null, expected a promise");
+                .hasMessage("Careless.ask() of Careless#2 answered null, expected a promise");
     }
 
     @Test
-    void rejection_withoutAListener_isReported() {
-        Counter counter = test.spawn(Counter.class, FailingCounter::new);
+    void rejection_withoutAListener_isReported_fromOutsideAfterAMoment() {
         test.run(() -> counter.failing("unheard"));
-        assertThat(test.takeProblems()).singleElement().satisfies(problem -> {
-            assertThat(problem.where()).isEqualTo("a promise nobody listens to: Counter.failing(unheard) of Counter#1");
-            assertThat(problem.error()).hasMessage("unheard");
-        });
-    }
-
-    @Test
-    void rejection_askedFromOutside_isReportedAfterAMoment() {
-        Counter counter = test.spawn(Counter.class, FailingCounter::new);
+        assertReported("a promise nobody listens to: Counter.failing(unheard) of Counter#1", "unheard");
         counter.failing("unheard");
         test.crank();
         assertThat(test.takeProblems()).isEmpty();
-        test.advance(Duration.ofSeconds(1));
+        test.advance(SECOND);
         assertThat(test.takeProblems()).hasSize(1);
     }
 
     @Test
     void factory_thatThrows_isReportedAndItsActorIsStopped() {
-        Counter counter = test.space().spawn(Counter.class, () -> {
+        Counter never = test.spawn(Counter.class, () -> {
             throw new IllegalStateException("no counter today");
         });
-        assertThat(test.error(counter.add(1))).isInstanceOf(ActorStoppedException.class);
-        assertThat(test.takeProblems())
-                .singleElement()
-                .satisfies(problem -> assertThat(problem.error()).hasMessage("no counter today"));
+        assertThat(test.error(never.add(1))).isInstanceOf(ActorStoppedException.class);
+        assertThat(takeErrors()).containsExactly("no counter today");
     }
 
     @Test
     void stoppedActor_rejectsRequestsAndMakesDeadLettersOfMessages() {
-        Counter counter = test.spawn(Counter.class, FailingCounter::new);
         test.space().stop(counter);
-        Throwable error = test.error(counter.add(1));
-        assertThat(error)
+        assertThat(test.error(counter.add(1)))
                 .isInstanceOf(ActorStoppedException.class)
                 .hasMessage("Counter.add(1) of Counter#1 was not begun: the actor Counter#1 has stopped");
         counter.fail("into the void");
@@ -138,7 +124,6 @@ class FailedCallTest {
 
     @Test
     void cancel_reachesARequestThatWaits() {
-        Counter counter = test.spawn(Counter.class, FailingCounter::new);
         counter.add(1);
         Promise<Integer> cancelled = counter.add(10);
         assertThat(cancelled.cancel()).isTrue();
@@ -147,5 +132,137 @@ class FailedCallTest {
         assertThat(test.error(cancelled))
                 .isInstanceOf(CancellationException.class)
                 .hasMessageContaining("Counter.add(10)");
+    }
+
+    // ---- time limits
+
+    interface Worker {
+        Promise<Integer> ask(Object anything);
+    }
+
+    private void logTimeout(Promise<Integer> request) {
+        request.orTimeout(Duration.ZERO).exceptionally(late -> log.add(late.getMessage()) ? 0 : 1);
+    }
+
+    @Test
+    void timeout_ofARequestThatTookTheOldestOnesPlace_reportsThatItHasNotBegun() {
+        var one = ActorSettings.DEFAULT.withMailbox(1, Overflow.DROP_OLDEST);
+        Worker worker = test.spawn(Worker.class, () -> number -> new Deferred<>(), one);
+        test.run(() -> {
+            for (int before = 0; before < 600; before++) {
+                test.space().execute(() -> {}); // more than one pass runs
+            }
+            worker.ask(1).exceptionally(dropped -> 0);
+            logTimeout(worker.ask(2));
+        });
+        assertThat(log).singleElement().asString().contains("which has not begun it");
+    }
+
+    @Test
+    void timeout_behindALongQueue_countsItNoFurtherThanAThousand() {
+        Worker worker = test.spawn(Worker.class, () -> number -> new Deferred<>());
+        test.run(() -> {
+            for (int before = 0; before < 3_000; before++) {
+                worker.ask(before);
+            }
+            logTimeout(worker.ask(1));
+        });
+        String end = "from Worker.ask(1) of Worker#2, where more than 1000 calls wait";
+        assertThat(log).singleElement().asString().endsWith(end);
+    }
+
+    static final class Sourpuss {
+        @Override
+        public String toString() {
+            throw new StackOverflowError("a list that contains itself has no text");
+        }
+    }
+
+    private final ManualClock clock = new ManualClock();
+
+    private ActorSpace space(ErrorHandler handler) {
+        return ActorSpace.create(
+                SpaceSettings.named("handlers").withClock(clock).withHandCrank().withOnError(handler));
+    }
+
+    @Test
+    void timeout_argumentHasNoText_stillComes() {
+        var space = space((where, error) -> {});
+        Worker worker = space.spawn(Worker.class, () -> anything -> new Deferred<>());
+        Promise<Integer> limited = worker.ask(new Sourpuss()).orTimeout(SECOND);
+        space.crank();
+        clock.advance(SECOND.multipliedBy(2));
+        space.crank();
+        assertThat(limited.error()).isInstanceOf(TimeoutException.class);
+        space.close();
+    }
+
+    // ---- handlers and texts that throw
+
+    private static final class Unspeakable extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        @Override
+        public String getMessage() {
+            throw new IllegalStateException("this error's text cannot be made");
+        }
+    }
+
+    private static void rethrow(String where, Throwable error) {
+        throw (RuntimeException) error;
+    }
+
+    @Test
+    void errorHandler_throwsWhatItWasGiven_spaceGoesOn() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("rethrowing").withOnError(FailedCallTest::rethrow))) {
+            Counter failing = space.spawn(Counter.class, FailedCallTest::failingCounter);
+            failing.fail("failed");
+            assertThat(failing.add(1).get(LONG)).isEqualTo(1);
+        }
+    }
+
+    static List<Arguments> failures() {
+        ErrorHandler quiet = (where, error) -> {};
+        ErrorHandler rethrowing = FailedCallTest::rethrow;
+        var failure = new IllegalStateException("failed");
+        return List.of(
+                argumentSet("whose handler throws what it was given", rethrowing, failure, SECOND),
+                argumentSet("whose text throws", quiet, new Unspeakable(), SECOND),
+                argumentSet("in a window for ever", quiet, failure, ChronoUnit.FOREVER.getDuration()));
+    }
+
+    private void assertRestarted(ActorSpace space, Supplier<Doer> factory, RuntimeException failure, Duration window) {
+        Supplier<Doer> logged = () -> {
+            log.add("made");
+            return factory.get();
+        };
+        var settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, window));
+        space.spawn(Doer.class, logged, settings).run(me -> {
+            throw failure;
+        });
+        space.crank();
+        assertThat(log).containsExactly("made", "made");
+        space.close();
+    }
+
+    @ParameterizedTest
+    @MethodSource("failures")
+    void supervision_ofAFailure_stillRestarts(ErrorHandler handler, RuntimeException failure, Duration window) {
+        assertRestarted(space(handler), Doer::new, failure, window);
+    }
+
+    @Test
+    void restart_stoppedOfTheOldInstanceThrows_freshInstanceIsKept() {
+        class Clumsy extends Doer {
+            private final boolean isFirst = log.size() == 1;
+
+            @Override
+            protected void stopped() {
+                if (isFirst) {
+                    throw new IllegalStateException("the first one cannot even stop");
+                }
+            }
+        }
+        assertRestarted(space((where, error) -> {}), Clumsy::new, new IllegalStateException("failed"), SECOND);
     }
 }

@@ -3,173 +3,120 @@ package io.troupe.actor;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.testkit.TestSpace;
-import io.troupe.actor.time.Timer;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
+import java.util.function.Consumer;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-class KeyedTimersTest {
+class KeyedTimersTest extends InTestSpace {
     private static final Duration SECOND = Duration.ofSeconds(1);
 
-    private final TestSpace test = new TestSpace();
-    private final List<String> log = new ArrayList<>();
-    private final List<Clockwork> instances = new ArrayList<>();
+    private final Doer object = new Doer(); // also that of a restart
+    private final Doer actor =
+            test.spawn(Doer.class, () -> object, ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
 
-    /** Runs the tasks of the test on the space's thread. */
-    public static class Clockwork extends Actor {
-        public void then(Runnable task) {
-            task.run();
-        }
-
-        Timer later(Object key, Duration delay, Runnable task) {
-            return after(key, delay, task);
-        }
-
-        Timer again(Object key, Duration period, Runnable task) {
-            return every(key, period, task);
-        }
-
-        Timer plain(Duration delay, Runnable task) {
-            return after(delay, task);
-        }
-
-        boolean forget(Object key) {
-            return cancelTimer(key);
-        }
-    }
-
-    private Clockwork spawn() {
-        return test.space()
-                .spawn(
-                        Clockwork.class,
-                        () -> {
-                            instances.add(new Clockwork());
-                            return instances.getLast();
-                        },
-                        ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
-    }
-
-    /** On behalf of the current instance. */
-    private void run(Clockwork proxy, Runnable task) {
-        proxy.then(task);
+    private void run(Consumer<Doer> task) {
+        actor.run(task);
         test.crank();
     }
 
-    private Clockwork me() {
-        return instances.getLast();
-    }
-
-    @AfterEach
-    void nothingIsLeft() {
-        test.close();
+    private void advanceSeconds(int seconds) {
+        test.advance(SECOND.multipliedBy(seconds));
     }
 
     @Test
     void timerWithAnEqualKey_replacesTheOneThatWaits() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> me().later(List.of("beep", 1), SECOND, () -> log.add("first")));
-        run(proxy, () -> me().later(List.of("beep", 1), SECOND.multipliedBy(2), () -> log.add("second")));
-        test.advance(SECOND.multipliedBy(5));
+        run(me -> me.after(List.of("beep", 1), SECOND, () -> log.add("first")));
+        run(me -> me.after(List.of("beep", 1), SECOND.multipliedBy(2), () -> log.add("second")));
+        advanceSeconds(5);
         assertThat(log).containsExactly("second");
     }
 
     @Test
     void timersWithOtherKeys_ofOtherActors_orWithoutAKey_areLeftAlone() {
-        Clockwork proxy = spawn();
-        Clockwork other = spawn();
-        test.crank();
-        run(other, () -> instances.get(1).later("key", SECOND, () -> log.add("another's")));
-        run(proxy, () -> {
-            Clockwork mine = instances.get(0);
-            mine.plain(SECOND, () -> log.add("without a key"));
-            mine.later("other key", SECOND, () -> log.add("other key"));
-            mine.later("key", SECOND, () -> log.add("key"));
+        Doer other = test.spawn(Doer.class, Doer::new);
+        other.run(me -> me.after("key", SECOND, () -> log.add("another's")));
+        run(me -> {
+            me.after(SECOND, () -> log.add("without a key"));
+            me.after("other key", SECOND, () -> log.add("other key"));
+            me.after("key", SECOND, () -> log.add("key"));
         });
-        test.advance(SECOND);
+        advanceSeconds(1);
         assertThat(log).containsExactly("another's", "without a key", "other key", "key");
     }
 
-    @Test
-    void replacedTimer_thatIsDueInTheSamePass_doesNotRun() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> {
-            me().plain(SECOND, () -> me().later("key", SECOND, () -> log.add("new")));
-            me().later("key", SECOND, () -> log.add("old"));
+    @ParameterizedTest
+    @ValueSource(booleans = {false, true})
+    void replacedTimer_thatIsDueInTheSamePass_doesNotRun(boolean periodic) {
+        run(me -> {
+            me.after(SECOND, () -> set(me, periodic, "new"));
+            set(me, periodic, "old");
         });
-        test.advance(SECOND);
+        advanceSeconds(1);
         assertThat(log).isEmpty();
-        test.advance(SECOND);
-        assertThat(log).containsExactly("new");
+        advanceSeconds(periodic ? 2 : 1);
+        assertThat(log).isEqualTo(periodic ? List.of("new", "new") : List.of("new"));
     }
 
-    @Test
-    void replacedPeriodicTimer_thatIsDueInTheSamePass_doesNotRun() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> {
-            me().plain(SECOND, () -> me().again("key", SECOND, () -> log.add("new")));
-            me().again("key", SECOND, () -> log.add("old"));
-        });
-        test.advance(SECOND);
-        assertThat(log).isEmpty();
-        test.advance(SECOND.multipliedBy(2));
-        assertThat(log).containsExactly("new", "new");
+    private void set(Doer me, boolean periodic, String text) {
+        if (periodic) {
+            me.every("key", SECOND, () -> log.add(text));
+        } else {
+            me.after("key", SECOND, () -> log.add(text));
+        }
     }
 
     @Test
     void onceTimer_replacesAPeriodicOne_andTheOtherWayRound() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> me().again("key", SECOND, () -> log.add("again")));
-        test.advance(SECOND.multipliedBy(2));
-        run(proxy, () -> me().later("key", SECOND, () -> log.add("once")));
-        test.advance(SECOND.multipliedBy(3));
+        run(me -> set(me, true, "again"));
+        advanceSeconds(2);
+        run(me -> set(me, false, "once"));
+        advanceSeconds(3);
         assertThat(log).containsExactly("again", "again", "once");
-        run(proxy, () -> me().again("key", SECOND, () -> log.add("again")));
-        test.advance(SECOND.multipliedBy(2));
+        run(me -> set(me, true, "again"));
+        advanceSeconds(2);
         assertThat(log).containsExactly("again", "again", "once", "again", "again");
-    }
-
-    @Test
-    void task_maySetItsOwnKeyAnew() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> me().later("key", SECOND, this::backOff));
-        test.advance(SECOND.multipliedBy(10));
-        assertThat(log).containsExactly("turn");
-        test.advance(SECOND.multipliedBy(10));
-        test.advance(SECOND.multipliedBy(10));
-        assertThat(log).containsExactly("turn", "turn", "turn");
-        assertThat(me().keyedTimers().size()).isOne();
     }
 
     private void backOff() {
         log.add("turn");
-        me().later("key", SECOND.multipliedBy(10), this::backOff);
+        object.after("key", SECOND.multipliedBy(10), this::backOff);
+    }
+
+    @Test
+    void task_maySetItsOwnKeyAnew() {
+        run(me -> me.after("key", SECOND, this::backOff));
+        advanceSeconds(10);
+        assertThat(log).containsExactly("turn");
+        advanceSeconds(10);
+        advanceSeconds(10);
+        assertThat(log).containsExactly("turn", "turn", "turn");
+        assertThat(object.keyedTimers().size()).isOne();
     }
 
     @Test
     void task_mayCancelItsOwnPeriod() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> me().again("key", SECOND, () -> log.add("cancelled: " + me().forget("key"))));
-        test.advance(SECOND.multipliedBy(5));
+        run(me -> me.every("key", SECOND, () -> log.add("cancelled: " + me.cancelTimer("key"))));
+        advanceSeconds(5);
         assertThat(log).containsExactly("cancelled: true");
     }
 
     @Test
     void cancelTimer_returnsWhetherOneWasGoingToRun() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> {
-            log.add("unknown: " + me().forget("key"));
-            me().later("key", SECOND, () -> log.add("never"));
-            log.add("waiting: " + me().forget("key"));
-            log.add("cancelled: " + me().forget("key"));
-            me().later("key", SECOND, () -> log.add("never")).cancel();
-            log.add("cancelled by its handle: " + me().forget("key"));
-            me().later("key", SECOND, () -> log.add("ran"));
+        run(me -> {
+            log.add("unknown: " + me.cancelTimer("key"));
+            set(me, false, "never");
+            log.add("waiting: " + me.cancelTimer("key"));
+            log.add("cancelled: " + me.cancelTimer("key"));
+            me.after("key", SECOND, () -> log.add("never")).cancel();
+            log.add("cancelled by its handle: " + me.cancelTimer("key"));
+            set(me, false, "ran");
         });
-        test.advance(SECOND);
-        run(proxy, () -> log.add("over: " + me().forget("key")));
+        advanceSeconds(1);
+        run(me -> log.add("over: " + me.cancelTimer("key")));
         assertThat(log)
                 .containsExactly(
                         "unknown: false",
@@ -181,89 +128,65 @@ class KeyedTimersTest {
     }
 
     @Test
-    void stoppedActor_hasNoTimers() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> {
-            me().later("once", SECOND, () -> log.add("once"));
-            me().again("again", SECOND, () -> log.add("again"));
-        });
-        test.space().stop(proxy);
-        test.advance(SECOND.multipliedBy(3));
-        assertThat(log).isEmpty();
-    }
-
-    @Test
     void restartedActor_beginsWithoutTimers_evenIfTheFactoryAnswersTheSameObject() {
-        var same = new Clockwork();
-        Clockwork proxy = test.space()
-                .spawn(
-                        Clockwork.class,
-                        () -> same,
-                        ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
-        run(proxy, () -> same.again("key", SECOND, () -> log.add("old")));
-        run(proxy, () -> {
+        run(me -> set(me, true, "old"));
+        run(me -> {
             throw new IllegalStateException("on purpose");
         });
         assertThat(test.takeProblems()).hasSize(1);
-        assertThat(same.keyedTimers().size()).isZero();
-        run(proxy, () -> log.add("waiting: " + same.forget("key")));
-        run(proxy, () -> same.later("key", SECOND, () -> log.add("new")));
-        test.advance(SECOND.multipliedBy(3));
+        assertThat(object.keyedTimers().size()).isZero();
+        run(me -> log.add("waiting: " + me.cancelTimer("key")));
+        run(me -> set(me, false, "new"));
+        advanceSeconds(3);
         assertThat(log).containsExactly("waiting: false", "new");
     }
 
     @Test
     void finishedTimers_areNotRemembered() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> {
+        run(me -> {
             for (int i = 0; i < 1_000; i++) {
-                me().later(i, SECOND, () -> {});
+                me.after(i, SECOND, () -> {});
             }
         });
-        assertThat(me().keyedTimers().size()).isEqualTo(1_000);
-        test.advance(SECOND);
-        assertThat(me().keyedTimers().size()).isZero();
+        assertThat(object.keyedTimers().size()).isEqualTo(1_000);
+        advanceSeconds(1);
+        assertThat(object.keyedTimers().size()).isZero();
     }
 
     @Test
     void timersCancelledByTheirHandle_doNotPileUp() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> {
-            me().later("kept", SECOND, () -> log.add("kept"));
+        run(me -> {
+            me.after("kept", SECOND, () -> log.add("kept"));
             for (int i = 0; i < 10_000; i++) {
-                me().later(i, SECOND, () -> log.add("cancelled")).cancel();
+                me.after(i, SECOND, () -> log.add("cancelled")).cancel();
             }
         });
-        assertThat(me().keyedTimers().size()).isLessThanOrEqualTo(16);
-        test.advance(SECOND);
+        assertThat(object.keyedTimers().size()).isLessThanOrEqualTo(16);
+        advanceSeconds(1);
         assertThat(log).containsExactly("kept");
+    }
+
+    private static void rejects(Class<?> error, String message, ThrowingCallable call) {
+        assertThatThrownBy(call).isInstanceOf(error).hasMessage(message);
     }
 
     @Test
     void misuse_isRejected_andLeavesTheTimerThatWaits() {
-        Clockwork proxy = spawn();
-        run(proxy, () -> {
-            me().later("key", SECOND, () -> log.add("kept"));
-            assertThatThrownBy(() -> me().again("key", Duration.ZERO, () -> {}))
-                    .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessage("the period is PT0S, expected more than zero");
-            assertThatThrownBy(() -> me().later("key", SECOND, null))
-                    .isInstanceOf(NullPointerException.class)
-                    .hasMessage("task");
-            assertThatThrownBy(() -> me().later(null, SECOND, () -> {}))
-                    .isInstanceOf(NullPointerException.class)
-                    .hasMessage("key");
-            assertThatThrownBy(() -> me().forget(null))
-                    .isInstanceOf(NullPointerException.class)
-                    .hasMessage("key");
+        String period = "the period is PT0S, expected more than zero";
+        run(me -> {
+            set(me, false, "kept");
+            rejects(IllegalArgumentException.class, period, () -> me.every("key", Duration.ZERO, () -> {}));
+            rejects(NullPointerException.class, "task", () -> me.after("key", SECOND, null));
+            rejects(NullPointerException.class, "key", () -> me.after(null, SECOND, () -> {}));
+            rejects(NullPointerException.class, "key", () -> me.cancelTimer(null));
         });
-        assertThatThrownBy(() -> me().later("key", SECOND, () -> {}))
+        assertThatThrownBy(() -> set(object, false, "elsewhere"))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("after(..) belongs on the thread of space test-space");
-        assertThatThrownBy(() -> me().forget("key"))
+        assertThatThrownBy(() -> object.cancelTimer("key"))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("cancelTimer(..) belongs on the thread of space test-space");
-        test.advance(SECOND);
+        advanceSeconds(1);
         assertThat(log).containsExactly("kept");
     }
 }

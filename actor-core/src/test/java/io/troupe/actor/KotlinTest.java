@@ -1,38 +1,27 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.ActorTypeRejectionTest.rejects;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.testkit.TestSpace;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.MessageDigest;
-import java.util.ArrayList;
 import java.util.HexFormat;
 import java.util.List;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /** Kotlin's interfaces, classes and lambdas work unchanged. The Kotlin code is src/test/kotlin/greeter/Greeter.kt. */
-class KotlinTest {
-    private final TestSpace test = new TestSpace();
-
-    @AfterEach
-    void nothingIsLeft() {
-        test.close();
-    }
-
+class KotlinTest extends InTestSpace {
     @Test
     void kotlinInterface_isAnActorType_withLambdasAsCallbacksAndListeners() throws Exception {
         Class<?> type = type("Greeter");
         Object companion = type.getField("Companion").get(null);
         Object greeter =
                 companion.getClass().getMethod("spawnIn", ActorSpace.class).invoke(companion, test.space());
-        var log = new ArrayList<String>();
-        test.run(() -> call("callAll", greeter, log));
+        test.run(() -> callAll(greeter));
         assertThat(log)
                 .containsExactlyInAnyOrder(
                         "hello hello Ann",
@@ -49,9 +38,9 @@ class KotlinTest {
                 .containsExactly("number 1 null", "number 2 null", "number 3 null");
     }
 
-    private static void call(String method, Object greeter, List<String> log) {
+    private void callAll(Object greeter) {
         try {
-            type("Callers").getMethod(method, type("Greeter"), List.class).invoke(null, greeter, log);
+            type("Callers").getMethod("callAll", type("Greeter"), List.class).invoke(null, greeter, log);
         } catch (ReflectiveOperationException e) {
             throw new AssertionError(e);
         }
@@ -71,16 +60,11 @@ class KotlinTest {
 
     @Test
     void finalClassesAndFunctions_areRejectedWithTheWordThatKotlinHasForIt() throws Exception {
-        refused("Closed", "greeter.Closed cannot be an actor type", "in Kotlin, make it open");
-        refused("HalfClosed", "HalfClosed.fixed() of actor type greeter.HalfClosed", "in Kotlin, make it open");
-        refused("ManyCallbacks", "ManyCallbacks.listen(Callback[])", "declare the parameter as Callback<T>");
-    }
-
-    private void refused(String name, String... reasons) throws ClassNotFoundException {
-        Class<?> type = type(name);
-        assertThatThrownBy(() -> test.space().spawn(type, () -> null))
-                .isInstanceOf(ActorTypeException.class)
-                .hasMessageContainingAll(reasons);
+        String open = "in Kotlin, make it open";
+        rejects(test, type("Closed"), "greeter.Closed cannot be an actor type", open);
+        rejects(test, type("HalfClosed"), "HalfClosed.fixed() of actor type greeter.HalfClosed", open);
+        String advice = "declare the parameter as Callback<T>";
+        rejects(test, type("ManyCallbacks"), "ManyCallbacks.listen(Callback[])", advice);
     }
 
     @Test

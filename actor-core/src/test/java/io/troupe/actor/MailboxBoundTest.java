@@ -1,50 +1,40 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.await;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.testkit.TestSpace;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
-import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-class MailboxBoundTest {
-    interface Sink {
-        void take(int number);
-
-        Promise<List<Integer>> taken();
-    }
-
-    static final class Keeping implements Sink {
+class MailboxBoundTest extends InTestSpace {
+    static class Sink extends Actor {
         private final List<Integer> taken = new ArrayList<>();
 
-        @Override
         public void take(int number) {
             taken.add(number);
         }
 
-        @Override
         public Promise<List<Integer>> taken() {
             return Promise.of(List.copyOf(taken));
         }
     }
 
-    private final TestSpace test = new TestSpace();
+    private static ActorSettings three(Overflow overflow) {
+        return ActorSettings.named("sink").withMailbox(3, overflow);
+    }
 
     private Sink spawn(Overflow overflow) {
-        Sink sink = test.space()
-                .spawn(Sink.class, Keeping::new, ActorSettings.named("sink").withMailbox(3, overflow));
-        test.crank();
-        return sink;
+        return test.spawn(Sink.class, Sink::new, three(overflow));
     }
 
     private static void takeFive(Sink sink) {
@@ -53,9 +43,8 @@ class MailboxBoundTest {
         }
     }
 
-    @AfterEach
-    void nothingIsLeft() {
-        test.close();
+    private List<String> lost() {
+        return test.takeDeadLetters().stream().map(DeadLetter::message).toList();
     }
 
     @Test
@@ -66,20 +55,15 @@ class MailboxBoundTest {
                 .isInstanceOf(MailboxFullException.class)
                 .hasMessage("Sink.taken() of sink was not begun: its mailbox is full (3 calls, REJECT)");
         assertThat(test.get(sink.taken())).containsExactly(1, 2, 3);
-        assertThat(test.takeDeadLetters())
-                .extracting(DeadLetter::message)
-                .containsExactly("Sink.take(4)", "Sink.take(5)");
+        assertThat(lost()).containsExactly("Sink.take(4)", "Sink.take(5)");
     }
 
     @Test
     void dropOldest_makesRoomForTheNewest() {
         Sink sink = spawn(Overflow.DROP_OLDEST);
         takeFive(sink);
-        Promise<List<Integer>> taken = sink.taken();
-        assertThat(test.get(taken)).containsExactly(4, 5);
-        assertThat(test.takeDeadLetters())
-                .extracting(DeadLetter::message)
-                .containsExactly("Sink.take(1)", "Sink.take(2)", "Sink.take(3)");
+        assertThat(test.get(sink.taken())).containsExactly(4, 5);
+        assertThat(lost()).containsExactly("Sink.take(1)", "Sink.take(2)", "Sink.take(3)");
     }
 
     @Test
@@ -89,71 +73,7 @@ class MailboxBoundTest {
         takeFive(sink); // from outside, where it would wait for the crank for ever
         test.crank();
         assertThat(test.get(sink.taken())).containsExactly(1, 2, 3, 1, 2, 3);
-        assertThat(test.takeDeadLetters()).hasSize(4);
-    }
-
-    @Test
-    @Tag("threads")
-    @Timeout(60)
-    void block_outside_waitsForRoom_andLosesNothing() throws Exception {
-        try (var space = ActorSpace.create(SpaceSettings.named("bounded"))) {
-            var gate = new CountDownLatch(1);
-            Sink sink = space.spawn(Sink.class, Keeping::new, ActorSettings.DEFAULT.withMailbox(3, Overflow.BLOCK));
-            space.execute(() -> {
-                try {
-                    gate.await();
-                } catch (InterruptedException e) {
-                    throw new IllegalStateException(e);
-                }
-            });
-            var sender = Thread.ofPlatform().start(() -> {
-                for (int number = 0; number < 1_000; number++) {
-                    sink.take(number);
-                }
-            });
-            while (sender.getState() != Thread.State.WAITING) {
-                Thread.onSpinWait(); // until the mailbox is full
-            }
-            gate.countDown();
-            sender.join();
-            assertThat(sink.taken().get(Duration.ofSeconds(30))).hasSize(1_000).isSorted();
-        }
-    }
-
-    @Test
-    @Tag("threads")
-    @Timeout(60)
-    void block_interruptedCaller_isRejected_andStaysInterrupted() throws Exception {
-        var letters = new LinkedBlockingQueue<DeadLetter>();
-        try (var space = ActorSpace.create(SpaceSettings.named("bounded").withOnDeadLetter(letters::add))) {
-            var gate = new CountDownLatch(1);
-            Sink sink = space.spawn(
-                    Sink.class, Keeping::new, ActorSettings.named("sink").withMailbox(3, Overflow.BLOCK));
-            space.execute(() -> {
-                try {
-                    gate.await();
-                } catch (InterruptedException e) {
-                    throw new IllegalStateException(e);
-                }
-            });
-            var interrupted = new AtomicBoolean();
-            var sender = Thread.ofPlatform().start(() -> {
-                takeFive(sink);
-                interrupted.set(Thread.currentThread().isInterrupted());
-            });
-            while (sender.getState() != Thread.State.WAITING) {
-                Thread.onSpinWait(); // until the mailbox is full
-            }
-            sender.interrupt();
-            sender.join();
-            assertThat(interrupted).isTrue();
-            assertThat(letters.take().reason())
-                    .isEqualTo(
-                            "its mailbox is full (3 calls, BLOCK), and its caller was interrupted while it waited for room");
-            gate.countDown();
-            assertThat(sink.taken().get(Duration.ofSeconds(30))).containsExactly(1, 2, 3);
-            assertThat(letters.take().message()).isEqualTo("Sink.take(5)");
-        }
+        assertThat(lost()).containsExactly("Sink.take(4)", "Sink.take(5)", "Sink.take(4)", "Sink.take(5)");
     }
 
     @Test
@@ -170,5 +90,58 @@ class MailboxBoundTest {
     void capacityBelowOne_isRejected() {
         assertThatThrownBy(() -> ActorSettings.DEFAULT.withMailbox(0, Overflow.REJECT))
                 .hasMessage("capacity is 0, expected 1 or more");
+    }
+
+    /** Runs a task on a thread until it waits for room in a mailbox, while the space waits for the gate. */
+    private static Thread waitingForRoom(ActorSpace space, CountDownLatch gate, Runnable task) {
+        space.execute(() -> await(gate));
+        Thread sender = Thread.ofPlatform().start(task);
+        while (sender.getState() != Thread.State.WAITING) {
+            Thread.onSpinWait();
+        }
+        return sender;
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void block_outside_waitsForRoom_andLosesNothing() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("bounded"))) {
+            var gate = new CountDownLatch(1);
+            Sink sink = space.spawn(Sink.class, Sink::new, three(Overflow.BLOCK));
+            var sender = waitingForRoom(space, gate, () -> {
+                for (int number = 0; number < 1_000; number++) {
+                    sink.take(number);
+                }
+            });
+            gate.countDown();
+            sender.join();
+            assertThat(sink.taken().get(Duration.ofSeconds(30))).hasSize(1_000).isSorted();
+        }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void block_interruptedCaller_isRejected_andStaysInterrupted() throws Exception {
+        var letters = new LinkedBlockingQueue<DeadLetter>();
+        try (var space = ActorSpace.create(SpaceSettings.named("bounded").withOnDeadLetter(letters::add))) {
+            var gate = new CountDownLatch(1);
+            Sink sink = space.spawn(Sink.class, Sink::new, three(Overflow.BLOCK));
+            var interrupted = new AtomicBoolean();
+            var sender = waitingForRoom(space, gate, () -> {
+                takeFive(sink);
+                interrupted.set(Thread.currentThread().isInterrupted());
+            });
+            sender.interrupt();
+            sender.join();
+            assertThat(interrupted).isTrue();
+            assertThat(letters.take().reason())
+                    .isEqualTo("its mailbox is full (3 calls, BLOCK), and its caller was interrupted while it waited"
+                            + " for room");
+            gate.countDown();
+            assertThat(sink.taken().get(Duration.ofSeconds(30))).containsExactly(1, 2, 3);
+            assertThat(letters.take().message()).isEqualTo("Sink.take(5)");
+        }
     }
 }

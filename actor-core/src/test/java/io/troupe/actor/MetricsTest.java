@@ -1,15 +1,22 @@
 package io.troupe.actor;
 
+import static io.troupe.actor.Concurrently.await;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.testkit.TestSpace;
+import java.io.IOException;
+import java.io.InputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.logging.Handler;
+import java.util.logging.LogRecord;
+import java.util.logging.Logger;
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
@@ -18,64 +25,43 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
-class MetricsTest {
+/** The figures, events and log lines of a space; and a space without the classes that only monitor it. */
+class MetricsTest extends InTestSpace {
     private static final int LOOKS_UNTIL_COMPILED = 200_000;
+    private static final Runnable NOTHING = () -> {};
 
+    /** Runs tasks. */
     interface Worker {
-        void work();
-
-        void fail();
-
-        void waitFor(CountDownLatch latch);
+        void work(Runnable task);
     }
 
-    static final class Working implements Worker {
-        @Override
-        public void work() {}
-
-        @Override
-        public void fail() {
-            throw new IllegalStateException("broken");
-        }
-
-        @Override
-        public void waitFor(CountDownLatch latch) {
-            try {
-                latch.await();
-            } catch (InterruptedException e) {
-                throw new IllegalStateException(e);
-            }
-        }
+    private static void fail() {
+        throw new IllegalStateException("broken");
     }
 
     @Test
     void figures_ofASpaceCrankedByHand_areExact() {
-        try (var test = new TestSpace()) {
-            SpaceMetrics metrics = test.space().metrics();
-            Worker worker = test.spawn(Worker.class, Working::new);
-            long before = metrics.served();
-            worker.work();
-            worker.work();
-            worker.fail();
-            Promise<?> delay = test.space().delay(Duration.ofSeconds(1));
-            assertThat(metrics.waiting()).isEqualTo(4);
-            test.crank();
-            assertThat(metrics.waiting()).isZero();
-            assertThat(metrics.served() - before).isEqualTo(4);
-            assertThat(metrics.actors()).isEqualTo(1);
-            assertThat(metrics.timers()).isEqualTo(1);
-            assertThat(metrics.errors()).isEqualTo(1);
-            test.space().stop(worker);
-            test.crank();
-            worker.work();
-            test.crank();
-            assertThat(metrics.deadLetters()).isEqualTo(1);
-            assertThat(metrics.actors()).isZero();
-            test.advance(Duration.ofSeconds(1));
-            assertThat(delay.isDone()).isTrue();
-            test.takeProblems();
-            test.takeDeadLetters();
-        }
+        SpaceMetrics metrics = test.space().metrics();
+        Worker worker = test.spawn(Worker.class, () -> Runnable::run);
+        long before = metrics.served();
+        worker.work(NOTHING);
+        worker.work(NOTHING);
+        worker.work(MetricsTest::fail);
+        Promise<?> delay = test.space().delay(Duration.ofSeconds(1));
+        assertThat(metrics.waiting()).isEqualTo(4);
+        test.crank();
+        assertThat(metrics.served() - before).isEqualTo(4);
+        assertThat(metrics)
+                .hasToString("served 5, waiting 0, latency PT0S, actors 1, timers 1, errors 1, dead letters 0");
+        stop(worker);
+        worker.work(NOTHING);
+        test.crank();
+        assertThat(metrics.deadLetters()).isEqualTo(1);
+        assertThat(metrics.actors()).isZero();
+        test.advance(Duration.ofSeconds(1));
+        assertThat(delay.isDone()).isTrue();
+        test.takeProblems();
+        test.takeDeadLetters();
     }
 
     @Test
@@ -83,7 +69,7 @@ class MetricsTest {
     @Timeout(60)
     void actors_lookedAtAgainAndAgainFromOutside_areSeenToGo() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("watched"))) {
-            Worker worker = space.spawn(Worker.class, Working::new);
+            Worker worker = space.spawn(Worker.class, () -> Runnable::run);
             var begun = new Deferred<Boolean>(space);
             space.execute(() -> begun.resolve(true));
             begun.get(Duration.ofSeconds(30));
@@ -113,12 +99,12 @@ class MetricsTest {
     @Timeout(60)
     void figures_ofASpaceThatIsBehind_reportHowFar() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("behind").withOnStall(Duration.ZERO, stall -> {}))) {
-            Worker worker = space.spawn(Worker.class, Working::new);
+            Worker worker = space.spawn(Worker.class, () -> Runnable::run);
             var latch = new CountDownLatch(1);
             var served = new CountDownLatch(1);
-            worker.waitFor(latch);
+            worker.work(() -> await(latch));
             for (int message = 0; message < 1000; message++) {
-                worker.work();
+                worker.work(NOTHING);
             }
             Duration underWay = space.metrics().latency(); // sends the probe
             space.execute(served::countDown);
@@ -142,11 +128,11 @@ class MetricsTest {
                     .withOnError((where, error) -> {})
                     .withOnDeadLetter(letter -> {})
                     .withOnStall(Duration.ofMillis(20), stall -> stalled.countDown()))) {
-                Worker worker = space.spawn(Worker.class, Working::new, ActorSettings.named("worker"));
-                worker.fail();
-                worker.waitFor(stalled);
+                Worker worker = space.spawn(Worker.class, () -> Runnable::run, ActorSettings.named("worker"));
+                worker.work(MetricsTest::fail);
+                worker.work(() -> await(stalled));
                 space.stop(worker);
-                worker.work();
+                worker.work(NOTHING);
             }
             recording.dump(file);
         }
@@ -154,17 +140,133 @@ class MetricsTest {
                 .filter(event -> event.getEventType().getName().startsWith("io.troupe."))
                 .filter(event -> event.getString("space").equals("recorded")) // other tests have spaces too
                 .toList();
-        assertThat(named(events, "io.troupe.Error").getString("where")).isEqualTo("Worker.fail() of worker");
-        assertThat(named(events, "io.troupe.DeadLetter").getString("reason")).contains("worker has stopped");
-        assertThat(named(events, "io.troupe.Stall").getString("stack")).contains("CountDownLatch.await");
-        assertThat(named(events, "io.troupe.SpaceFigures").getInt("actors")).isBetween(0, 1);
+        assertThat(named(events, "Error").getString("where")).isEqualTo("Worker.work(Runnable) of worker");
+        assertThat(named(events, "DeadLetter").getString("reason")).contains("worker has stopped");
+        assertThat(named(events, "Stall").getString("stack")).contains("CountDownLatch.await");
+        assertThat(named(events, "SpaceFigures").getInt("actors")).isBetween(0, 1);
         assertThat(Files.size(file)).isPositive();
     }
 
-    private static RecordedEvent named(java.util.List<RecordedEvent> events, String name) {
+    private static RecordedEvent named(List<RecordedEvent> events, String name) {
         return events.stream()
-                .filter(event -> event.getEventType().getName().equals(name))
+                .filter(event -> event.getEventType().getName().equals("io.troupe." + name))
                 .findFirst()
                 .orElseThrow(() -> new AssertionError("no " + name + " among " + events));
+    }
+
+    // ---- log lines, as java.util.logging prints them
+
+    @Test
+    void logLines_nameTheirSource_insteadOfALambda() throws Exception {
+        var logger = Logger.getLogger(ActorSpace.class.getName());
+        var kept = new Handler() {
+            @Override
+            public void publish(LogRecord line) {
+                log.add(line.getSourceClassName() + " " + line.getSourceMethodName() + ": " + line.getMessage());
+            }
+
+            @Override
+            public void flush() {}
+
+            @Override
+            public void close() {}
+        };
+        logger.addHandler(kept);
+        logger.setUseParentHandlers(false);
+        try {
+            SpaceSettings.named("logged").onError().handle("here", new IllegalStateException("broken"));
+        } finally {
+            logger.setUseParentHandlers(true);
+            logger.removeHandler(kept);
+        }
+        assertThat(log).containsExactly("io.troupe.actor.SpaceLog error: in here");
+    }
+
+    // ---- a class cannot be loaded, as when memory or file handles are short at that moment
+
+    /** Loads actor-core again, except one class. */
+    private static final class Without extends ClassLoader {
+        private final String missing;
+
+        Without(Class<?> missing) {
+            super(MetricsTest.class.getClassLoader());
+            this.missing = missing.getName();
+        }
+
+        @Override
+        protected Class<?> loadClass(String name, boolean resolve) throws ClassNotFoundException {
+            if (name.equals(missing)) {
+                throw new ClassNotFoundException(name);
+            }
+            synchronized (getClassLoadingLock(name)) {
+                Class<?> loaded = findLoadedClass(name);
+                if (loaded != null) {
+                    return loaded;
+                }
+                return name.startsWith("io.troupe.actor.") ? define(name) : super.loadClass(name, resolve);
+            }
+        }
+
+        private Class<?> define(String name) throws ClassNotFoundException {
+            try (InputStream in = getResourceAsStream(name.replace('.', '/') + ".class")) {
+                if (in == null) {
+                    throw new ClassNotFoundException(name);
+                }
+                byte[] bytes = in.readAllBytes();
+                return defineClass(name, bytes, 0, bytes.length);
+            } catch (IOException broken) {
+                throw new ClassNotFoundException(name, broken);
+            }
+        }
+    }
+
+    /** Whether a stall is reported while it lasts. */
+    public static final class Stalling implements Callable<Boolean> {
+        @Override
+        public Boolean call() throws Exception {
+            var reported = new CountDownLatch(1);
+            var settings =
+                    SpaceSettings.named("stalling").withOnStall(Duration.ofMillis(20), stall -> reported.countDown());
+            try (var space = ActorSpace.create(settings)) {
+                var release = new CountDownLatch(1);
+                space.execute(() -> await(release));
+                boolean seen = reported.await(10, TimeUnit.SECONDS);
+                release.countDown();
+                return seen;
+            }
+        }
+    }
+
+    /** Whether a space works, and reports one error. */
+    public static final class Serving implements Callable<Boolean> {
+        @Override
+        public Boolean call() throws Exception {
+            var served = new CountDownLatch(1);
+            try (var space = ActorSpace.create(SpaceSettings.named("serving").withOnError((where, error) -> {}))) {
+                space.execute(served::countDown);
+                return served.await(10, TimeUnit.SECONDS) && space.metrics().errors() == 1;
+            }
+        }
+    }
+
+    private static Object callWithout(Class<?> missing, Class<?> program) throws Exception {
+        var loader = new Without(missing);
+        var constructor = loader.loadClass(program.getName()).getDeclaredConstructor();
+        return ((Callable<?>) constructor.newInstance()).call();
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void stall_isReportedWithoutTheClassOfTheFigures() throws Exception {
+        assertThat(callWithout(RecorderEvents.SpaceFiguresEvent.class, Stalling.class))
+                .isEqualTo(true);
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void space_servesUnwatchedWithoutAWatchdog() throws Exception {
+        assertThat(callWithout(Watchdog.class, Serving.class)).isEqualTo(true);
     }
 }

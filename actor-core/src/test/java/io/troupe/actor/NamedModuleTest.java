@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.io.File;
 import java.io.IOException;
-import java.lang.module.Configuration;
 import java.lang.module.ModuleFinder;
 import java.net.URISyntaxException;
 import java.nio.file.Files;
@@ -16,6 +15,7 @@ import java.util.jar.Attributes;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
 import java.util.jar.Manifest;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.NullMarked;
 import org.junit.jupiter.api.Test;
@@ -63,23 +63,11 @@ class NamedModuleTest {
 
     @Test
     void namedModule_hasToOpenThePackageOfItsActorTypes() throws Exception {
-        Path library = library();
-        List<Path> path = Stream.of(
-                        library, location(ClassWriter.class), location(Objenesis.class), location(NullMarked.class))
-                .toList();
-        module(path, "closed", "requires io.troupe.actor; exports closed;", "closed.Home", HOME.formatted("closed"));
-        module(
-                path,
-                "free",
-                "requires io.troupe.actor; exports free; opens free;",
-                "free.Home",
-                HOME.formatted("free"));
-        module(
-                path,
-                "friend",
-                "requires io.troupe.actor; exports friend; opens friend to io.troupe.actor;",
-                "friend.Home",
-                HOME.formatted("friend"));
+        var path =
+                List.of(library(), location(ClassWriter.class), location(Objenesis.class), location(NullMarked.class));
+        home(path, "closed", "");
+        home(path, "free", "opens free;");
+        home(path, "friend", "opens friend to io.troupe.actor;");
         module(path, "deaf", "opens deaf;", "deaf.Plain", "package deaf; public interface Plain { void go(); }");
 
         ModuleLayer layer = layer(path, Set.of("closed", "free", "friend", "deaf"));
@@ -108,27 +96,29 @@ class NamedModuleTest {
     }
 
     private ModuleLayer layer(List<Path> path, Set<String> names) {
-        Path[] all = Stream.concat(path.stream(), names.stream().map(folder::resolve))
+        var all = Stream.concat(path.stream(), names.stream().map(folder::resolve))
                 .toArray(Path[]::new);
         ModuleLayer boot = ModuleLayer.boot();
         var roots = new HashSet<>(names);
         roots.addAll(LIBRARIES);
-        Configuration configuration = boot.configuration().resolve(ModuleFinder.of(all), ModuleFinder.of(), roots);
-        return ModuleLayer.defineModulesWithOneLoader(
-                        configuration, List.of(boot), ClassLoader.getPlatformClassLoader())
+        var configuration = boot.configuration().resolve(ModuleFinder.of(all), ModuleFinder.of(), roots);
+        var parent = ClassLoader.getPlatformClassLoader();
+        return ModuleLayer.defineModulesWithOneLoader(configuration, List.of(boot), parent)
                 .layer();
+    }
+
+    private void home(List<Path> path, String name, String opening) throws IOException {
+        String directives = "requires io.troupe.actor; exports " + name + "; " + opening;
+        module(path, name, directives, name + ".Home", HOME.formatted(name));
     }
 
     private void module(List<Path> path, String name, String directives, String className, String source)
             throws IOException {
+        String modulePath = path.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
         new Compiled(folder.resolve(name))
                 .add("module-info", "module " + name + " { " + directives + " }")
                 .add(className, source)
-                .compile(
-                        "--module-path",
-                        String.join(
-                                File.pathSeparator,
-                                path.stream().map(Path::toString).toList()));
+                .compile("--module-path", modulePath);
     }
 
     /** The library as it is published: a jar with its module name. A folder of classes is not an automatic module. */
@@ -143,10 +133,10 @@ class NamedModuleTest {
         Path jar = folder.resolve("actor-core.jar");
         try (var out = new JarOutputStream(Files.newOutputStream(jar), manifest);
                 Stream<Path> files = Files.walk(classes)) {
-            for (Path file :
-                    files.filter(each -> each.toString().endsWith(".class")).toList()) {
-                out.putNextEntry(
-                        new JarEntry(classes.relativize(file).toString().replace(File.separatorChar, '/')));
+            var compiled = files.filter(each -> each.toString().endsWith(".class"));
+            for (Path file : compiled.toList()) {
+                String entry = classes.relativize(file).toString().replace(File.separatorChar, '/');
+                out.putNextEntry(new JarEntry(entry));
                 Files.copy(file, out);
                 out.closeEntry();
             }

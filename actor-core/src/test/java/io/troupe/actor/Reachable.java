@@ -1,59 +1,53 @@
 package io.troupe.actor;
 
-import java.lang.reflect.Array;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Set;
 
 /** The objects reachable from an object through objects of this library, lambdas, arrays and collections. */
 public final class Reachable {
-    private final Set<Object> seen = Collections.newSetFromMap(new IdentityHashMap<>());
-    private final ArrayDeque<Object> waiting = new ArrayDeque<>();
-
     private Reachable() {}
 
     /** All objects reachable from one, including itself. */
     public static Set<Object> from(Object root) {
-        var walk = new Reachable();
-        walk.add(root);
-        for (Object each = walk.waiting.poll(); each != null; each = walk.waiting.poll()) {
-            walk.addPartsOf(each);
-        }
-        return walk.seen;
-    }
-
-    private void add(Object object) {
-        if (object != null && !(object instanceof Class) && seen.add(object)) {
-            waiting.add(object);
-        }
-    }
-
-    private void addPartsOf(Object object) {
-        Class<?> type = object.getClass();
-        if (object instanceof Collection<?> collection) {
-            collection.forEach(this::add);
-        } else if (type.isArray() && !type.getComponentType().isPrimitive()) {
-            for (int index = 0; index < Array.getLength(object); index++) {
-                add(Array.get(object, index));
+        Set<Object> seen = Collections.newSetFromMap(new IdentityHashMap<>());
+        var waiting = new ArrayDeque<Object>(List.of(root));
+        for (Object each = waiting.poll(); each != null; each = waiting.poll()) {
+            if (seen.add(each)) {
+                waiting.addAll(partsOf(each));
             }
         }
-        for (Class<?> each = type;
-                each != null && each.getName().startsWith("io.troupe.");
-                each = each.getSuperclass()) {
-            for (Field field : each.getDeclaredFields()) {
+        return seen;
+    }
+
+    private static List<Object> partsOf(Object object) {
+        var parts = new ArrayList<Object>();
+        if (object instanceof Collection<?> collection) {
+            parts.addAll(collection);
+        } else if (object instanceof Object[] array) {
+            parts.addAll(Arrays.asList(array));
+        }
+        Class<?> type = object.getClass();
+        for (; type != null && type.getName().startsWith("io.troupe."); type = type.getSuperclass()) {
+            for (Field field : type.getDeclaredFields()) {
                 if (!Modifier.isStatic(field.getModifiers()) && !field.getType().isPrimitive()) {
                     field.setAccessible(true);
                     try {
-                        add(field.get(object));
+                        parts.add(field.get(object));
                     } catch (IllegalAccessException impossible) {
                         throw new IllegalStateException(impossible);
                     }
                 }
             }
         }
+        parts.removeIf(part -> part == null || part instanceof Class);
+        return parts;
     }
 }

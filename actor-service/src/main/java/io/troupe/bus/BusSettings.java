@@ -14,9 +14,8 @@ import java.util.Objects;
  * @param space runs the subscribers, request handlers and time limits of code that registers or asks from outside every
  *     actor space; the bus does not close it
  * @param capacity the most messages queued for one subscriber or one request handler, and the most requests that a
- *     handler may have begun without a reply. When one more request is begun, the oldest begun request from another
- *     node is rejected, because its requester may have cancelled unnoticed; if there is no such request, the new one is
- *     rejected
+ *     handler may have begun without a reply. Requests that were cancelled, or whose limit is over, do not count; one
+ *     more request is rejected
  * @param observer is notified of losses
  */
 public record BusSettings(ActorSpace space, int capacity, BusObserver observer) {

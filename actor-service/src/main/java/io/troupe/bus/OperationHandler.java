@@ -79,36 +79,21 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
      * handled, but not recorded.
      */
     private boolean begin(Delivery request) {
-        Delivery evicted = null;
         synchronized (begun) {
             if (begun.size() >= node.settings.capacity()) {
                 long nowNanos = node.nanos();
                 begun.values().removeIf(each -> each.isOverdue(nowNanos)); // nobody waits for their replies
             }
             if (begun.size() >= node.settings.capacity() && node.isAwaited(request)) {
-                evicted = oldestFromAnotherNode();
-                if (evicted == null) {
-                    return false;
-                }
-                begun.remove(evicted.id());
+                return false;
             }
             begun.put(request.id(), request);
-        }
-        if (evicted != null) {
-            rejectBusy(evicted, "are being answered");
         }
         // checked after recording: either this thread or the cancelling one sees the other's change
         if (!node.isAwaited(request)) {
             forget(request.id());
         }
         return true;
-    }
-
-    /**
-     * The oldest begun request from another node. Its requester may have cancelled, which is not known on this node.
-     */
-    private @Nullable Delivery oldestFromAnotherNode() {
-        return begun.values().stream().filter(node::isFromAnother).findFirst().orElse(null);
     }
 
     private void settle(Delivery request, @Nullable A value, @Nullable Throwable error) {

@@ -2,6 +2,7 @@ package io.troupe.broker;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.ActorSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
@@ -46,20 +47,15 @@ class AccountingTest {
     @ParameterizedTest(name = "seed {0}")
     @MethodSource("seeds")
     void everyCall_isAnsweredOnce_orRejectedWithAReason(long seed) {
-        var program = new Program(seed);
-        program.run();
-        program.check();
+        new Program(seed).run();
     }
 
     @Test
     void programs_reachEveryKindOfEnd() {
         Map<String, Integer> ends = new TreeMap<>();
-        seeds().limit(100).forEach(seed -> {
-            var program = new Program(seed);
-            program.run();
-            program.check();
-            program.ends().forEach(end -> ends.merge(end, 1, Integer::sum));
-        });
+        seeds().limit(100)
+                .flatMap(seed -> new Program(seed).run().ends())
+                .forEach(end -> ends.merge(end, 1, Integer::sum));
         assertThat(ends.keySet())
                 .contains("answered", "died with it", "too late", "nobody there", "note done", "note undelivered");
         assertThat(ends.get("answered")).isGreaterThan(1000);
@@ -83,7 +79,7 @@ class AccountingTest {
         private final Map<Integer, List<String>> done = new HashMap<>();
         private final List<Late> later = new ArrayList<>();
         private final Map<Integer, Promise<String>> asked = new TreeMap<>();
-        private final Map<Integer, Boolean> notes = new TreeMap<>();
+        private final List<Integer> notes = new ArrayList<>();
         private final Map<Integer, String> expected = new HashMap<>(); // provider that must execute it, if certain
         private final List<Address> alive = new ArrayList<>(); // the model: the first is in use
         private final Worker worker;
@@ -103,7 +99,7 @@ class AccountingTest {
             test.crank();
         }
 
-        void run() {
+        Program run() {
             for (int i = 0; i < STEPS; i++) {
                 boolean settle = random.nextInt(3) > 0; // otherwise the next step runs in the same turn
                 step(settle);
@@ -120,6 +116,8 @@ class AccountingTest {
             test.crank();
             test.get(broker.shutDown());
             test.crank();
+            check();
+            return this;
         }
 
         /**
@@ -141,14 +139,12 @@ class AccountingTest {
                 inUse = really;
                 alive.clear();
                 running.clear();
-                for (var record : records) {
-                    if (record.health() != Health.FAILED) {
-                        alive.add(record.provider());
-                    }
-                    if (record.health() == Health.WELL) {
-                        running.add(record.provider());
-                    }
-                }
+                records.stream()
+                        .filter(each -> each.health() != Health.FAILED)
+                        .forEach(each -> alive.add(each.provider()));
+                records.stream()
+                        .filter(each -> each.health() == Health.WELL)
+                        .forEach(each -> running.add(each.provider()));
                 return;
             }
             running.retainAll(alive);
@@ -195,21 +191,17 @@ class AccountingTest {
         }
 
         private Provider provider(Address address) {
-            return services.provider(
-                    address, test.space(), Worker.class, () -> worker(address), io.troupe.actor.ActorSettings.DEFAULT);
-        }
-
-        private Worker worker(Address address) {
-            return new Worker() {
+            var worker = new Worker() {
                 @Override
                 public Promise<String> work(int id, boolean isLater) {
-                    done.computeIfAbsent(id, each -> new ArrayList<>()).add(address.name());
-                    if (!isLater) {
-                        return Promise.of(address.name());
+                    note(id);
+                    var answer = new Late(new Deferred<>(null), address.name());
+                    if (isLater) {
+                        later.add(answer);
+                    } else {
+                        answer.give();
                     }
-                    var answer = new Deferred<String>(null);
-                    later.add(new Late(answer, address.name()));
-                    return answer;
+                    return answer.answer();
                 }
 
                 @Override
@@ -217,6 +209,7 @@ class AccountingTest {
                     done.computeIfAbsent(id, each -> new ArrayList<>()).add(address.name());
                 }
             };
+            return services.provider(address, test.space(), Worker.class, () -> worker, ActorSettings.DEFAULT);
         }
 
         private void kill() {
@@ -250,94 +243,89 @@ class AccountingTest {
         }
 
         private void ask(boolean settle) {
-            int id = ++calls;
             boolean isLater = random.nextInt(3) == 0;
-            boolean quiet = test.space().isQuiet();
+            int id = expect(settle);
             asked.put(id, worker.work(id, isLater));
             asked.get(id).handle((value, error) -> null);
-            expect(id, quiet && settle && batch == 0);
         }
 
         private void note(boolean settle) {
-            int id = ++calls;
-            boolean quiet = test.space().isQuiet();
-            notes.put(id, true);
+            int id = expect(settle);
+            notes.add(id);
             worker.note(id);
-            expect(id, quiet && settle && batch == 0);
         }
 
-        /** If nothing else is pending, the model knows who must execute the call: the provider in use. */
-        private void expect(int id, boolean certain) {
-            Address now = inUse;
-            if (certain && now != null) {
-                expected.put(id, now.name());
+        /** If nothing else is pending, the model knows who must execute the next call: the provider in use. */
+        private int expect(boolean settle) {
+            calls++;
+            if (inUse != null && test.space().isQuiet() && settle && batch == 0) {
+                expected.put(calls, inUse.name());
             }
+            return calls;
         }
 
-        void check() {
+        private void check() {
             String what = "seed " + seed;
             asked.forEach((id, promise) -> {
-                assertThat(promise.isDone())
-                        .as("%s: call %d has ended", what, id)
-                        .isTrue();
-                var by = done.getOrDefault(id, List.of());
-                assertThat(by.size())
-                        .as("%s: call %d was done once at most", what, id)
-                        .isLessThanOrEqualTo(1);
+                String call = what + ": call " + id;
+                assertThat(promise.isDone()).as("%s has ended", call).isTrue();
+                var by = doneBy(id);
                 Throwable error = promise.error();
                 if (error == null) {
                     assertThat(by)
-                            .as("%s: call %d was answered, so it was done", what, id)
-                            .hasSize(1);
-                    assertThat(promise.getNow()).as("%s: call %d", what, id).isEqualTo(by.getFirst());
+                            .as("%s was done once, and answered by that", call)
+                            .isEqualTo(List.of(promise.getNow()));
                 } else {
-                    assertThat(error).as("%s: call %d", what, id).isInstanceOf(ServiceCallException.class);
+                    assertThat(by).as("%s was done once at most", call).hasSizeLessThanOrEqualTo(1);
+                    assertThat(error).as(call).isInstanceOf(ServiceCallException.class);
                     assertThat(((ServiceCallException) error).wasSent() || by.isEmpty())
-                            .as("%s: call %d says that nobody got it, and %s did it", what, id, by)
+                            .as("%s says that nobody got it, and %s did it", call, by)
                             .isTrue();
                 }
             });
-            expected.forEach((id, name) -> assertThat(done.getOrDefault(id, List.of()))
+            expected.forEach((id, name) -> assertThat(doneBy(id))
                     .as("%s: call %d was for %s", what, id, name)
                     .containsExactly(name));
-            int undelivered = count(BrokerEvent.Undelivered.class);
             int deadLetters = (int) test.takeDeadLetters().stream()
                     .filter(letter -> letter.message().contains("note("))
                     .count();
-            long noted = notes.keySet().stream().filter(done::containsKey).count();
-            assertThat(noted + undelivered + deadLetters)
+            assertThat(notesDone() + undelivered() + deadLetters)
                     .as("%s: one-way calls done, undelivered and dead", what)
                     .isEqualTo(notes.size());
-            assertThat(notes.keySet())
-                    .as(what)
-                    .allSatisfy(id ->
-                            assertThat(done.getOrDefault(id, List.of()).size()).isLessThanOrEqualTo(1));
+            assertThat(notes).as(what).allSatisfy(id -> assertThat(doneBy(id)).hasSizeLessThanOrEqualTo(1));
             assertThat(test.takeProblems()).as(what).isEmpty();
             test.close();
         }
 
-        private int count(Class<? extends BrokerEvent> type) {
-            return (int) events.stream().filter(type::isInstance).count();
+        private List<String> doneBy(int id) {
+            return done.getOrDefault(id, List.of());
         }
 
-        List<String> ends() {
-            List<String> ends = new ArrayList<>();
-            for (var promise : asked.values()) {
-                Throwable error = promise.error();
-                ends.add(
-                        error == null
-                                ? "answered"
-                                : String.valueOf(error.getMessage()).contains("ended while")
-                                        ? "died with it"
-                                        : String.valueOf(error.getMessage()).contains("did not answer")
-                                                ? "too late"
-                                                : "nobody there");
-            }
-            notes.keySet().stream().filter(done::containsKey).forEach(id -> ends.add("note done"));
-            if (count(BrokerEvent.Undelivered.class) > 0) {
-                ends.add("note undelivered");
-            }
-            return ends;
+        private long notesDone() {
+            return notes.stream().filter(done::containsKey).count();
+        }
+
+        private long undelivered() {
+            return events.stream()
+                    .filter(BrokerEvent.Undelivered.class::isInstance)
+                    .count();
+        }
+
+        Stream<String> ends() {
+            var ends = asked.values().stream().map(promise -> end(promise.error()));
+            var ofNotes = Stream.concat(
+                    Stream.generate(() -> "note done").limit(notesDone()),
+                    Stream.generate(() -> "note undelivered").limit(undelivered()));
+            return Stream.concat(ends, ofNotes);
+        }
+
+        private static String end(@Nullable Throwable error) {
+            String message = error == null ? "" : String.valueOf(error.getMessage());
+            return error == null
+                    ? "answered"
+                    : message.contains("ended while")
+                            ? "died with it"
+                            : message.contains("did not answer") ? "too late" : "nobody there";
         }
     }
 }

@@ -7,265 +7,258 @@ import io.troupe.actor.ActorSettings;
 import io.troupe.actor.Supervision;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import java.lang.ref.WeakReference;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CancellationException;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /** Actors as services: published, found, and called through the broker by their proxies. */
-class ActorServicesTest {
+class ActorServicesTest extends BrokerBench {
     private static final Need PARROT = Need.ofService("robot 1", "parrot");
+    private static final Duration LONG = Duration.ofSeconds(100);
+    private static final ConnectionSettings PATIENT =
+            ConnectionSettings.DEFAULT.withWaitLimit(LONG).withAnswerLimit(LONG);
 
-    @Test
-    void publishedActor_isSpawnedAtTheFirstNeed_andCalledByItsInterface() {
-        try (var stage = new ServicesStage()) {
-            stage.publish("grey");
-            assertThat(stage.last).isNull();
-            var parrot = stage.services.connect(Parrot.class, PARROT).actor();
-            parrot.hear("one way");
-            assertThat(stage.get(parrot.say("hello"))).isEqualTo("grey: hello");
-            assertThat(stage.get(parrot.sayTwice("hi"))).isEqualTo("grey: hi, grey: hi");
-            assertThat(stage.diary).startsWith("grey hears one way", "grey says hello");
-            assertThat(stage.bench.test.error(parrot.fail("not today")))
-                    .isInstanceOf(UnsupportedOperationException.class)
-                    .hasMessage("not today");
-            assertThat(parrot.toString()).isEqualTo("Parrot for \"robot 1\"");
-            assertThat(parrot).isEqualTo(parrot).hasSameHashCodeAs(parrot);
-        }
+    private final ActorServices services = new ActorServices(broker, "node", test.space(), events::add);
+    private Parrot.@Nullable Grey last;
+
+    ActorServicesTest() {
+        super(WITHOUT_RESTART);
+    }
+
+    private Parrot.Grey parrot(String name) {
+        last = new Parrot.Grey(name, diary);
+        return last;
+    }
+
+    private void publish(String name) {
+        get(services.publish(test.space(), Parrot.class, "parrot", List.of("talks"), () -> parrot(name)));
+    }
+
+    private void publishSpawned(TestSpace spawnedOn, Parrot proxy) {
+        get(services.publishSpawned(spawnedOn.space(), "parrot", List.of(), proxy));
+    }
+
+    private Promise<ServiceRecord> replace(String address, String by) {
+        return services.replace(at(address), test.space(), Parrot.class, "parrot", List.of(), () -> parrot(by));
+    }
+
+    private void kill(String address) {
+        test.space().stop(services.running(at(address)).proxy());
+    }
+
+    private Parrot connected() {
+        return connected(ConnectionSettings.DEFAULT);
+    }
+
+    private Parrot connected(ConnectionSettings settings) {
+        return services.connect(Parrot.class, PARROT, settings).actor();
+    }
+
+    /** Gives the answer that the last parrot owes. */
+    private void answer(String text) {
+        last.later().remove().resolve(text);
+    }
+
+    private void assertServiceCallError(Promise<?> call, boolean wasSent, String message) {
+        assertThat(test.error(call))
+                .hasMessage(message)
+                .isInstanceOfSatisfying(
+                        ServiceCallException.class,
+                        error -> assertThat(error.wasSent()).isEqualTo(wasSent));
     }
 
     @Test
-    void callbacks_comeToTheCaller_eachInItsOrder() {
-        try (var stage = new ServicesStage()) {
-            stage.publish("grey");
-            var parrot = stage.services.connect(Parrot.class, PARROT).actor();
-            var probe = stage.bench.test.<Integer>callback();
-            parrot.count(3, probe);
-            stage.bench.test.crank();
-            assertThat(probe.results()).containsExactly(1, 2, 3);
-            probe.expectFinished();
-        }
+    void publishedActor_isSpawnedAtTheFirstNeed_andCalledByItsInterface() {
+        publish("grey");
+        assertThat(last).isNull();
+        var parrot = connected();
+        parrot.hear("one way");
+        assertThat(get(parrot.say("hello"))).isEqualTo("grey: hello");
+        assertThat(get(parrot.sayTwice("hi"))).isEqualTo("grey: hi, grey: hi");
+        assertThat(diary).startsWith("grey hears one way", "grey says hello");
+        assertThat(test.error(parrot.fail("not today")))
+                .isInstanceOf(UnsupportedOperationException.class)
+                .hasMessage("not today");
+        assertThat(parrot.toString()).isEqualTo("Parrot for \"robot 1\"");
+        assertThat(parrot).isEqualTo(parrot).hasSameHashCodeAs(parrot);
+
+        var probe = test.<Integer>callback();
+        parrot.count(3, probe);
+        test.crank();
+        assertThat(probe.results()).as("to the caller, in order").containsExactly(1, 2, 3);
+        probe.expectFinished();
     }
 
     @Test
     void connection_survivesFailoverAndReplacement_behindTheSameProxy() {
-        try (var stage = new ServicesStage()) {
-            stage.publish("a");
-            stage.publish("b");
-            var connection = stage.services.connect(Parrot.class, PARROT);
-            var parrot = stage.get(connection.whenReady());
-            assertThat(stage.get(parrot.say("1"))).isEqualTo("a: 1");
-            stage.kill("parrot");
-            assertThat(stage.get(parrot.say("2"))).isEqualTo("b: 2");
-            stage.get(stage.services.replace(
-                    BrokerBench.at("parrot-2"),
-                    stage.bench.test.space(),
-                    Parrot.class,
-                    "parrot",
-                    List.of(),
-                    () -> stage.parrot("c")));
-            assertThat(stage.get(parrot.say("3"))).isEqualTo("c: 3");
-            connection.close();
-            assertThat(stage.bench.test.error(parrot.say("4"))).hasMessageContaining("has stopped");
-        }
+        publish("a");
+        publish("b");
+        var connection = services.connect(Parrot.class, PARROT);
+        var parrot = get(connection.whenReady());
+        assertThat(get(parrot.say("1"))).isEqualTo("a: 1");
+        kill("parrot");
+        assertThat(get(parrot.say("2"))).isEqualTo("b: 2");
+        get(replace("parrot-2", "c"));
+        assertThat(get(parrot.say("3"))).isEqualTo("c: 3");
+        connection.close();
+        assertThat(test.error(parrot.say("4"))).hasMessageContaining("has stopped");
     }
 
     @Test
     void actorsThatStopped_byThemselvesOrByTheirOwner_areNotKept() {
-        try (var stage = new ServicesStage()) {
-            stage.publish("a");
-            stage.get(stage.services.connect(Parrot.class, PARROT).whenReady());
-            assertThat(stage.services.running(BrokerBench.at("parrot"))).isNotNull();
-            stage.kill("parrot");
-            stage.bench.test.crank();
-            assertThat(stage.services.running(BrokerBench.at("parrot"))).isNull();
+        publish("a");
+        get(services.connect(Parrot.class, PARROT).whenReady());
+        assertThat(services.running(at("parrot"))).isNotNull();
+        kill("parrot");
+        test.crank();
+        assertThat(services.running(at("parrot"))).isNull();
 
-            var proxy = stage.bench.test.spawn(Parrot.class, () -> stage.parrot("b"));
-            stage.get(stage.services.publishSpawned(stage.bench.test.space(), "parrot", List.of(), proxy));
-            stage.get(stage.services.connect(Parrot.class, PARROT).whenReady());
-            assertThat(stage.services.running(BrokerBench.at("parrot-2"))).isNotNull();
-            stage.bench.test.space().stop(proxy);
-            stage.bench.test.crank();
-            assertThat(stage.services.running(BrokerBench.at("parrot-2"))).isNull();
-        }
+        var proxy = test.spawn(Parrot.class, () -> parrot("b"));
+        publishSpawned(test, proxy);
+        get(services.connect(Parrot.class, PARROT).whenReady());
+        assertThat(services.running(at("parrot-2"))).isNotNull();
+        test.space().stop(proxy);
+        test.crank();
+        assertThat(services.running(at("parrot-2"))).isNull();
+    }
+
+    @Test
+    void actorThatWasSpawnedBefore_isPublished_andLeftToItsOwner() {
+        var proxy = test.spawn(Parrot.class, () -> parrot("mine"));
+        publishSpawned(test, proxy);
+        var parrot = connected();
+        assertThat(get(parrot.say("1"))).isEqualTo("mine: 1");
+        get(broker.withdraw(at("parrot")));
+        assertThat(get(proxy.say("2"))).isEqualTo("mine: 2");
+        publishSpawned(test, proxy);
+        assertThat(get(parrot.say("3"))).isEqualTo("mine: 3");
+        test.space().stop(proxy);
+        test.crank();
+        assertThat(health("parrot-2")).isEqualTo(Health.FAILED);
+        assertThat(missing(broker.require(PARROT))).contains("has stopped, and only who spawned it can spawn it again");
     }
 
     @Test
     void call_waitsWhileThereIsNoProvider_andIsSentToTheFirst() {
-        try (var stage = new ServicesStage()) {
-            var connection = stage.services.connect(
-                    Parrot.class, PARROT, ConnectionSettings.DEFAULT.withOneWayLimit(Duration.ofSeconds(5)));
-            var parrot = connection.actor();
-            var answer = parrot.say("hello");
-            parrot.hear("and this");
-            assertThat(stage.bench.missing(connection.first())).contains("which nobody offers");
-            stage.bench.seconds(4);
-            stage.publish("late");
-            assertThat(stage.get(answer)).isEqualTo("late: hello");
-            stage.bench.test.crank();
-            assertThat(stage.diary).containsExactly("late says hello", "late hears and this");
-        }
+        var settings = ConnectionSettings.DEFAULT.withOneWayLimit(Duration.ofSeconds(5));
+        var connection = services.connect(Parrot.class, PARROT, settings);
+        var parrot = connection.actor();
+        var answer = parrot.say("hello");
+        parrot.hear("and this");
+        assertThat(missing(connection.first())).contains("which nobody offers");
+        seconds(4);
+        publish("late");
+        assertThat(get(answer)).isEqualTo("late: hello");
+        test.crank();
+        assertThat(diary).containsExactly("late says hello", "late hears and this");
     }
 
     @Test
     void call_waitsForTheNextProvider_ifTheOneItIsNotifiedOfHasEndedMeanwhile() {
         try (var callers = new TestSpace();
-                var providers = new TestSpace();
-                var brokers = new TestSpace()) {
-            var broker = Broker.open(
-                    brokers.space(), BrokerSettings.DEFAULT.withoutRestart().withObserver(event -> {}));
-            var services = new ActorServices(broker, "node", callers.space(), event -> {});
-            var diary = new ArrayList<String>();
+                var providers = new TestSpace()) {
+            var far = new ActorServices(broker, "node", callers.space(), event -> {});
             for (String name : List.of("a", "b")) {
-                services.publish(
-                        providers.space(), Parrot.class, "parrot", List.of(), () -> new Parrot.Grey(name, diary));
+                far.publish(providers.space(), Parrot.class, "parrot", List.of(), () -> parrot(name));
             }
-            var connection = services.connect(Parrot.class, PARROT);
+            Runnable crankAll = () -> {
+                for (int round = 0; round < 4; round++) {
+                    test.crank();
+                    providers.crank();
+                    callers.crank();
+                }
+            };
+            var connection = far.connect(Parrot.class, PARROT);
             var answer = connection.actor().say("hello");
             callers.crank(); // asks the broker
-            brokers.crank(); // spawns a
+            test.crank(); // spawns a
             providers.crank(); // starts it
-            brokers.crank(); // notifies the connection, which has not processed this yet
-            providers.space().stop(services.running(BrokerBench.at("parrot")).proxy());
+            test.crank(); // notifies the connection, which has not processed this yet
+            providers.space().stop(far.running(at("parrot")).proxy());
             providers.crank(); // the broker has not been notified of this yet
             callers.crank();
             assertThat(answer.isDone()).isFalse();
-            for (int round = 0; round < 4; round++) {
-                brokers.crank();
-                providers.crank();
-                callers.crank();
-            }
+            crankAll.run();
             assertThat(callers.get(answer)).isEqualTo("b: hello");
             connection.close();
             callers.crank();
             broker.close();
-            for (int round = 0; round < 4; round++) {
-                brokers.crank();
-                providers.crank();
-                callers.crank();
-            }
+            crankAll.run();
         }
     }
 
     @Test
     void call_waitsOnlyWithinItsLimits_ofTimeAndNumber() {
-        try (var stage = new ServicesStage()) {
-            var settings = ConnectionSettings.DEFAULT
-                    .withWaitLimit(Duration.ofSeconds(2))
-                    .withMostWaiting(2);
-            var connection = stage.services.connect(Parrot.class, PARROT, settings);
-            stage.bench.missing(connection.first());
-            var parrot = connection.actor();
-            var answer = parrot.say("hello");
-            parrot.hear("one way");
-            var tooMany = parrot.say("too many");
-            assertThat(stage.bench.test.error(tooMany))
-                    .isInstanceOf(ServiceCallException.class)
-                    .hasMessageStartingWith("Parrot.say(String) of \"robot 1\", which needs the service \"parrot\", "
-                            + "was refused: 2 calls wait already, and ");
-            stage.bench.seconds(2);
-            assertThat(stage.bench.test.error(answer))
-                    .hasMessage(
-                            "Parrot.say(String) of \"robot 1\", which needs the service \"parrot\", found no provider within PT2S: "
-                                    + "\"robot 1\" needs the service \"parrot\", which nobody offers; registered: nothing");
-            assertThat(((ServiceCallException) stage.bench.test.error(answer)).wasSent())
-                    .isFalse();
-            assertThat(stage.bench.events(BrokerEvent.Undelivered.class))
-                    .extracting(BrokerEvent.Undelivered::call)
-                    .containsExactly("Parrot.hear(String)");
-        }
+        var settings = ConnectionSettings.DEFAULT.withWaitLimit(Duration.ofSeconds(2));
+        var connection = services.connect(Parrot.class, PARROT, settings.withMostWaiting(2));
+        missing(connection.first());
+        var parrot = connection.actor();
+        var answer = parrot.say("hello");
+        parrot.hear("one way");
+        var tooMany = parrot.say("too many");
+        assertThat(test.error(tooMany))
+                .isInstanceOf(ServiceCallException.class)
+                .hasMessageStartingWith("Parrot.say(String) of \"robot 1\", which needs the service \"parrot\", "
+                        + "was refused: 2 calls wait already, and ");
+        seconds(2);
+        assertServiceCallError(
+                answer,
+                false,
+                "Parrot.say(String) of \"robot 1\", which needs the service \"parrot\", found no provider within PT2S: "
+                        + "\"robot 1\" needs the service \"parrot\", which nobody offers; registered: nothing");
+        assertThat(events(BrokerEvent.Undelivered.class))
+                .extracting(BrokerEvent.Undelivered::call)
+                .containsExactly("Parrot.hear(String)");
     }
 
     @Test
     void providerThatDiesWithTheCallUnderWay_rejectsIt_byName() {
-        try (var stage = new ServicesStage()) {
-            stage.publish("a");
-            stage.publish("b");
-            var parrot = stage.services.connect(Parrot.class, PARROT).actor();
-            var answer = parrot.sayLater("hello");
-            stage.bench.test.crank();
-            stage.kill("parrot");
-            assertThat(stage.bench.test.error(answer))
-                    .isInstanceOf(ServiceCallException.class)
-                    .hasMessage("node/parrot ended while \"robot 1\" waited for its answer to Parrot.sayLater(String)");
-            assertThat(((ServiceCallException) stage.bench.test.error(answer)).wasSent())
-                    .isTrue();
-            assertThat(stage.diary).containsExactly("a begins hello"); // no other provider executes it again
-        }
+        publish("a");
+        publish("b");
+        var answer = connected().sayLater("hello");
+        test.crank();
+        kill("parrot");
+        assertServiceCallError(
+                answer, true, "node/parrot ended while \"robot 1\" waited for its answer to Parrot.sayLater(String)");
+        assertThat(diary).containsExactly("a begins hello"); // no other provider executes it again
     }
 
     @Test
-    void answerThatComesLate_isRejectedBefore_andReportedToTheObserver() {
-        try (var stage = new ServicesStage()) {
-            stage.publish("a");
-            var parrot = stage.services.connect(Parrot.class, PARROT).actor();
-            var answer = parrot.sayLater("hello");
-            stage.bench.test.crank();
-            stage.bench.seconds(5);
-            assertThat(stage.bench.test.error(answer))
-                    .hasMessage("node/parrot did not answer Parrot.sayLater(String) to \"robot 1\" within PT5S");
-            stage.last.later.remove().resolve("at last");
-            stage.bench.test.crank();
-            assertThat(stage.bench.events(BrokerEvent.Late.class))
-                    .containsExactly(new BrokerEvent.Late("node/parrot", "Parrot.sayLater(String)", null));
-        }
-    }
-
-    @Test
-    void withoutAnswerLimit_anAnswerMayTakeAsLongAsItsProviderLives() {
-        try (var stage = new ServicesStage()) {
-            stage.publish("a");
-            var parrot = stage.services
-                    .connect(Parrot.class, PARROT, ConnectionSettings.DEFAULT.withoutAnswerLimit())
-                    .actor();
-            var answer = parrot.sayLater("hello");
-            stage.bench.test.crank();
-            stage.bench.seconds(1000);
-            stage.last.later.remove().resolve("at last");
-            assertThat(stage.get(answer)).isEqualTo("at last");
-        }
+    void answerThatComesLate_isRejectedBefore_andReportedToTheObserver_unlessThereIsNoLimit() {
+        publish("a");
+        var unlimited =
+                connected(ConnectionSettings.DEFAULT.withoutAnswerLimit()).sayLater("hello");
+        var limited = connected().sayLater("hello");
+        test.crank();
+        seconds(5);
+        assertThat(test.error(limited))
+                .hasMessage("node/parrot did not answer Parrot.sayLater(String) to \"robot 1\" within PT5S");
+        seconds(1000);
+        answer("as long as its provider lives");
+        assertThat(get(unlimited)).isEqualTo("as long as its provider lives");
+        assertThat(events(BrokerEvent.Late.class)).isEmpty();
+        answer("at last");
+        test.crank();
+        assertThat(events(BrokerEvent.Late.class))
+                .containsExactly(new BrokerEvent.Late("node/parrot", "Parrot.sayLater(String)", null));
     }
 
     @Test
     void replacedProvider_answersWhatItWasAskedBefore() {
-        try (var stage = new ServicesStage()) {
-            stage.publish("a");
-            var parrot = stage.services.connect(Parrot.class, PARROT).actor();
-            stage.get(parrot.say("0"));
-            var before = new ArrayList<Promise<String>>();
-            for (int i = 1; i <= 3; i++) {
-                before.add(parrot.say("old " + i));
-            }
-            var replaced = stage.services.replace(
-                    BrokerBench.at("parrot"),
-                    stage.bench.test.space(),
-                    Parrot.class,
-                    "parrot",
-                    List.of(),
-                    () -> stage.parrot("b"));
-            assertThat(stage.get(Promise.all(before))).containsExactly("a: old 1", "a: old 2", "a: old 3");
-            stage.get(replaced);
-            assertThat(stage.get(parrot.say("new"))).isEqualTo("b: new");
-        }
-    }
-
-    @Test
-    void wrongInterface_isReportedInPlainWords() {
-        try (var stage = new ServicesStage()) {
-            stage.publish("a");
-            var connection = stage.services.connect(Clock.class, PARROT);
-            var answer = connection.actor().now();
-            assertThat(stage.bench.test.error(connection.first()))
-                    .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessage("\"robot 1\" calls the service \"parrot\" as " + Clock.class.getName()
-                            + ", and its provider node/parrot is a " + Parrot.class.getName());
-            assertThat(stage.bench.test.error(answer)).isSameAs(stage.bench.test.error(connection.first()));
-            assertThatThrownBy(() -> stage.services.connect(List.class, PARROT))
-                    .isInstanceOf(IllegalArgumentException.class)
-                    .hasMessageContaining("expected void (a one-way message) or Promise (a request)");
-            assertThatThrownBy(() -> stage.services.connect(String.class, PARROT))
-                    .hasMessageContaining("java.lang.String is a class");
-        }
+        publish("a");
+        var parrot = connected();
+        get(parrot.say("0"));
+        var before = List.of(parrot.say("old 1"), parrot.say("old 2"), parrot.say("old 3"));
+        var replaced = replace("parrot", "b");
+        assertThat(get(Promise.all(before))).containsExactly("a: old 1", "a: old 2", "a: old 3");
+        get(replaced);
+        assertThat(get(parrot.say("new"))).isEqualTo("b: new");
     }
 
     interface Clock {
@@ -273,44 +266,34 @@ class ActorServicesTest {
     }
 
     @Test
-    void actorWhoseFactoryThrows_isNotStarted_andTheReasonIsNamed() {
-        try (var stage = new ServicesStage()) {
-            stage.get(stage.services.publish(stage.bench.test.space(), Parrot.class, "parrot", List.of(), () -> {
-                throw new IllegalStateException("no feathers");
-            }));
-            stage.publish("b");
-            var parrot = stage.services.connect(Parrot.class, PARROT).actor();
-            assertThat(stage.get(parrot.say("hi"))).isEqualTo("b: hi");
-            assertThat(stage.bench.events(BrokerEvent.StartFailed.class))
-                    .extracting(event -> event.why().getMessage())
-                    .containsExactly(
-                            "node/parrot stopped when it was started: java.lang.IllegalStateException: no feathers");
-            assertThat(stage.bench.test.takeProblems()).hasSize(1);
-        }
+    void wrongInterface_isReportedInPlainWords() {
+        publish("a");
+        var connection = services.connect(Clock.class, PARROT);
+        var answer = connection.actor().now();
+        assertThat(test.error(connection.first()))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("\"robot 1\" calls the service \"parrot\" as " + Clock.class.getName()
+                        + ", and its provider node/parrot is a " + Parrot.class.getName());
+        assertThat(test.error(answer)).isSameAs(test.error(connection.first()));
+        assertThatThrownBy(() -> services.connect(List.class, PARROT))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("expected void (a one-way message) or Promise (a request)");
+        assertThatThrownBy(() -> services.connect(String.class, PARROT))
+                .hasMessageContaining("java.lang.String is a class");
     }
 
     @Test
-    void actorThatThrows_isFailedOver_ifItsSupervisionStopsIt() {
-        try (var stage = new ServicesStage()) {
-            var address = BrokerBench.at("brittle");
-            stage.get(stage.bench.broker.register(
-                    "parrot",
-                    List.of(),
-                    address,
-                    stage.services.provider(
-                            address,
-                            stage.bench.test.space(),
-                            Brittle.class,
-                            () -> () -> {
-                                throw new IllegalStateException("broke");
-                            },
-                            ActorSettings.DEFAULT.withSupervision(Supervision.STOP))));
-            var heard = stage.bench.connect("robot 1", "parrot");
-            stage.services.connect(Brittle.class, PARROT).actor().poke();
-            stage.bench.test.crank();
-            assertThat(heard).containsExactly("use brittle", "lost");
-            assertThat(stage.bench.test.takeProblems()).hasSize(1);
-        }
+    void actorWhoseFactoryThrows_isNotStarted_andTheReasonIsNamed() {
+        get(services.publish(test.space(), Parrot.class, "parrot", List.of(), () -> {
+            throw new IllegalStateException("no feathers");
+        }));
+        publish("b");
+        assertThat(get(connected().say("hi"))).isEqualTo("b: hi");
+        assertThat(events(BrokerEvent.StartFailed.class))
+                .extracting(event -> event.why().getMessage())
+                .containsExactly(
+                        "node/parrot stopped when it was started: java.lang.IllegalStateException: no feathers");
+        assertThat(test.takeProblems()).hasSize(1);
     }
 
     interface Brittle {
@@ -318,22 +301,152 @@ class ActorServicesTest {
     }
 
     @Test
-    void actorThatWasSpawnedBefore_isPublished_andLeftToItsOwner() {
-        try (var stage = new ServicesStage()) {
-            var space = stage.bench.test.space();
-            var proxy = stage.bench.test.spawn(Parrot.class, () -> stage.parrot("mine"));
-            stage.get(stage.services.publishSpawned(space, "parrot", List.of(), proxy));
-            var parrot = stage.services.connect(Parrot.class, PARROT).actor();
-            assertThat(stage.get(parrot.say("1"))).isEqualTo("mine: 1");
-            stage.get(stage.bench.broker.withdraw(BrokerBench.at("parrot")));
-            assertThat(stage.get(proxy.say("2"))).isEqualTo("mine: 2");
-            stage.get(stage.services.publishSpawned(space, "parrot", List.of(), proxy));
-            assertThat(stage.get(parrot.say("3"))).isEqualTo("mine: 3");
-            space.stop(proxy);
-            stage.bench.test.crank();
-            assertThat(stage.bench.health("parrot-2")).isEqualTo(Health.FAILED);
-            assertThat(stage.bench.missing(stage.bench.broker.require(PARROT)))
-                    .contains("has stopped, and only who spawned it can spawn it again");
+    void actorThatThrows_isFailedOver_ifItsSupervisionStopsIt() {
+        Brittle brittle = () -> {
+            throw new IllegalStateException("broke");
+        };
+        var stopping = ActorSettings.DEFAULT.withSupervision(Supervision.STOP);
+        var address = at("brittle");
+        var provider = services.provider(address, test.space(), Brittle.class, () -> brittle, stopping);
+        get(broker.register("parrot", List.of(), address, provider));
+        connect(PARROT, diary::add);
+        services.connect(Brittle.class, PARROT).actor().poke();
+        test.crank();
+        assertThat(diary).containsExactly("use brittle", "lost");
+        assertThat(test.takeProblems()).hasSize(1);
+    }
+
+    // ---- calls that their callers cancel, and connections that are closed
+
+    /** The way in which a caller cancels a call. */
+    private enum Manner {
+        CANCEL,
+        TIME_LIMIT,
+        CANCEL_WHAT_FOLLOWS;
+
+        /** Returns the promise that is rejected by this. */
+        Promise<?> giveUp(Promise<?> call) {
+            if (this == TIME_LIMIT) {
+                return call.orTimeout(Duration.ofMillis(500));
+            }
+            var cancelled = this == CANCEL ? call : call.handle((value, error) -> value);
+            cancelled.cancel();
+            return cancelled;
         }
+    }
+
+    private void giveUp(Manner manner, Promise<?> call) {
+        List<Promise<?>> over = new ArrayList<>();
+        test.run(() -> {
+            over.add(manner.giveUp(call));
+            over.getFirst().handle((value, error) -> error);
+        });
+        seconds(1);
+        assertThat(over.getFirst().isRejected()).isTrue();
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void callThatWasGivenUp_isNotCarriedOut_whenAProviderComesLater(Manner manner) {
+        var parrot = connected(PATIENT);
+        var unwanted = parrot.say("unwanted");
+        var wanted = parrot.say("wanted");
+        parrot.say("listened to by nobody");
+        test.crank();
+        giveUp(manner, unwanted);
+        seconds(3);
+        publish("late");
+        assertThat(get(wanted)).isEqualTo("late: wanted");
+        assertThat(diary).containsExactly("late says wanted", "late says listened to by nobody");
+        assertThat(unwanted.isDone()).as("and nobody waits for it without end").isTrue();
+    }
+
+    @Test
+    void callWithATimeLimit_thatAnotherWaitsFor_isCarriedOut() {
+        var call = connected(PATIENT).say("wanted");
+        var later = call.thenApply(text -> "then " + text);
+        giveUp(Manner.TIME_LIMIT, call);
+        publish("late");
+        assertThat(get(later)).isEqualTo("then late: wanted");
+    }
+
+    @ParameterizedTest
+    @EnumSource(value = Manner.class, names = "CANCEL_WHAT_FOLLOWS", mode = EnumSource.Mode.EXCLUDE)
+    void callThatWasGivenUp_makesRoomForAnother_atOnce(Manner manner) {
+        var parrot = connected(PATIENT.withMostWaiting(1));
+        giveUp(manner, parrot.say("unwanted"));
+        var wanted = parrot.say("wanted");
+        publish("late");
+        assertThat(get(wanted)).isEqualTo("late: wanted");
+    }
+
+    @Test
+    void callThatWasCancelled_isNotBegunByItsProvider_andHasNoLateAnswer() {
+        try (var providers = new TestSpace()) {
+            publishSpawned(providers, providers.spawn(Parrot.class, () -> parrot("far")));
+            var parrot = connected(PATIENT);
+            var begun = parrot.sayLater("begun");
+            test.crank();
+            providers.crank();
+            var waits = parrot.say("waits in the mailbox");
+            test.crank();
+            begun.cancel();
+            waits.cancel();
+            test.crank();
+            providers.crank();
+            answer("for nobody");
+            providers.crank();
+            test.crank();
+            assertThat(diary).containsExactly("far begins begun");
+            assertThat(events(BrokerEvent.Late.class)).isEmpty();
+            assertThat(waits.error()).isInstanceOf(CancellationException.class);
+        }
+    }
+
+    @Test
+    void oneWayCall_thatFindsNoProviderWithinItsOwnLimit_isReported_andNotCarriedOutLater() {
+        connected(PATIENT).hear("old news");
+        test.crank();
+        test.advance(Duration.ofMillis(900));
+        assertThat(events(BrokerEvent.Undelivered.class)).isEmpty();
+        test.advance(Duration.ofMillis(200));
+        assertThat(events(BrokerEvent.Undelivered.class))
+                .extracting(event -> event.call() + " " + event.why().getMessage())
+                .singleElement()
+                .asString()
+                .startsWith("Parrot.hear(String) Parrot.hear(String) of \"robot 1\"")
+                .contains("found no provider within PT1S");
+        publish("late");
+        seconds(2);
+        assertThat(diary).isEmpty();
+    }
+
+    @Test
+    void connectionThatIsClosed_leavesNothingBehind_whileItsProviderLives() {
+        publish("a");
+        var references = new ArrayList<WeakReference<Need>>();
+        var open = new ArrayList<ActorConnection<Parrot>>();
+        for (int i = 0; i < 20; i++) {
+            var need = Need.ofService("robot " + i, "parrot"); // one need per connection
+            references.add(new WeakReference<>(need));
+            var connection = services.connect(Parrot.class, need);
+            get(connection.whenReady().thenCompose(parrot -> parrot.say("hello")));
+            open.add(connection); // overlapping: the last ones are open when the first are closed
+        }
+        while (open.size() > 1) {
+            open.removeFirst().close();
+        }
+        test.crank();
+        events.clear(); // events refer to needs
+        int most = 2; // the open one, and the last closed one, which an idle space may keep from its last turn
+        for (int tries = 0; tries < 20 && count(references) > most; tries++) {
+            System.gc();
+        }
+        assertThat(count(references)).as("connections in memory").isBetween(1L, (long) most);
+        assertThat(get(open.getFirst().actor().say("hi"))).isEqualTo("a: hi");
+    }
+
+    private static long count(List<WeakReference<Need>> references) {
+        return references.stream().filter(each -> each.get() != null).count();
     }
 }

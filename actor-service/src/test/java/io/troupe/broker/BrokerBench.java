@@ -6,43 +6,48 @@ import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
 
-/** A broker on a space without a thread; records its events and the calls of its providers. */
-final class BrokerBench implements AutoCloseable {
-    static final Duration SECOND = Duration.ofSeconds(1);
+/** A broker on a space without a thread; records its events. Tests extend it. */
+class BrokerBench {
+    static final BrokerSettings WITHOUT_RESTART = BrokerSettings.DEFAULT.withoutRestart();
 
     final TestSpace test = new TestSpace();
     final List<BrokerEvent> events = new ArrayList<>();
     final List<String> diary = new ArrayList<>();
-    final Broker broker;
-
-    BrokerBench() {
-        this(BrokerSettings.DEFAULT);
-    }
+    Broker broker;
 
     BrokerBench(BrokerSettings settings) {
-        broker = Broker.open(test.space(), settings.withObserver(events::add));
+        broker = Broker.open(test.space(), settings.withObserver(this::record));
+    }
+
+    /** Goes on with a broker of other settings. */
+    final void reopen(BrokerSettings settings) {
+        get(broker.shutDown());
+        broker = Broker.open(test.space(), settings.withObserver(this::record));
+    }
+
+    void record(BrokerEvent event) {
+        events.add(event);
+    }
+
+    @AfterEach
+    void close() {
+        get(broker.shutDown());
+        test.close();
+    }
+
+    final <T extends @Nullable Object> T get(Promise<T> promise) {
+        return test.get(promise);
     }
 
     static Address at(String name) {
         return new Address("node", name);
     }
 
-    FakeProvider offer(String service, String name, String... capabilities) {
-        var provider = new FakeProvider(name, diary);
-        test.get(broker.register(service, List.of(capabilities), at(name), provider));
-        return provider;
-    }
-
-    FakeProvider provider(String name) {
-        return new FakeProvider(name, diary);
-    }
-
-    ServiceRecord require(String service) {
-        return test.get(broker.require(Need.ofService("robot 1", service)));
-    }
-
-    String missing(Promise<?> promise) {
+    final String missing(Promise<?> promise) {
         Throwable error = test.error(promise);
         if (!(error instanceof MissingServiceException)) {
             throw new AssertionError("expected a missing service", error);
@@ -51,54 +56,43 @@ final class BrokerBench implements AutoCloseable {
     }
 
     /** Connects a client that records its notifications. */
-    List<String> connect(String by, String service) {
-        var heard = new ArrayList<String>();
-        var first = broker.connect(Need.ofService(by, service), new Broker.Connection() {
+    final void connect(Need need, Consumer<String> notified) {
+        var client = new Broker.Connection() {
             @Override
             public void use(ServiceRecord provider) {
-                heard.add("use " + provider.provider().name());
-                diary.add(by + " hears of " + provider.provider().name());
+                notified.accept("use " + provider.provider().name());
             }
 
             @Override
             public void lost(MissingServiceException why) {
-                heard.add("lost");
-                diary.add(by + " hears of the loss");
+                notified.accept("lost");
             }
-        });
-        first.handle((record, error) -> null);
-        test.crank();
-        return heard;
+        };
+        broker.connect(need, client).handle((record, error) -> null);
     }
 
     /** Runs pending work, then advances the clock. */
-    void pass(Duration time) {
+    final void pass(Duration time) {
         test.crank();
         test.advance(time);
     }
 
     /** Advances the clock by this many seconds, one at a time. */
-    void seconds(int count) {
+    final void seconds(int count) {
         for (int i = 0; i < count; i++) {
-            pass(SECOND);
+            pass(Duration.ofSeconds(1));
         }
     }
 
-    Health health(String name) {
-        return test.get(broker.registered()).stream()
+    final Health health(String name) {
+        return get(broker.registered()).stream()
                 .filter(each -> each.provider().equals(at(name)))
                 .findFirst()
                 .orElseThrow()
                 .health();
     }
 
-    <E extends BrokerEvent> List<E> events(Class<E> type) {
+    final <E extends BrokerEvent> List<E> events(Class<E> type) {
         return events.stream().filter(type::isInstance).map(type::cast).toList();
-    }
-
-    @Override
-    public void close() {
-        test.get(broker.shutDown());
-        test.close();
     }
 }

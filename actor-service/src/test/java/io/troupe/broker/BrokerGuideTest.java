@@ -13,6 +13,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -21,13 +22,7 @@ import org.junit.jupiter.api.Test;
  */
 class BrokerGuideTest {
     /** A component that only records its calls. */
-    private static final class Camera implements Provider {
-        private final List<String> shown;
-
-        Camera(List<String> shown) {
-            this.shown = shown;
-        }
-
+    private final class Camera implements Provider {
         @Override
         public Promise<@Nullable Void> start() {
             shown.add("camera starts");
@@ -47,6 +42,14 @@ class BrokerGuideTest {
     }
 
     private final List<String> shown = new ArrayList<>();
+    private final TestSpace test = new TestSpace();
+    private final ActorSpace space = test.space();
+
+    @AfterEach
+    void close() {
+        test.crank();
+        test.close();
+    }
 
     private void show(Object what) {
         shown.add(String.valueOf(what));
@@ -54,53 +57,50 @@ class BrokerGuideTest {
 
     @Test
     void registry_startsOnDemand_andTellsUsers() {
-        try (var test = new TestSpace()) {
-            var space = test.space();
-            var left = new Camera(shown);
-            var right = new Camera(shown);
-            var events = new ArrayList<BrokerEvent>();
-            BrokerObserver observer = events::add;
+        var left = new Camera();
+        var right = new Camera();
+        var events = new ArrayList<BrokerEvent>();
+        BrokerObserver observer = events::add;
 
-            Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
-            broker.register("camera", List.of("senses", "colour"), new Address("robot", "left"), left);
-            broker.register("camera", List.of("senses"), new Address("robot", "right"), right);
+        Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
+        broker.register("camera", List.of("senses", "colour"), new Address("robot", "left"), left);
+        broker.register("camera", List.of("senses"), new Address("robot", "right"), right);
 
-            broker.find(Need.ofCapability("finder", "colour")).then(cameras -> show(cameras.size()));
-            broker.require(Need.ofService("finder", "camera")).then(camera -> show(camera.provider()));
-            test.crank();
-            assertThat(shown).containsExactly("1", "camera starts", "robot/left");
+        broker.find(Need.ofCapability("finder", "colour")).then(cameras -> show(cameras.size()));
+        broker.require(Need.ofService("finder", "camera")).then(camera -> show(camera.provider()));
+        test.crank();
+        assertThat(shown).containsExactly("1", "camera starts", "robot/left");
 
-            shown.clear();
-            broker.connect(Need.ofService("finder", "camera"), new Broker.Connection() {
-                public void use(ServiceRecord camera) {
-                    show("use " + camera.provider());
-                }
+        shown.clear();
+        broker.connect(Need.ofService("finder", "camera"), new Broker.Connection() {
+            public void use(ServiceRecord camera) {
+                show("use " + camera.provider());
+            }
 
-                public void lost(MissingServiceException why) {
-                    show(why.getMessage());
-                }
-            });
-            test.crank();
-            broker.withdraw(new Address("robot", "left"));
-            test.crank();
-            assertThat(shown).containsExactly("use robot/left", "camera starts", "use robot/right", "camera stops");
+            public void lost(MissingServiceException why) {
+                show(why.getMessage());
+            }
+        });
+        test.crank();
+        broker.withdraw(new Address("robot", "left"));
+        test.crank();
+        assertThat(shown).containsExactly("use robot/left", "camera starts", "use robot/right", "camera stops");
 
-            shown.clear();
-            broker.require(Need.ofService("robot 2", "camrea"))
-                    .exceptionally(error -> {
-                        show(error.getMessage());
-                        throw new IllegalStateException("the application ends", error);
-                    })
-                    .handle((camera, error) -> null);
-            test.crank();
-            assertThat(shown)
-                    .containsExactly("\"robot 2\" needs the service \"camrea\", which nobody offers; "
-                            + "did you mean \"camera\"? registered: camera (senses; well)");
+        shown.clear();
+        broker.require(Need.ofService("robot 2", "camrea"))
+                .exceptionally(error -> {
+                    show(error.getMessage());
+                    throw new IllegalStateException("the application ends", error);
+                })
+                .handle((camera, error) -> null);
+        test.crank();
+        assertThat(shown)
+                .containsExactly("\"robot 2\" needs the service \"camrea\", which nobody offers; "
+                        + "did you mean \"camera\"? registered: camera (senses; well)");
 
-            broker.shutDown().then(left2 -> show(left2.size() + " did not stop"));
-            test.crank();
-            assertThat(shown).endsWith("camera stops", "0 did not stop");
-        }
+        broker.shutDown().then(left2 -> show(left2.size() + " did not stop"));
+        test.crank();
+        assertThat(shown).endsWith("camera stops", "0 did not stop");
     }
 
     interface Compass {
@@ -190,57 +190,48 @@ class BrokerGuideTest {
 
     @Test
     void twoActors_arePublisherAndSubscriberOfEachOther() {
-        try (var test = new TestSpace()) {
-            var space = test.space();
-            Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+        Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
 
-            var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
-            services.publish(space, Compass.class, "compass", List.of("senses"), () -> new ShipCompass(services));
-            services.publish(space, Helm.class, "helm", List.of("steers"), () -> new ShipHelm(services));
+        var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+        services.publish(space, Compass.class, "compass", List.of("senses"), () -> new ShipCompass(services));
+        services.publish(space, Helm.class, "helm", List.of("steers"), () -> new ShipHelm(services));
 
-            var compass = services.connect(Compass.class, Need.ofService("captain", "compass"));
-            compass.actor().heading().then(degrees -> show(degrees));
-            test.crank();
-            assertThat(test.get(compass.actor().heading())).isEqualTo(90.0); // headings 0, 30, 60 and 90; then it stops
-            assertThat(test.get(broker.registered()))
-                    .extracting(ServiceRecord::health)
-                    .containsOnly(io.troupe.broker.Health.WELL);
-            compass.close();
-            test.get(broker.shutDown());
-            test.crank();
-        }
+        var compass = services.connect(Compass.class, Need.ofService("captain", "compass"));
+        compass.actor().heading().then(degrees -> show(degrees));
+        test.crank();
+        assertThat(test.get(compass.actor().heading())).isEqualTo(90.0); // headings 0, 30, 60 and 90; then it stops
+        assertThat(test.get(broker.registered()))
+                .extracting(ServiceRecord::health)
+                .containsOnly(Health.WELL);
+        compass.close();
+        test.get(broker.shutDown());
     }
 
     @Test
     void serviceThatTakesLong_hasNoLimit_andItsReplacementTakesOver() {
-        try (var test = new TestSpace()) {
-            var space = test.space();
-            Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
-            var services = new ActorServices(broker, "ship", space, event -> {});
-            services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+        Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+        var services = new ActorServices(broker, "ship", space, event -> {});
+        services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
 
-            var patient = ConnectionSettings.DEFAULT
-                    .withWaitLimit(Duration.ofSeconds(20))
-                    .withoutAnswerLimit();
-            var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"), patient)
-                    .actor();
-            greeter.greet("Ada").then(text -> show(text));
-            test.crank();
+        var patient =
+                ConnectionSettings.DEFAULT.withWaitLimit(Duration.ofSeconds(20)).withoutAnswerLimit();
+        var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"), patient)
+                .actor();
+        greeter.greet("Ada").then(text -> show(text));
+        test.crank();
 
-            services.replace(
-                    new Address("ship", "greeter"),
-                    space,
-                    Greeter.class,
-                    "greeter",
-                    List.of(),
-                    () -> name -> Promise.of("good morning " + name));
-            test.crank();
-            greeter.greet("Ada").then(text -> show(text));
-            test.crank();
-            assertThat(shown).containsExactly("hello Ada", "good morning Ada");
-            test.get(broker.shutDown());
-            test.crank();
-        }
+        services.replace(
+                new Address("ship", "greeter"),
+                space,
+                Greeter.class,
+                "greeter",
+                List.of(),
+                () -> name -> Promise.of("good morning " + name));
+        test.crank();
+        greeter.greet("Ada").then(text -> show(text));
+        test.crank();
+        assertThat(shown).containsExactly("hello Ada", "good morning Ada");
+        test.get(broker.shutDown());
     }
 
     @Test
@@ -260,29 +251,25 @@ class BrokerGuideTest {
 
     @Test
     void observer_isNotifiedOfAFailover() {
-        try (var test = new TestSpace()) {
-            var space = test.space();
-            BrokerObserver observer = event -> {
-                if (event instanceof BrokerEvent.FailedOver change) {
-                    show(change.from().provider() + " > " + change.to().provider());
-                }
-            };
-            var settings = BrokerSettings.DEFAULT
-                    .withChecks(Duration.ofMillis(500), Duration.ofMillis(200), 2)
-                    .withLimits(Duration.ofSeconds(20), Duration.ofSeconds(5), Duration.ofSeconds(1))
-                    .withObserver(observer);
-            Broker broker = Broker.open(space, settings);
-            var services = new ActorServices(broker, "ship", space, observer);
-            services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
-            services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hi " + name));
-            var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"));
-            test.get(greeter.whenReady());
-            test.get(broker.withdraw(new Address("ship", "greeter")));
-            assertThat(shown).containsExactly("ship/greeter > ship/greeter-2");
-            greeter.close();
-            test.get(broker.shutDown());
-            test.crank();
-        }
+        BrokerObserver observer = event -> {
+            if (event instanceof BrokerEvent.FailedOver change) {
+                show(change.from().provider() + " > " + change.to().provider());
+            }
+        };
+        var settings = BrokerSettings.DEFAULT
+                .withChecks(Duration.ofMillis(500), Duration.ofMillis(200), 2)
+                .withLimits(Duration.ofSeconds(20), Duration.ofSeconds(5), Duration.ofSeconds(1))
+                .withObserver(observer);
+        Broker broker = Broker.open(space, settings);
+        var services = new ActorServices(broker, "ship", space, observer);
+        services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+        services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hi " + name));
+        var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"));
+        test.get(greeter.whenReady());
+        test.get(broker.withdraw(new Address("ship", "greeter")));
+        assertThat(shown).containsExactly("ship/greeter > ship/greeter-2");
+        greeter.close();
+        test.get(broker.shutDown());
     }
 
     interface Greeter {

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import io.troupe.bus.Address;
 import io.troupe.bus.Soak;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -17,34 +18,29 @@ class BrokerSoakTest {
     private static final int STEPS = 60;
     private static final int ADDRESSES = 3;
 
+    private long started;
+    private long lateStarts;
+    private long replaced;
+
     @Test
     void afterShutDown_noProviderIsAlive_andNoPromiseIsPending() {
-        var statistics = new Statistics();
-        Soak.rounds(400, seed -> new Program(seed, statistics).run());
-        assertThat(statistics.started).as("providers that ran").isPositive();
-        assertThat(statistics.lateStarts).as("starts that were answered late").isPositive();
-        assertThat(statistics.replaced).as("replacements").isPositive();
+        Soak.rounds(400, seed -> new Program(seed).run());
+        assertThat(started).as("providers that ran").isPositive();
+        assertThat(lateStarts).as("starts that were answered late").isPositive();
+        assertThat(replaced).as("replacements").isPositive();
     }
 
-    private static final class Statistics {
-        long started;
-        long lateStarts;
-        long replaced;
-    }
-
-    private static final class Program {
+    private final class Program extends BrokerBench {
         private final Random random;
-        private final Statistics statistics;
-        private final BrokerBench bench = new BrokerBench();
         private final List<Moody> providers = new ArrayList<>();
         private final List<Runnable> owed = new ArrayList<>();
         private final List<Promise<?>> promises = new ArrayList<>();
         private final List<Broker.Connection> connections = new ArrayList<>();
         private boolean ending;
 
-        Program(long seed, Statistics statistics) {
-            this.random = new Random(seed);
-            this.statistics = statistics;
+        Program(long seed) {
+            super(BrokerSettings.DEFAULT);
+            random = new Random(seed);
         }
 
         /** Alive from a fulfilled start until it dies or a stop is fulfilled. */
@@ -82,30 +78,30 @@ class BrokerSoakTest {
             void die() {
                 if (alive) {
                     alive = false;
-                    bench.diary.add(this + ": dies");
+                    note("dies");
                     endOfLife.reject(new IllegalStateException("died"));
                 }
             }
 
-            @Override
-            public String toString() {
-                return "provider " + number;
+            private void note(String what) {
+                diary.add("provider " + number + ": " + what);
             }
 
             private Promise<@Nullable Void> answer(String what, boolean mayFail, Runnable effect) {
                 int manner = ending ? 0 : random.nextInt(8);
-                bench.diary.add(
-                        this + ": " + what + (manner < 3 ? " at once" : manner < 5 && mayFail ? " fails" : " later"));
                 if (manner < 3) {
+                    note(what + " at once");
                     effect.run();
                     return Promise.done();
                 }
                 if (manner < 5 && mayFail) {
+                    note(what + " fails");
                     return Promise.failed(new IllegalStateException("moody"));
                 }
+                note(what + " later");
                 var later = new Deferred<@Nullable Void>(null);
                 owed.add(() -> {
-                    bench.diary.add(this + ": now " + what);
+                    note("now " + what);
                     effect.run();
                     later.resolve(null);
                 });
@@ -117,49 +113,56 @@ class BrokerSoakTest {
             for (int i = 0; i < STEPS; i++) {
                 step();
                 if (random.nextInt(3) > 0) {
-                    bench.test.crank();
+                    test.crank();
                 }
             }
-            var over = bench.broker.shutDown();
-            bench.seconds(100);
+            var over = broker.shutDown();
+            seconds(100);
             assertThat(over.isDone()).as("shut down").isTrue();
             ending = true;
             while (!owed.isEmpty()) {
                 giveOne();
-                bench.test.crank();
+                test.crank();
             }
-            bench.seconds(20);
+            seconds(20);
             assertThat(providers.stream().filter(each -> each.alive))
-                    .as(() -> "alive after shutDown; what they did:\n" + String.join("\n", bench.diary))
+                    .as(() -> "alive after shutDown; what they did:\n" + String.join("\n", diary))
                     .isEmpty();
             assertThat(promises).as("pending after shutDown").allMatch(Promise::isDone);
-            statistics.started += bench.events(BrokerEvent.Started.class).size();
-            statistics.lateStarts += bench.events(BrokerEvent.Late.class).stream()
+            started += events(BrokerEvent.Started.class).size();
+            lateStarts += events(BrokerEvent.Late.class).stream()
                     .filter(late -> late.asked().equals("start"))
                     .count();
-            statistics.replaced += bench.events(BrokerEvent.Replaced.class).size();
-            bench.test.close();
+            replaced += events(BrokerEvent.Replaced.class).size();
+            test.close();
         }
 
         private void step() {
+            var need = Need.ofService("user", "work");
             switch (random.nextInt(11)) {
-                case 0, 1 -> settles(bench.broker.register("work", List.of(), address(), provider()));
-                case 2 -> settles(bench.broker.withdraw(address()));
-                case 3 -> settles(bench.broker.replace(address(), "work", List.of(), address(), provider()));
-                case 4, 5 -> settles(bench.broker.require(Need.ofService("user", "work")));
-                case 6 -> connect();
+                case 0, 1 -> settles(broker.register("work", List.of(), address(), provider()));
+                case 2 -> settles(broker.withdraw(address()));
+                case 3 -> settles(broker.replace(address(), "work", List.of(), address(), provider()));
+                case 4, 5 -> settles(broker.require(need));
+                case 6 -> {
+                    if (connections.size() > 2) {
+                        settles(broker.disconnect(connections.removeFirst()));
+                    }
+                    connections.add(new Ignorant());
+                    settles(broker.connect(need, connections.getLast()));
+                }
                 case 7 -> {
                     if (!providers.isEmpty()) {
                         providers.get(random.nextInt(providers.size())).die();
                     }
                 }
                 case 8 -> giveOne();
-                default -> bench.pass(Duration.ofSeconds(1 + random.nextInt(8)));
+                default -> pass(Duration.ofSeconds(1 + random.nextInt(8)));
             }
         }
 
-        private io.troupe.bus.Address address() {
-            return BrokerBench.at("p" + random.nextInt(ADDRESSES));
+        private Address address() {
+            return at("p" + random.nextInt(ADDRESSES));
         }
 
         private Moody provider() {
@@ -172,25 +175,16 @@ class BrokerSoakTest {
             promises.add(promise);
         }
 
-        private void connect() {
-            if (connections.size() > 2) {
-                settles(bench.broker.disconnect(connections.removeFirst()));
-            }
-            var connection = new Broker.Connection() {
-                @Override
-                public void use(ServiceRecord provider) {}
-
-                @Override
-                public void lost(MissingServiceException why) {}
-            };
-            connections.add(connection);
-            settles(bench.broker.connect(Need.ofService("user", "work"), connection));
-        }
-
         private void giveOne() {
             if (!owed.isEmpty()) {
                 owed.remove(random.nextInt(owed.size())).run();
             }
         }
+    }
+
+    /** Each is another object, other than a lambda. */
+    private static final class Ignorant implements ScriptedBroker.Client {
+        @Override
+        public void use(ServiceRecord provider) {}
     }
 }

@@ -2,31 +2,52 @@ package io.troupe.broker;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Callback;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
-import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
+import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executors;
+import java.util.concurrent.LinkedBlockingQueue;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Broker, providers and callers on separate spaces, each with a thread. */
 @Timeout(600)
 class BrokerThreadsTest {
-    private static final Duration PATIENCE = Patience.LONG;
+    /** A limit that a busy machine does not reach. A test that hangs is ended by its JUnit timeout. */
+    private static final Duration PATIENCE = Duration.ofMinutes(10);
+
+    private static final BrokerSettings PATIENT_BROKER =
+            BrokerSettings.DEFAULT.withChecks(PATIENCE, PATIENCE, 3).withLimits(PATIENCE, PATIENCE, PATIENCE);
+    private static final ConnectionSettings PATIENT = ConnectionSettings.DEFAULT
+            .withWaitLimit(PATIENCE)
+            .withAnswerLimit(PATIENCE)
+            .withOneWayLimit(PATIENCE);
     private static final Need PARROT = Need.ofService("robot 1", "parrot");
 
     private final List<BrokerEvent> events = Collections.synchronizedList(new ArrayList<>());
+    private final List<String> diary = Collections.synchronizedList(new ArrayList<>());
+    private final BlockingQueue<String> news = new LinkedBlockingQueue<>();
 
     private static ActorSpace space(String name) {
         return ActorSpace.create(SpaceSettings.named(name).withOnStall(Duration.ZERO, stall -> {}));
+    }
+
+    private Promise<ServiceRecord> publish(ActorServices services, ActorSpace space, String name) {
+        return services.publish(space, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey(name, diary));
     }
 
     /** Cranks the broker's space until work on other threads has settled the promise. */
@@ -47,24 +68,13 @@ class BrokerThreadsTest {
                 var other = space("other")) {
             var broker = Broker.open(brokers.space(), BrokerSettings.DEFAULT.withObserver(events::add));
             var services = new ActorServices(broker, "node", brokers.space(), events::add);
-            var diary = Collections.synchronizedList(new ArrayList<String>());
-            await(
-                    brokers,
-                    services.publish(hanging, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("a", diary)));
-            await(
-                    brokers,
-                    services.publish(other, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("b", diary)));
+            await(brokers, publish(services, hanging, "a"));
+            await(brokers, publish(services, other, "b"));
             var overThere = new Deferred<String>(brokers.space());
-            broker.connect(PARROT, new Broker.Connection() {
-                @Override
-                public void use(ServiceRecord provider) {
-                    if (provider.provider().name().equals("parrot-2")) {
-                        overThere.resolve(provider.provider().name());
-                    }
+            broker.connect(PARROT, (ScriptedBroker.Client) provider -> {
+                if (provider.provider().name().equals("parrot-2")) {
+                    overThere.resolve(provider.provider().name());
                 }
-
-                @Override
-                public void lost(MissingServiceException why) {}
             });
             var connection = services.connect(Parrot.class, PARROT);
             assertThat(await(brokers, connection.actor().say("1"))).isEqualTo("a: 1");
@@ -107,15 +117,10 @@ class BrokerThreadsTest {
                 var providers = space("providers");
                 var callers = space("callers");
                 var threads = Executors.newVirtualThreadPerTaskExecutor()) {
-            var broker = Broker.open(brokers, Patience.BROKER.withObserver(events::add));
+            var broker = Broker.open(brokers, PATIENT_BROKER.withObserver(events::add));
             var services = new ActorServices(broker, "node", callers, events::add);
-            var diary = Collections.synchronizedList(new ArrayList<String>());
-            Address now = services.publish(
-                            providers, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey("0", diary))
-                    .get(PATIENCE)
-                    .provider();
-            var parrot =
-                    services.connect(Parrot.class, PARROT, Patience.CONNECTION).actor();
+            var now = publish(services, providers, "0").get(PATIENCE).provider();
+            var parrot = services.connect(Parrot.class, PARROT, PATIENT).actor();
             var load = threads.submit(() -> {
                 List<Promise<String>> answers = new ArrayList<>();
                 for (int i = 0; i < calls; i++) {
@@ -127,9 +132,8 @@ class BrokerThreadsTest {
                 return Promise.all(answers).get(PATIENCE);
             });
             for (int i = 1; i <= replacements; i++) {
-                String name = String.valueOf(i);
-                now = services.replace(
-                                now, providers, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey(name, diary))
+                var next = new Parrot.Grey(String.valueOf(i), diary);
+                now = services.replace(now, providers, Parrot.class, "parrot", List.of(), () -> next)
                         .get(PATIENCE)
                         .provider();
             }
@@ -146,6 +150,130 @@ class BrokerThreadsTest {
             assertThat(events)
                     .noneMatch(event -> event instanceof BrokerEvent.Late || event instanceof BrokerEvent.UserFailed);
             assertThat(broker.shutDown().get(PATIENCE)).isEmpty();
+        }
+    }
+
+    // ---- two actors that are publisher and subscriber of each other
+
+    /** Publishes numbers to its followers. */
+    interface Station {
+        Promise<@Nullable Void> follow(String by, Callback<Integer> reader);
+
+        void publish(int number);
+
+        void die();
+    }
+
+    /** Follows the current provider of another service, and publishes the successor of each number that it receives. */
+    private final class Answerer extends Actor implements Station, ScriptedBroker.Client {
+        private final String name;
+        private final Need other;
+        private final ActorServices services;
+        private final List<Callback<Integer>> readers = new ArrayList<>();
+        private @Nullable ActorConnection<Station> connection;
+
+        Answerer(String name, String other, ActorServices services) {
+            this.name = name;
+            this.other = Need.ofService(name, other);
+            this.services = services;
+        }
+
+        @Override
+        protected void started() {
+            var opened = services.connect(Station.class, other, PATIENT);
+            connection = opened;
+            opened.whenReady() // so that the connection is notified of each provider before this actor
+                    .thenCompose(ready -> services.broker().connect(other, this))
+                    .exceptionally(error -> {
+                        news.add(name + " is not connected: " + error);
+                        throw new IllegalStateException(error);
+                    });
+        }
+
+        @Override
+        public void use(ServiceRecord provider) {
+            String publisher = provider.provider().name();
+            if (connection != null) {
+                connection
+                        .actor()
+                        .follow(name, (number, error) -> read(publisher, number))
+                        .handle((followed, error) -> news.add(name + " follows " + publisher));
+            }
+        }
+
+        @Override
+        public void lost(MissingServiceException why) {
+            news.add(name + " has lost " + why.getMessage());
+        }
+
+        private void read(String publisher, @Nullable Integer number) {
+            news.add(name + " reads " + number + " from " + publisher);
+            if (number != null && number % 100 < 4) {
+                publish(number + 1);
+            }
+        }
+
+        @Override
+        public Promise<@Nullable Void> follow(String by, Callback<Integer> reader) {
+            readers.add(reader);
+            return Promise.done();
+        }
+
+        @Override
+        public void publish(int number) {
+            readers.forEach(reader -> reader.next(number));
+        }
+
+        @Override
+        public void die() {
+            stop();
+        }
+
+        @Override
+        protected void stopped() {
+            services.broker().disconnect(this);
+            if (connection != null) {
+                connection.close();
+            }
+        }
+    }
+
+    /** Waits until exactly these entries have been recorded, in any order. */
+    private void await(String... entries) throws InterruptedException {
+        var missing = new LinkedHashSet<>(Arrays.asList(entries));
+        while (!missing.isEmpty()) {
+            String next = news.poll(PATIENCE.toSeconds(), TimeUnit.SECONDS);
+            assertThat(missing).as("what was awaited when this came").contains(String.valueOf(next));
+            missing.remove(next);
+        }
+    }
+
+    @Test
+    void publisherAndSubscriberOfEachOther_onThreeThreads_goOnAfterAFailoverOfOne() throws Exception {
+        try (var brokers = space("brokers");
+                var left = space("left");
+                var right = space("right")) {
+            var broker = Broker.open(brokers, PATIENT_BROKER.withoutRestart().withObserver(event -> {}));
+            var services = new ActorServices(broker, "node", brokers, event -> {});
+            services.publish(left, Station.class, "a", List.of(), () -> new Answerer("a", "b", services));
+            services.publish(right, Station.class, "b", List.of(), () -> new Answerer("b", "a", services));
+            services.publish(right, Station.class, "b", List.of(), () -> new Answerer("b-2", "a", services));
+
+            try (var a = services.connect(Station.class, Need.ofService("test", "a"), PATIENT);
+                    var b = services.connect(Station.class, Need.ofService("test", "b"), PATIENT)) {
+                await("a follows b", "b follows a"); // connecting to one starts both
+                a.actor().publish(1);
+                await("b reads 1 from a", "a reads 2 from b", "b reads 3 from a", "a reads 4 from b");
+
+                b.actor().die();
+                await("a follows b-2", "b-2 follows a");
+                a.actor().publish(101);
+                await("b-2 reads 101 from a", "a reads 102 from b-2", "b-2 reads 103 from a", "a reads 104 from b-2");
+                b.actor().publish(204);
+                await("a reads 204 from b-2");
+            }
+            assertThat(broker.shutDown().get(PATIENCE)).isEmpty();
+            assertThat(news).noneMatch(entry -> entry.contains("reads"));
         }
     }
 }

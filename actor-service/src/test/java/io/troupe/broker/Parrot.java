@@ -25,14 +25,9 @@ interface Parrot {
     }
 
     /** A parrot that records its calls together with its name. */
-    final class Grey implements Parrot {
-        private final String name;
-        private final List<String> diary;
-        final Deque<Deferred<String>> later = new ArrayDeque<>();
-
+    record Grey(String name, List<String> diary, Deque<Deferred<String>> later) implements Parrot {
         Grey(String name, List<String> diary) {
-            this.name = name;
-            this.diary = diary;
+            this(name, diary, new ArrayDeque<>());
         }
 
         @Override
@@ -44,9 +39,8 @@ interface Parrot {
         @Override
         public Promise<String> sayLater(String text) {
             diary.add(name + " begins " + text);
-            var answer = new Deferred<String>(null);
-            later.add(answer);
-            return answer;
+            later.add(new Deferred<>(null));
+            return later.getLast();
         }
 
         @Override

@@ -4,23 +4,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.Operation.Kind;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.function.Function;
 import org.junit.jupiter.api.AfterEach;
 
-/**
- * Base class of the tests that every kind of bus must pass. Each test runs twice: with both sides on one node, and with
- * two nodes that exchange only bytes.
- */
+/** Base class of the tests of a bus, with both sides on one node, or on two nodes that exchange only bytes. */
 abstract class BusContract {
     /** The placement of the two sides of a test. */
     enum Wiring {
-        /** Both sides on one {@link Bus}. */
         ONE_NODE,
-        /** Each side on a node; the nodes exchange only bytes. */
         TWO_NODES
     }
 
@@ -41,13 +38,11 @@ abstract class BusContract {
     }
 
     static final BusTopic<Chain> CHAINS = new BusTopic<>("chains", Chain.class);
-    static final Operation<Count, Chain> FORGE =
-            new Operation<>("forge", Count.class, Chain.class, Operation.Kind.DATA);
     static final BusTopic<Count> COUNTS = new BusTopic<>("counts", Count.class);
     static final BusTopic<Ranges> RANGES = new BusTopic<>("ranges", Ranges.class);
-    static final Operation<Count, Text> SPELL = new Operation<>("spell", Count.class, Text.class, Operation.Kind.DATA);
-    static final Operation<Count, Text> START =
-            new Operation<>("start", Count.class, Text.class, Operation.Kind.CONTROL);
+    static final Operation<Count, Chain> FORGE = new Operation<>("forge", Count.class, Chain.class, Kind.DATA);
+    static final Operation<Count, Text> SPELL = new Operation<>("spell", Count.class, Text.class, Kind.DATA);
+    static final Operation<Count, Text> START = new Operation<>("start", Count.class, Text.class, Kind.CONTROL);
     static final Duration SECOND = Duration.ofSeconds(1);
     static final int CAPACITY = 4;
 
@@ -55,45 +50,18 @@ abstract class BusContract {
     final List<Loss> losses = new ArrayList<>();
     final List<BusMessage> passed = new ArrayList<>();
     final List<Throwable> failures = new ArrayList<>();
-
-    private final BytePipe pipe = new BytePipe(test.space());
-    private final Bus near;
-    private final Bus far;
+    final BytePipe pipe = new BytePipe(test.space());
+    final Bus near;
+    final Bus far;
 
     BusContract(Wiring wiring) {
         if (wiring == Wiring.ONE_NODE) {
-            var bus = Bus.inProcess("robots", settings());
-            near = bus;
-            far = bus;
+            near = Bus.inProcess("robots", settings());
+            far = near;
         } else {
             near = pipe.open("near", settings());
             far = pipe.open("far", settings());
         }
-    }
-
-    final Bus near() {
-        return near;
-    }
-
-    final Bus far() {
-        return far;
-    }
-
-    final BusMetrics nearMetrics() {
-        return near.metrics();
-    }
-
-    final BusMetrics farMetrics() {
-        return far.metrics();
-    }
-
-    final long bytesCarried() {
-        return pipe.bytesCarried();
-    }
-
-    /** Delivers pending messages to the far side without running the space in between. */
-    final void arrive() {
-        pipe.carryAll();
     }
 
     final BusSettings settings() {
@@ -117,14 +85,14 @@ abstract class BusContract {
 
     @AfterEach
     void nothingIsLeft() {
-        far().close();
-        near().close();
+        far.close();
+        near.close();
         test.close();
         assertThat(losses).as("losses no test took").isEmpty();
         assertThat(failures).as("failures no test took").isEmpty();
     }
 
-    final <T> List<T> take(List<T> from) {
+    static <T> List<T> take(List<T> from) {
         var taken = List.copyOf(from);
         from.clear();
         return taken;
@@ -135,16 +103,28 @@ abstract class BusContract {
         return losses.removeFirst();
     }
 
+    final void assertTakenLosses(int count, Class<? extends Loss> type) {
+        assertThat(take(losses)).hasSize(count).allMatch(type::isInstance);
+    }
+
     final String refusalOf(Promise<?> promise) {
         Throwable error = test.error(promise);
         assertThat(error).isInstanceOf(BusException.class);
         return String.valueOf(error.getMessage());
     }
 
-    /** Registers a listener, so that a rejection is not reported as unhandled. */
-    static <T> Promise<T> heard(Promise<T> promise) {
-        promise.handle((value, error) -> value);
-        return promise;
+    /** A handler of {@link #SPELL} on the far side. */
+    final BusPort speller(Function<Count, Promise<Text>> handler) {
+        var port = far.attach("speller");
+        port.answer(SPELL, handler::apply);
+        return port;
+    }
+
+    /** Asks with a listener, so that a rejection is not reported as unhandled. */
+    static Promise<Text> ask(BusPort requester, BusPort handler, int number) {
+        var answer = requester.ask(handler.address(), SPELL, new Count(number), SECOND);
+        answer.handle((value, error) -> value);
+        return answer;
     }
 
     static Promise<Text> spelt(Count count) {

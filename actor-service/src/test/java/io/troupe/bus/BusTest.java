@@ -7,30 +7,27 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.testkit.TestSpace;
-import io.troupe.bus.BusContract.Count;
-import io.troupe.bus.BusContract.Text;
 import java.lang.ref.WeakReference;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.logging.Handler;
 import java.util.logging.Level;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-class BusTest {
-    private final TestSpace test = new TestSpace();
-    private final List<Loss> losses = new ArrayList<>();
+/** Behaviour that is specific to one node, or to two nodes that exchange bytes. */
+class BusTest extends BusContract {
     private final Bus bus = Bus.inProcess("robots", BusSettings.on(test.space()).withObserver(losses::add));
 
+    BusTest() {
+        super(Wiring.TWO_NODES);
+    }
+
     @AfterEach
-    void nothingIsLeft() {
+    void closeBus() {
         bus.close();
-        test.close();
-        assertThat(losses).isEmpty();
     }
 
     /** Values from code without type checks (unchecked casts). */
@@ -47,8 +44,8 @@ class BusTest {
     @Test
     void registrationOutsideEverySpace_meansOnTheSpaceOfTheSettings() {
         var here = new ArrayList<ActorSpace>();
-        bus.attach("a").subscribe(BusContract.COUNTS, (count, from) -> here.add(ActorSpace.current()));
-        bus.attach("b").publish(BusContract.COUNTS, new Count(1));
+        bus.attach("a").subscribe(COUNTS, (count, from) -> here.add(ActorSpace.current()));
+        bus.attach("b").publish(COUNTS, new Count(1));
         test.crank();
         assertThat(here).containsExactly(test.space());
     }
@@ -64,8 +61,7 @@ class BusTest {
 
     @Test
     void settings_refuseWhatMakesNoSense() {
-        assertThatThrownBy(() -> BusSettings.on(test.space()).withCapacity(0))
-                .hasMessage("capacity is 0 messages, expected 1 or more");
+        assertThatThrownBy(() -> settings().withCapacity(0)).hasMessage("capacity is 0 messages, expected 1 or more");
         assertThatThrownBy(() -> Bus.inProcess("a/b")).hasMessageContaining("\"a/b\"");
         assertThatThrownBy(() -> bus.attach(" ")).hasMessageContaining("the name of an address is \" \"");
     }
@@ -73,15 +69,15 @@ class BusTest {
     @Test
     void registrationOnASpaceThatIsClosed_isRefused() {
         var closed = ActorSpace.create(SpaceSettings.named("closed").withHandCrank());
-        var other = Bus.inProcess("other", BusSettings.on(closed));
-        var port = other.attach("a");
-        closed.close();
-        assertThatThrownBy(() -> port.subscribe(BusContract.COUNTS, (count, from) -> {}))
-                .isInstanceOf(BusException.class)
-                .hasMessage("other/a cannot subscribe to counts: space closed was closed");
-        assertThatThrownBy(() -> port.answer(BusContract.SPELL, count -> new Deferred<>()))
-                .hasMessage("other/a cannot answer spell: space closed was closed");
-        other.close();
+        try (var other = Bus.inProcess("other", BusSettings.on(closed))) {
+            var port = other.attach("a");
+            closed.close();
+            assertThatThrownBy(() -> port.subscribe(COUNTS, (count, from) -> {}))
+                    .isInstanceOf(BusException.class)
+                    .hasMessage("other/a cannot subscribe to counts: space closed was closed");
+            assertThatThrownBy(() -> port.answer(SPELL, count -> new Deferred<>()))
+                    .hasMessage("other/a cannot answer spell: space closed was closed");
+        }
     }
 
     @Test
@@ -90,11 +86,10 @@ class BusTest {
         var requesters = ActorSpace.create(
                 SpaceSettings.named("askers").withHandCrank().withOnError((where, error) -> unheard.add(error)));
         var handler = bus.attach("answerer");
-        handler.answer(BusContract.SPELL, count -> new Deferred<>());
+        handler.answer(SPELL, count -> new Deferred<>());
         var requester = bus.attach("asker");
         var answers = new ArrayList<Promise<Text>>();
-        requesters.execute(() ->
-                answers.add(requester.ask(handler.address(), BusContract.SPELL, new Count(1), BusContract.SECOND)));
+        requesters.execute(() -> answers.add(requester.ask(handler.address(), SPELL, new Count(1), SECOND)));
         requesters.crank();
         test.crank();
         requesters.close();
@@ -107,45 +102,40 @@ class BusTest {
 
     @Test
     void requestsWhoseRequestersHaveGivenUp_makeRoomAtTheirHandler() {
-        var small = Bus.inProcess(
-                "small",
-                BusSettings.on(test.space()).withCapacity(BusContract.CAPACITY).withObserver(losses::add));
-        var handler = small.attach("answerer");
-        handler.answer(BusContract.SPELL, count -> new Deferred<>());
-        var requester = small.attach("asker");
-        for (int round = 0; round < 3; round++) {
-            List<Promise<Text>> answers = new ArrayList<>();
-            for (int i = 0; i < BusContract.CAPACITY; i++) {
-                answers.add(requester.ask(handler.address(), BusContract.SPELL, new Count(i), BusContract.SECOND));
+        try (var small = Bus.inProcess("small", settings())) {
+            var handler = small.attach("answerer");
+            handler.answer(SPELL, count -> new Deferred<>());
+            var requester = small.attach("asker");
+            for (int round = 0; round < 3; round++) {
+                List<Promise<Text>> answers = new ArrayList<>();
+                for (int i = 0; i < CAPACITY; i++) {
+                    answers.add(ask(requester, handler, i));
+                }
+                test.crank();
+                assertThat(answers).noneMatch(Promise::isDone);
+                assertThat(test.error(ask(requester, handler, 9)))
+                        .hasMessageEndingWith("4 questions for spell are being answered");
+                answers.removeFirst().cancel();
+                answers.add(ask(requester, handler, 9));
+                test.crank();
+                assertThat(answers).as("the cancelled one has made room").noneMatch(Promise::isDone);
+                test.advance(SECOND.multipliedBy(2));
+                assertThat(answers).extracting(test::error).hasOnlyElementsOfType(BusTimeoutException.class);
             }
-            test.crank();
-            assertThat(answers).noneMatch(Promise::isDone);
-            var tooMany = requester.ask(handler.address(), BusContract.SPELL, new Count(9), BusContract.SECOND);
-            assertThat(test.error(tooMany)).hasMessageEndingWith("4 questions for spell are being answered");
-            answers.removeFirst().cancel();
-            var instead = requester.ask(handler.address(), BusContract.SPELL, new Count(9), BusContract.SECOND);
-            test.crank();
-            assertThat(instead.isDone()).as("the cancelled one has made room").isFalse();
-            answers.add(instead);
-            test.advance(BusContract.SECOND.multipliedBy(2));
-            assertThat(answers)
-                    .allSatisfy(each -> assertThat(test.error(each)).isInstanceOf(BusTimeoutException.class));
+            assertTakenLosses(3, Loss.Undeliverable.class);
         }
-        assertThat(losses).hasSize(3).allMatch(Loss.Undeliverable.class::isInstance);
-        losses.clear();
-        small.close();
     }
 
     @Test
     void requestsThatAreCancelled_areNotKeptUntilTheirLimit() {
         var handler = bus.attach("answerer");
-        handler.answer(BusContract.SPELL, count -> new Deferred<>());
+        handler.answer(SPELL, count -> new Deferred<>());
         var requester = bus.attach("asker");
         var questions = new ArrayList<WeakReference<Count>>();
         for (int i = 0; i < 20; i++) {
             var request = new Count(i);
             questions.add(new WeakReference<>(request));
-            var answer = requester.ask(handler.address(), BusContract.SPELL, request, Duration.ofDays(1));
+            var answer = requester.ask(handler.address(), SPELL, request, Duration.ofDays(1));
             test.crank();
             answer.cancel();
         }
@@ -165,54 +155,74 @@ class BusTest {
         var publisher = bus.attach("publisher");
         var subscriber = bus.attach("subscriber");
         var other = bus.attach("other");
-        var ofText = new BusTopic<>(BusContract.COUNTS.name(), Text.class);
-        publisher.publish(BusContract.COUNTS, new Count(1));
-        publisher.publish(BusContract.COUNTS, new Count(2));
-        subscriber.subscribe(BusContract.COUNTS, (count, from) -> {}).close();
+        var ofText = new BusTopic<>(COUNTS.name(), Text.class);
+        publisher.publish(COUNTS, new Count(1));
+        publisher.publish(COUNTS, new Count(2));
+        subscriber.subscribe(COUNTS, (count, from) -> {}).close();
         publisher.close();
         assertThatThrownBy(() -> other.publish(ofText, new Text("1")))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("expected one type for one name");
         subscriber.close();
         other.publish(ofText, new Text("1"));
-        assertThatThrownBy(() -> bus.attach("late").publish(BusContract.COUNTS, new Count(3)))
+        assertThatThrownBy(() -> bus.attach("late").publish(COUNTS, new Count(3)))
                 .isInstanceOf(IllegalArgumentException.class);
     }
 
     @Test
+    void fewMessagesAtATime_soThatOthersOnTheSpaceHaveTheirTurn() {
+        var received = new ArrayList<String>();
+        var port = bus.attach("a");
+        port.subscribe(COUNTS, (count, from) -> received.add("slow"));
+        var publisher = bus.attach("b");
+        for (int i = 0; i < 20; i++) {
+            publisher.publish(COUNTS, new Count(i));
+        }
+        port.subscribe(COUNTS, (count, from) -> received.add("other"));
+        publisher.publish(COUNTS, new Count(20));
+        test.crank();
+        assertThat(received).hasSize(22);
+        assertThat(received.indexOf("other"))
+                .as("in the midst of the slow one's")
+                .isBetween(1, 19);
+    }
+
+    // ---- observers
+
+    @Test
     void errorsOfTheObserver_endNoSubscription_andNoAnswering() {
-        var other = Bus.inProcess("other", new BusSettings(test.space(), 1, loss -> {
-            throw new NoClassDefFoundError("observer");
-        }));
-        var heard = new ArrayList<Integer>();
-        other.attach("a").subscribe(BusContract.COUNTS, (count, from) -> {
-            heard.add(count.value());
-            throw new StackOverflowError("subscriber");
-        });
-        var port = other.attach("b");
-        port.answer(BusContract.SPELL, BusContract::spelt);
+        var received = new ArrayList<Integer>();
         var answers = new ArrayList<Promise<Text>>();
-        logged(() -> {
-            for (int round = 0; round < 3; round++) {
-                for (int i = 0; i < 2; i++) { // the second exceeds the capacity
-                    port.publish(BusContract.COUNTS, new Count(10 * round + i));
-                    var answer = port.ask(port.address(), BusContract.SPELL, new Count(i), BusContract.SECOND);
-                    answers.add(BusContract.heard(answer));
+        try (var other = Bus.inProcess("other", new BusSettings(test.space(), 1, loss -> {
+            throw new NoClassDefFoundError("observer");
+        }))) {
+            other.attach("a").subscribe(COUNTS, (count, from) -> {
+                received.add(count.value());
+                throw new StackOverflowError("subscriber");
+            });
+            var port = other.attach("b");
+            port.answer(SPELL, BusContract::spelt);
+            logged(() -> {
+                for (int round = 0; round < 3; round++) {
+                    for (int i = 0; i < 2; i++) { // the second exceeds the capacity
+                        port.publish(COUNTS, new Count(10 * round + i));
+                        answers.add(ask(port, port, i));
+                    }
+                    test.crank();
                 }
-                test.crank();
-            }
-        });
-        assertThat(heard).containsExactly(1, 11, 21);
-        assertThat(answers)
-                .allMatch(Promise::isDone)
-                .filteredOn(each -> !each.isRejected())
-                .hasSize(3);
-        other.close();
+            });
+            assertThat(received).containsExactly(1, 11, 21);
+            assertThat(answers)
+                    .allMatch(Promise::isDone)
+                    .filteredOn(each -> !each.isRejected())
+                    .hasSize(3);
+        }
     }
 
     @Test
     void observerThatThrows_disturbsNobody() {
-        var other = Bus.inProcess("other", BusSettings.on(test.space()).withObserver(new BusObserver() {
+        var received = new ArrayList<Integer>();
+        var observer = new BusObserver() {
             @Override
             public void lost(Loss loss) {
                 throw new IllegalStateException("broken");
@@ -222,81 +232,94 @@ class BusTest {
             public void passed(BusMessage message) {
                 throw new IllegalStateException("broken");
             }
-        }));
-        var heard = new ArrayList<Integer>();
-        other.attach("a").subscribe(BusContract.COUNTS, (count, from) -> heard.add(count.value()));
-        var records = logged(() -> {
-            other.attach("b").publish(BusContract.COUNTS, new Count(1));
-            test.crank();
-        });
-        assertThat(heard).containsExactly(1);
-        assertThat(records).singleElement().satisfies(record -> {
-            assertThat(record.getLevel()).isEqualTo(Level.SEVERE);
-            assertThat(record.getMessage()).isEqualTo("the observer of a bus failed");
-        });
-        other.close();
+        };
+        try (var other = Bus.inProcess("other", BusSettings.on(test.space()).withObserver(observer))) {
+            other.attach("a").subscribe(COUNTS, (count, from) -> received.add(count.value()));
+            var records = logged(() -> {
+                other.attach("b").publish(COUNTS, new Count(1));
+                test.crank();
+            });
+            assertThat(received).containsExactly(1);
+            assertThat(records)
+                    .extracting(record -> record.getLevel() + " " + record.getMessage())
+                    .containsExactly(Level.SEVERE + " the observer of a bus failed");
+        }
     }
 
     @Test
     void loggingObserver_warnsOfLosses_ofDroppedOnesRarely() {
-        var other = Bus.inProcess("other", BusSettings.on(test.space()).withCapacity(1));
-        var heard = new ArrayList<Integer>();
-        other.attach("a").subscribe(BusContract.COUNTS, (count, from) -> heard.add(count.value()));
-        var publisher = other.attach("b");
-        var records = logged(() -> {
-            for (int i = 1; i <= 9; i++) {
-                publisher.publish(BusContract.COUNTS, new Count(i));
-            }
-        });
-        test.crank();
-        assertThat(heard).containsExactly(9);
-        assertThat(records).hasSize(4).allMatch(record -> record.getLevel() == Level.WARNING);
-        assertThat(records.getFirst().getMessage())
-                .isEqualTo("other/a is too slow: its oldest publication on counts from other/b (number 1) was dropped,"
-                        + " 1 so far");
-        assertThat(records.getLast().getMessage()).endsWith("8 so far");
-        other.close();
+        var received = new ArrayList<Integer>();
+        try (var other = Bus.inProcess("other", BusSettings.on(test.space()).withCapacity(1))) {
+            other.attach("a").subscribe(COUNTS, (count, from) -> received.add(count.value()));
+            var publisher = other.attach("b");
+            var records = logged(() -> {
+                for (int i = 1; i <= 9; i++) {
+                    publisher.publish(COUNTS, new Count(i));
+                }
+            });
+            test.crank();
+            assertThat(received).containsExactly(9);
+            assertThat(records).hasSize(4).allMatch(record -> record.getLevel() == Level.WARNING);
+            assertThat(records.getFirst().getMessage())
+                    .isEqualTo("other/a is too slow: its oldest publication on counts from other/b (number 1)"
+                            + " was dropped, 1 so far");
+            assertThat(records.getLast().getMessage()).endsWith("8 so far");
+        }
     }
 
     private static List<LogRecord> logged(Runnable body) {
         var records = new ArrayList<LogRecord>();
         var logger = Logger.getLogger(Bus.class.getName());
-        var handler = new Handler() {
-            @Override
-            public void publish(LogRecord record) {
-                records.add(record);
-            }
-
-            @Override
-            public void flush() {}
-
-            @Override
-            public void close() {}
-        };
-        logger.addHandler(handler);
-        logger.setUseParentHandlers(false);
+        logger.setFilter(record -> !records.add(record)); // recorded, and not shown
         try {
             body.run();
         } finally {
-            logger.removeHandler(handler);
-            logger.setUseParentHandlers(true);
+            logger.setFilter(null);
         }
         return records;
     }
 
+    // ---- two nodes
+
     @Test
-    void fewMessagesAtATime_soThatOthersOnTheSpaceHaveTheirTurn() {
-        var heard = new ArrayList<String>();
-        var port = bus.attach("a");
-        port.subscribe(BusContract.COUNTS, (count, from) -> heard.add("slow"));
-        var publisher = bus.attach("b");
-        for (int i = 0; i < 20; i++) {
-            publisher.publish(BusContract.COUNTS, new Count(i));
+    void messages_goAsBytes_andAreTheSame_onBothSides() {
+        far.attach("a").answer(SPELL, count -> Promise.of(new Text("x")));
+        var answer = near.attach("b").ask(new Address("far", "a"), SPELL, new Count(1), SECOND);
+        assertThat(pipe.bytesCarried()).isZero();
+        test.get(answer);
+        assertThat(pipe.bytesCarried()).isPositive();
+        var seen = take(passed);
+        assertThat(seen).hasSize(4);
+        assertThat(seen.get(1)).isEqualTo(seen.get(0)).isNotSameAs(seen.get(0));
+        assertThat(seen.get(3)).isEqualTo(seen.get(2)).isNotSameAs(seen.get(2));
+    }
+
+    @Test
+    void requestsWhoseRequestersHaveGivenUp_makeRoomAtTheirHandler_onAnotherNode() {
+        var kept = new ArrayList<Deferred<Text>>();
+        var handler = speller(count -> {
+            kept.add(new Deferred<>(test.space()));
+            return kept.getLast();
+        });
+        var here = far.attach("near-by");
+        var ownAnswer = here.ask(handler.address(), SPELL, new Count(0), SECOND.multipliedBy(100));
+        var requester = near.attach("b");
+        for (int round = 0; round < 3; round++) {
+            for (int i = 0; i < CAPACITY - 1; i++) {
+                var unanswered = ask(requester, handler, i);
+                test.crank();
+                assertThat(unanswered.isDone()).isFalse();
+                test.advance(SECOND);
+                assertThat(test.error(unanswered)).isInstanceOf(BusTimeoutException.class);
+            }
         }
-        port.subscribe(BusContract.COUNTS, (count, from) -> heard.add("other"));
-        publisher.publish(BusContract.COUNTS, new Count(20));
+        assertThat(kept).hasSize(1 + 3 * (CAPACITY - 1));
+        var answer = ask(requester, handler, 7);
         test.crank();
-        assertThat(heard).hasSize(22);
-        assertThat(heard.indexOf("other")).as("in the midst of the slow one's").isBetween(1, 19);
+        assertThat(losses).isEmpty();
+        kept.forEach(each -> each.resolve(new Text("at last")));
+        assertThat(test.get(answer)).isEqualTo(new Text("at last"));
+        assertThat(test.get(ownAnswer)).as("of the node itself").isEqualTo(new Text("at last"));
+        assertTakenLosses(3 * (CAPACITY - 1), Loss.Late.class);
     }
 }

@@ -18,11 +18,14 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
+import java.util.function.IntConsumer;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-@Timeout(600)
+/** Several threads use one bus. {@link Soak} repeats some of these tests with ports that come and go. */
 class BusThreadsTest {
     private static final Duration LONG = Duration.ofMinutes(10);
     private static final int THREADS = 4;
@@ -33,6 +36,7 @@ class BusThreadsTest {
     private final AtomicLong dropped = new AtomicLong();
     private final LongAdder late = new LongAdder();
     private final ConcurrentLinkedQueue<Loss> others = new ConcurrentLinkedQueue<>();
+    private final ConcurrentLinkedQueue<String> wrong = new ConcurrentLinkedQueue<>();
 
     private ActorSpace space(String name) {
         var space = ActorSpace.create(SpaceSettings.named(name));
@@ -41,6 +45,9 @@ class BusThreadsTest {
     }
 
     private Bus open(int capacity) {
+        dropped.set(0);
+        late.reset();
+        others.clear();
         return Bus.inProcess("robots", new BusSettings(space("outsiders"), capacity, loss -> {
             switch (loss) {
                 case Loss.Dropped one -> dropped.incrementAndGet();
@@ -51,21 +58,54 @@ class BusThreadsTest {
     }
 
     @AfterEach
-    void close() {
+    void closeSpaces() {
         spaces.forEach(ActorSpace::close);
+        spaces.clear();
     }
 
-    /** A subscriber on a separate space that checks order and repetition of the values it receives. */
-    private static final class Listener {
-        private final Map<Address, Integer> last = new HashMap<>();
-        private final List<String> wrong = new ArrayList<>();
-        private final Deferred<Integer> end = new Deferred<>();
-        private int heard;
+    private static <T> T await(Promise<T> promise) {
+        try {
+            return promise.get(LONG);
+        } catch (Exception failure) {
+            throw new AssertionError(failure);
+        }
+    }
 
-        void receive(Count count, Address from) {
-            heard++;
+    private static void inThreads(int threads, IntConsumer body) {
+        var running = new ArrayList<Thread>();
+        for (int i = 0; i < threads; i++) {
+            int number = i;
+            running.add(Thread.ofPlatform().start(() -> body.accept(number)));
+        }
+        try {
+            for (Thread thread : running) {
+                thread.join();
+            }
+        } catch (InterruptedException failure) {
+            throw new AssertionError(failure);
+        }
+    }
+
+    // ---- values
+
+    /** A subscriber on a separate space that checks order and repetition of the values of each publisher. */
+    private final class Listener {
+        private final Map<Address, Integer> last = new HashMap<>();
+        private final Deferred<Integer> end = new Deferred<>();
+        private final LongAdder received;
+
+        Listener(LongAdder received) {
+            this.received = received;
+        }
+
+        BusPort.Subscription subscribe(BusPort port, ActorSpace space) {
+            return await(space.sequential(() -> port.subscribe(BusContract.COUNTS, this::receive)));
+        }
+
+        private void receive(Count count, Address from) {
+            received.increment();
             if (count.equals(END)) {
-                end.resolve(heard);
+                end.resolve(received.intValue());
                 return;
             }
             int before = last.getOrDefault(from, -1);
@@ -76,88 +116,131 @@ class BusThreadsTest {
         }
     }
 
-    static void inThreads(int threads, java.util.function.IntConsumer body) throws InterruptedException {
-        var running = new ArrayList<Thread>();
-        for (int i = 0; i < threads; i++) {
-            int number = i;
-            running.add(Thread.ofPlatform().start(() -> body.accept(number)));
-        }
-        for (Thread thread : running) {
-            thread.join();
+    private static void publish(BusPort port, int values) {
+        for (int value = 0; value < values; value++) {
+            port.publish(BusContract.COUNTS, new Count(value));
         }
     }
 
-    private List<Listener> publishToThreeSpaces(Bus bus) throws Exception {
-        var listeners = new ArrayList<Listener>();
-        for (int i = 0; i < 3; i++) {
-            var port = bus.attach("listener" + i);
-            var listener = new Listener();
-            listeners.add(listener);
-            space("space" + i)
-                    .sequential(() -> port.subscribe(BusContract.COUNTS, listener::receive))
-                    .get(LONG);
-        }
-        inThreads(THREADS, number -> {
-            var port = bus.attach("publisher" + number);
-            for (int value = 0; value < VALUES; value++) {
-                port.publish(BusContract.COUNTS, new Count(value));
+    @Timeout(600)
+    @ParameterizedTest
+    @ValueSource(ints = {THREADS * VALUES + 1, 16})
+    void values_ofSeveralThreads_reachEverySpace_inOrder_onceEach_orAreCountedAsDropped(int capacity) {
+        long sent = THREADS * VALUES + 1;
+        try (var bus = open(capacity)) {
+            var listeners = new ArrayList<Listener>();
+            for (int i = 0; i < 3; i++) {
+                listeners.add(new Listener(new LongAdder()));
+                listeners.getLast().subscribe(bus.attach("listener" + i), space("space" + i));
             }
-        });
-        bus.attach("last").publish(BusContract.COUNTS, END);
-        for (var listener : listeners) {
-            listener.end.get(LONG);
-            assertThat(listener.wrong).isEmpty();
-        }
-        return listeners;
-    }
-
-    @Test
-    void values_ofSeveralThreads_reachEverySpace_inOrder_onceEach() throws Exception {
-        try (var bus = open(THREADS * VALUES + 1)) {
-            for (var listener : publishToThreeSpaces(bus)) {
-                assertThat(listener.end.get(LONG)).isEqualTo(THREADS * VALUES + 1);
+            inThreads(THREADS, number -> publish(bus.attach("publisher" + number), VALUES));
+            bus.attach("last").publish(BusContract.COUNTS, END);
+            var received =
+                    listeners.stream().map(each -> (long) await(each.end)).toList();
+            assertThat(wrong).isEmpty();
+            if (capacity == sent) {
+                assertThat(received).containsExactly(sent, sent, sent);
+                assertThat(dropped).hasValue(0);
             }
-            assertThat(dropped).hasValue(0);
-        }
-        assertThat(others).isEmpty();
-    }
-
-    @Test
-    void valuesThatAreDropped_areCountedOneByOne_andTheOthersKeepTheirOrder() throws Exception {
-        try (var bus = open(16)) {
-            long heard = 0;
-            for (var listener : publishToThreeSpaces(bus)) {
-                heard += listener.end.get(LONG);
-            }
-            assertThat(heard + dropped.get()).isEqualTo(3L * (THREADS * VALUES + 1));
-            assertThat(bus.metrics().queued()).isEqualTo(3L * (THREADS * VALUES + 1));
+            assertThat(received.stream().mapToLong(each -> each).sum() + dropped.get())
+                    .isEqualTo(3 * sent);
+            assertThat(bus.metrics().queued()).isEqualTo(3 * sent);
             assertThat(bus.metrics().dropped()).isEqualTo(dropped.get());
         }
         assertThat(others).isEmpty();
     }
 
+    @Test
+    void values_keepTheirOrder_andAddUp_whileSubscribersComeAndGo() {
+        int publishers = 2;
+        int comingAndGoing = 2;
+        int values = 3_000;
+        Soak.rounds(1, round -> {
+            var received = new LongAdder();
+            var receivedByTheFirst = new LongAdder();
+            var publishing = new AtomicInteger(publishers);
+            var left = space("left");
+            var right = space("right");
+            var bus = open(publishers * values);
+            new Listener(receivedByTheFirst).subscribe(bus.attach("first"), left);
+            inThreads(publishers + comingAndGoing, number -> {
+                if (number < publishers) {
+                    publish(bus.attach("publisher" + number), values);
+                    publishing.decrementAndGet();
+                    return;
+                }
+                var port = bus.attach("subscriber" + number);
+                for (int i = 0; i == 0 || publishing.get() > 0; i++) {
+                    var subscription = new Listener(received).subscribe(port, i % 2 == 0 ? left : right);
+                    Thread.yield();
+                    if (i % 3 == 0) {
+                        port.close();
+                        port = bus.attach("subscriber" + number);
+                    } else {
+                        subscription.close();
+                    }
+                }
+            });
+            while (receivedByTheFirst.sum() < publishers * values) {
+                await(left.sequential(() -> true));
+            }
+            bus.close();
+            for (var space : List.of(left, right)) {
+                await(space.sequential(() -> true));
+            }
+            var metrics = bus.metrics();
+            assertThat(wrong).isEmpty();
+            assertThat(receivedByTheFirst.sum()).isEqualTo(publishers * values);
+            assertThat(metrics.published()).isEqualTo(publishers * values);
+            assertThat(metrics.delivered()).isEqualTo(received.sum() + receivedByTheFirst.sum());
+            assertThat(metrics.queued())
+                    .isEqualTo(metrics.delivered() + metrics.failed() + metrics.dropped() + metrics.discarded());
+            closeSpaces();
+        });
+    }
+
+    // ---- requests
+
     /**
      * Requests from several threads to one address, while request handlers come and go. Each handler stays until it has
      * been used.
      */
-    static final class Requesters {
-        private final int lives;
-        final AtomicLong answered = new AtomicLong();
-        final AtomicLong refused = new AtomicLong();
-        final ConcurrentLinkedQueue<String> wrong = new ConcurrentLinkedQueue<>();
-        private final AtomicInteger asking;
+    private final class Requesters {
+        private final Bus bus = open(64);
+        private final ActorSpace home = space("answerers");
+        private final AtomicLong answered = new AtomicLong();
+        private final AtomicLong refused = new AtomicLong();
+        private final AtomicInteger asking = new AtomicInteger(THREADS - 1);
         private final CountDownLatch firstIsThere = new CountDownLatch(1);
 
-        Requesters(int requesters, int lives) {
-            this.asking = new AtomicInteger(requesters);
-            this.lives = lives;
+        void run(int questions, int lives) {
+            inThreads(THREADS, number -> {
+                if (number == 0) {
+                    comeAndGo(lives);
+                } else {
+                    ask(bus.attach("asker" + number), questions);
+                }
+            });
+            await(home.sequential(() -> true)); // the reply is counted after the requester has received it
+            assertThat(wrong).isEmpty();
+            assertThat(answered).as("found an answerer").hasPositiveValue();
+            var metrics = bus.metrics();
+            assertThat(metrics.asked()).isEqualTo(questions * (THREADS - 1L));
+            assertThat(metrics.answered()).isEqualTo(answered.get());
+            assertThat(metrics.refused()).isEqualTo(refused.get());
+            assertThat(metrics.answered() + metrics.refused()).isEqualTo(metrics.asked());
+            assertThat(metrics.timedOut()).isZero();
+            assertThat(metrics.late()).isEqualTo(late.sum());
+            assertThat(others).hasSize((int) metrics.undeliverable()).allMatch(Loss.Undeliverable.class::isInstance);
+            bus.close();
+            closeSpaces();
         }
 
-        void ask(BusPort requester, Address to, int questions) {
+        private void ask(BusPort requester, int questions) {
             try {
                 firstIsThere.await();
                 for (int i = 0; i < questions; i++) {
-                    ask(requester, to, new Count(i));
+                    ask(requester, new Count(i));
                 }
             } catch (InterruptedException interrupted) {
                 wrong.add(interrupted.toString());
@@ -166,11 +249,12 @@ class BusThreadsTest {
             }
         }
 
-        private void ask(BusPort requester, Address to, Count count) {
+        private void ask(BusPort requester, Count count) {
             try {
-                Text text = requester.ask(to, BusContract.SPELL, count, LONG).get(LONG);
+                var to = new Address("robots", "answerer");
+                var text = requester.ask(to, BusContract.SPELL, count, LONG).get(LONG);
                 answered.incrementAndGet();
-                if (!text.value().equals("" + count.value())) {
+                if (!text.equals(new Text("" + count.value()))) {
                     wrong.add(text + " for " + count);
                 }
             } catch (BusException none) {
@@ -181,17 +265,17 @@ class BusThreadsTest {
         }
 
         /** Makes sure that the requesters meet phases with and without a handler, independent of thread scheduling. */
-        void comeAndGo(Bus bus, ActorSpace home) {
+        private void comeAndGo(int lives) {
             for (int i = 0; i < lives; i++) {
                 long answeredBefore = answered.get();
-                var port = handler(bus, home);
+                var port = handler();
                 firstIsThere.countDown();
                 awaitMoreThan(answeredBefore, answered);
                 long refusedBefore = refused.get();
                 port.close();
                 awaitMoreThan(refusedBefore, refused);
             }
-            handler(bus, home);
+            handler();
         }
 
         private void awaitMoreThan(long before, AtomicLong count) {
@@ -201,44 +285,25 @@ class BusThreadsTest {
             }
         }
 
-        private static BusPort handler(Bus bus, ActorSpace home) {
+        private BusPort handler() {
             var port = bus.attach("answerer");
-            home.sequential(() -> {
-                        port.answer(BusContract.SPELL, count -> Promise.of(new Text("" + count.value())));
-                        return port;
-                    })
-                    .toCompletableFuture()
-                    .join();
-            return port;
+            return await(home.sequential(() -> {
+                port.answer(BusContract.SPELL, count -> Promise.of(new Text("" + count.value())));
+                return port;
+            }));
         }
     }
 
+    @Timeout(600)
     @Test
-    void everyRequest_isSettledOnce_whileHandlersComeAndGo() throws Exception {
-        int questions = 5_000;
-        var requesters = new Requesters(THREADS - 1, 300);
-        try (var bus = open(64)) {
-            var home = space("answerers");
-            var to = new Address("robots", "answerer");
-            inThreads(THREADS, number -> {
-                if (number == 0) {
-                    requesters.comeAndGo(bus, home);
-                } else {
-                    requesters.ask(bus.attach("asker" + number), to, questions);
-                }
-            });
-            home.sequential(() -> true).get(LONG); // the reply is counted after the requester has received it
-            assertThat(requesters.wrong).isEmpty();
-            assertThat(requesters.answered).as("found an answerer").hasPositiveValue();
-            assertThat(requesters.refused).as("found none").hasPositiveValue();
-            var metrics = bus.metrics();
-            assertThat(metrics.asked()).isEqualTo(questions * (THREADS - 1L));
-            assertThat(metrics.answered()).isEqualTo(requesters.answered.get());
-            assertThat(metrics.refused()).isEqualTo(requesters.refused.get());
-            assertThat(metrics.answered() + metrics.refused()).isEqualTo(metrics.asked());
-            assertThat(metrics.timedOut()).isZero();
-            assertThat(metrics.late()).isEqualTo(late.sum());
-            assertThat(others).hasSize((int) metrics.undeliverable()).allMatch(Loss.Undeliverable.class::isInstance);
-        }
+    void everyRequest_isSettledOnce_whileHandlersComeAndGo() {
+        var requesters = new Requesters();
+        requesters.run(5_000, 300);
+        assertThat(requesters.refused).as("found none").hasPositiveValue();
+    }
+
+    @Test
+    void requests_areSettledOnceEach() {
+        Soak.rounds(1, round -> new Requesters().run(1_000, 100));
     }
 }

@@ -322,7 +322,10 @@ class RemoteNodesTest {
         var purpose = new Purpose.Reply(NEAR, "spell", number);
         var other = new BusMessage.Data(new Address("far", "c"), purpose, 1, new Text("other"));
         arrives(farFrames.reply(other, purpose, engine.incarnation));
-        assertThat(take(losses)).hasSize(2).allMatch(each -> each.contains("is late: it is for a"));
+        var start = new Purpose.Reply(NEAR, "start", number);
+        arrives(farFrames.reply(new BusMessage.Data(FAR, start, 1, new Text("started")), start, engine.incarnation));
+        assertThat(answer.isDone()).isFalse();
+        assertThat(take(losses)).hasSize(3).allMatch(each -> each.contains("is late: it is for a"));
         arrives(reply(number, engine.incarnation, new Text("one")));
         assertThat(test.get(answer)).isEqualTo(new Text("one"));
     }
@@ -350,6 +353,18 @@ class RemoteNodesTest {
                 .contains("bytes, expected at most 1000");
         assertThat(take(losses)).hasSize(1);
         engine.sent.clear();
+    }
+
+    @Test
+    void replyThatAnErrorKeepsFromBeingSent_isFollowedByARejection() {
+        port.answer(SPELL, count -> Promise.of(new Text("one")));
+        engine.replyError = new StackOverflowError("in the engine");
+        arrives(request(1, SECOND, new Count(1)));
+        test.crank();
+        assertThat(engine.takeSent("far"))
+                .containsExactly(
+                        "reply far: Rejected[purpose=refusal to far/b for spell, kind=DATA, toIncarnation=77]");
+        assertThat(take(losses)).singleElement().asString().contains("java.lang.StackOverflowError: in the engine");
     }
 
     // ---- notices

@@ -17,7 +17,7 @@ final class ScriptedEngine implements BusEngine {
     RuntimeException failure;
 
     @Nullable
-    Error error;
+    Error replyError; // of the next reply
 
     @Nullable
     String why;
@@ -64,9 +64,6 @@ final class ScriptedEngine implements BusEngine {
         if (failure != null) {
             throw failure;
         }
-        if (error != null) {
-            throw error;
-        }
         sent.add(frame);
     }
 
@@ -77,6 +74,11 @@ final class ScriptedEngine implements BusEngine {
 
     @Override
     public void reply(String node, long toIncarnation, long number, byte[] frame) {
+        Error thrown = replyError;
+        replyError = null;
+        if (thrown != null) {
+            throw thrown;
+        }
         keep(new Sent("reply", node, number, frame));
     }
 

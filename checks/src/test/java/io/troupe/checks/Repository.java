@@ -5,7 +5,6 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
-import java.util.stream.Stream;
 
 /** The checkout that contains the running test. */
 public final class Repository {
@@ -22,12 +21,16 @@ public final class Repository {
         throw new IllegalStateException("no settings.gradle.kts in " + start + " or a folder above it");
     }
 
+    /** The text of a file in the root folder or below. */
+    public static String text(String path) throws IOException {
+        return Files.readString(root().resolve(path));
+    }
+
     /** The folders of all modules, by name: those with a POM. */
     public static List<Path> modules() {
         try (var folders = Files.list(root())) {
-            return folders.filter(folder -> Files.exists(folder.resolve("pom.xml")))
-                    .sorted()
-                    .toList();
+            var modules = folders.filter(folder -> Files.exists(folder.resolve("pom.xml")));
+            return modules.sorted().toList();
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }
@@ -36,28 +39,24 @@ public final class Repository {
     /** The Java sources of all modules, main and test. */
     public static List<Path> javaSources() {
         return modules().stream()
-                .map(module -> module.resolve("src"))
-                .filter(Files::isDirectory)
-                .flatMap(Repository::javaFilesIn)
+                .flatMap(module -> files(module.resolve("src"), ".java").stream())
                 .toList();
     }
 
     /** The Markdown pages of the root, of docs and of the modules, build output left out. */
     public static List<Path> markdownPages() {
-        try (var files = Files.walk(root())) {
-            return files.filter(file -> file.toString().endsWith(".md"))
-                    .filter(file ->
-                            !root().relativize(file).toString().matches("(?:.*/)?(?:target|build|out|\\.[^/]+)/.*"))
-                    .sorted()
-                    .toList();
-        } catch (IOException failure) {
-            throw new UncheckedIOException(failure);
-        }
+        return files(root(), ".md").stream()
+                .filter(file -> !root().relativize(file).toString().matches("(?:.*/)?(?:target|build|out|\\.[^/]+)/.*"))
+                .toList();
     }
 
-    private static Stream<Path> javaFilesIn(Path folder) {
+    /** The files of a folder and its folders whose paths end so, sorted; empty if there is no such folder. */
+    public static List<Path> files(Path folder, String end) {
+        if (!Files.isDirectory(folder)) {
+            return List.of();
+        }
         try (var files = Files.walk(folder)) {
-            return files.filter(file -> file.toString().endsWith(".java")).sorted().toList().stream();
+            return files.filter(file -> file.toString().endsWith(end)).sorted().toList();
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }

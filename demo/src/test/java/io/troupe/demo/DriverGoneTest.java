@@ -11,6 +11,7 @@ import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
 import io.troupe.common.text.NamedColours;
+import io.troupe.player.PlayerException;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.Frame;
@@ -24,7 +25,6 @@ import io.troupe.services.component.application.ApplicationSettings;
 import io.troupe.services.component.kinds.BehaviourComponent;
 import io.troupe.services.component.kinds.PlayerComponent;
 import io.troupe.services.subsumption.Arbitrator;
-import io.troupe.services.subsumption.Assignment;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.RobotServicesActor;
@@ -34,6 +34,7 @@ import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -43,9 +44,11 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.Callable;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -71,17 +74,14 @@ class DriverGoneTest {
             Simulation.open(ScenarioReader.read(Path.of("worlds", "paper-arena.cfg")), WorldSettings.DEFAULT);
 
     DriverGoneTest() {
-        var onlooker = PlayerPorts.find(PORT)
-                .orElseThrow()
-                .connect(
-                        new DataSink() {
-                            @Override
-                            public void frame(Frame frame) {}
+        var looking = new DataSink() {
+            @Override
+            public void frame(Frame frame) {}
 
-                            @Override
-                            public void lost(String reason) {}
-                        },
-                        null);
+            @Override
+            public void lost(String reason) {}
+        };
+        var onlooker = PlayerPorts.find(PORT).orElseThrow().connect(looking, null);
         onlooker.answers(false);
         onlooker.devices().stream()
                 .filter(device -> device.interfaceCode() == Interfaces.POSITION2D.code())
@@ -96,6 +96,10 @@ class DriverGoneTest {
     private boolean moves(int robot) {
         var odometry = simulation.latest().robots().get(robot).odometry();
         return odometry.forwardMps() != 0 || odometry.turnRadps() != 0;
+    }
+
+    private Pose pose(int robot) {
+        return simulation.latest().robots().get(robot).pose();
     }
 
     private void tick(int times) {
@@ -118,9 +122,9 @@ class DriverGoneTest {
         assertThat(moves(robot)).as("robot %d was driven until now", robot + 1).isTrue();
         simulation.lockStep(false);
         tick(HALF_A_SECOND_TICKS);
-        var pose = simulation.latest().robots().get(robot).pose();
+        var pose = pose(robot);
         tick(HALF_A_SECOND_TICKS);
-        assertThat(simulation.latest().robots().get(robot).pose())
+        assertThat(pose(robot))
                 .as("pose of robot %d after half a second, and after a second", robot + 1)
                 .isEqualTo(pose);
     }
@@ -135,6 +139,17 @@ class DriverGoneTest {
 
     // ---- services in this process
 
+    private SubsumptionRun.Settings settings(
+            Mode mode, int port, SubsumptionTable table, Arbitrator.StateListener listener) {
+        return new SubsumptionRun.Settings(
+                mode, "localhost", port, table, simulation.clock(), ServiceObserver.NONE, listener);
+    }
+
+    private SubsumptionRun start(Mode mode, Service ofRobot1, Service ofRobot2) throws InterruptedException {
+        var table = SubsumptionTable.forRobots(2).when(NamedColours.BLUE, ofRobot1, ofRobot2);
+        return SubsumptionRun.start(settings(mode, PORT, table.allowFinal().build(), (state, seenBy) -> {}));
+    }
+
     @ParameterizedTest
     @EnumSource
     void serviceThatHangsInItsCycle_andDrivesAgainWhenItGoesOn(Mode mode) throws Exception {
@@ -146,13 +161,7 @@ class DriverGoneTest {
             }
             return Optional.of(TURNING);
         });
-        var table = SubsumptionTable.forRobots(2)
-                .when(NamedColours.BLUE, Assignment.everyRobot(hanging))
-                .allowFinal()
-                .build();
-        var settings = new SubsumptionRun.Settings(
-                mode, "localhost", PORT, table, simulation.clock(), ServiceObserver.NONE, (state, seenBy) -> {});
-        try (var run = SubsumptionRun.start(settings)) {
+        try (var run = start(mode, hanging, hanging)) {
             awaitMoving(0);
             awaitMoving(1);
             hangs.set(true); // the services of both robots share one thread
@@ -165,11 +174,50 @@ class DriverGoneTest {
         }
     }
 
+    /** The failure is reported after the tick in which it occurs. */
+    @ParameterizedTest
+    @EnumSource
+    void behaviourThatThrows_isThrownByCheck_andItsRobotStands(Mode mode) throws Exception {
+        int goodCycles = 5;
+        var failing = new Service("failing", true, () -> {
+            var cycles = new AtomicInteger();
+            return senses -> {
+                if (cycles.getAndIncrement() == goodCycles) {
+                    throw new IllegalStateException("out of ideas");
+                }
+                return Optional.of(new Velocity(0.1, 0));
+            };
+        });
+        try (var run = start(mode, Service.WALL_FOLLOWER, failing)) {
+            int readings = mode == Mode.SYNC ? 2 * goodCycles + 1 : goodCycles;
+            for (int tick = 0; tick < readings; tick++) {
+                simulation.tick();
+                run.check();
+            }
+            simulation.tick();
+            assertThatThrownBy(run::check)
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessage("out of ideas");
+            var stood = pose(1);
+            simulation.tick();
+            assertThat(pose(1)).isEqualTo(stood);
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void portWithoutAWorld_isToldAtTheStart(Mode mode) {
+        var nowhere = settings(mode, PORT - 1, SubsumptionTable.ofThePaper(), (state, seenBy) -> {});
+        assertThatThrownBy(() -> SubsumptionRun.start(nowhere))
+                .isInstanceOf(PlayerException.class)
+                .hasMessageContaining("6665");
+    }
+
     private ActorSpace space() {
         return ActorSpace.create(SpaceSettings.named("driver").withClock(simulation.clock()));
     }
 
-    private static void end(ActorSpace space) {
+    private static void end(ActorSpace space) { // the compiler warns of a close() in a try with resources
         space.close();
     }
 
@@ -184,16 +232,6 @@ class DriverGoneTest {
     }
 
     @Test
-    void actorThatIsStopped() {
-        try (var space = space()) {
-            var services = drive(space, PORT);
-            awaitMoving(0);
-            space.stop(services);
-            assertStandsAfterHalfASecond(0);
-        }
-    }
-
-    @Test
     void spaceThatIsClosed() {
         try (var space = space()) {
             drive(space, PORT);
@@ -204,15 +242,17 @@ class DriverGoneTest {
     }
 
     @Test
-    void spaceThatAnotherActorHolds_andItsServiceDrivesAgainAfterThat() {
+    void spaceThatAnotherActorHolds_andItsServiceDrivesAgainAfterThat_andActorThatIsStopped() {
         var goesOn = new CountDownLatch(1);
         try (var space = space()) {
-            drive(space, PORT);
+            var services = drive(space, PORT);
             awaitMoving(0);
             space.execute(() -> await(goesOn));
             assertStandsAfterHalfASecond(0);
             goesOn.countDown();
             awaitMoving(0);
+            space.stop(services);
+            assertStandsAfterHalfASecond(0);
         }
     }
 
@@ -224,15 +264,8 @@ class DriverGoneTest {
                 throw new IllegalStateException("no way on");
             }
         };
-        var settings = new SubsumptionRun.Settings(
-                Mode.PROMISE,
-                "localhost",
-                PORT,
-                SubsumptionTable.ofThePaper(),
-                simulation.clock(),
-                ServiceObserver.NONE,
-                failing);
-        try (var run = SubsumptionRun.start(settings)) {
+        var table = SubsumptionTable.ofThePaper();
+        try (var run = SubsumptionRun.start(settings(Mode.PROMISE, PORT, table, failing))) {
             for (int tick = 0; tick < 3_000 && states.get() < 2; tick++) {
                 simulation.tick(); // the newest snapshot still has the speeds of the previous reading
             }
@@ -245,7 +278,7 @@ class DriverGoneTest {
 
     // ---- components
 
-    private Application start(ActorSpace space, Bus bus, Supplier<Behaviour> law) throws Exception {
+    private void start(ActorSpace space, Bus bus, Supplier<Behaviour> law) throws Exception {
         var plan = ApplicationPlan.named("turning")
                 .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", PORT, List.of(1), false)))
                 .with("turner", BehaviourComponent.of("turner", "turning", List.of(), law))
@@ -254,20 +287,16 @@ class DriverGoneTest {
         var broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
         var application = new CompletableFuture<Application>();
         space.execute(() -> application.complete(Application.start(plan, bus, broker, ApplicationSettings.DEFAULT)));
-        Application begun = application.get(5, TimeUnit.MINUTES);
-        begun.started().get(Duration.ofMinutes(5));
+        application.get(5, TimeUnit.MINUTES).started().get(Duration.ofMinutes(5));
         awaitMoving(0);
-        return begun;
     }
 
     @Test
     void driverComponentThatFallsSilentWithoutALastWord_andDrivesAgain() throws Exception {
         var silent = new AtomicBoolean();
         try (var space = space()) {
-            start(
-                    space,
-                    Bus.inProcess("here", BusSettings.on(space)),
-                    () -> senses -> silent.get() ? Optional.empty() : Optional.of(TURNING));
+            var bus = Bus.inProcess("here", BusSettings.on(space));
+            start(space, bus, () -> senses -> silent.get() ? Optional.empty() : Optional.of(TURNING));
             silent.set(true);
             assertStandsAfterHalfASecond(0);
             silent.set(false);
@@ -306,57 +335,45 @@ class DriverGoneTest {
         try (var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0);
                 var cable = new Cable(tcp.port());
                 var space = space()) {
-            drive(space, cable.port());
+            drive(space, cable.listener.getLocalPort());
             awaitMoving(0);
-            cable.cut();
+            cable.cut = true;
             assertStandsAfterHalfASecond(0);
         }
     }
 
-    /** Forwards one TCP connection. After {@link #cut} both ends stay open, but no data are forwarded. */
+    /** Forwards one TCP connection. Once it is cut, both ends stay open, but no data are forwarded. */
     private static final class Cable implements AutoCloseable {
         private final ServerSocket listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
         private final List<Socket> ends = new CopyOnWriteArrayList<>();
         private volatile boolean cut;
 
         Cable(int serverPort) throws IOException {
-            Thread.ofVirtual().start(() -> {
-                try {
-                    var client = listener.accept();
-                    var server = new Socket(InetAddress.getLoopbackAddress(), serverPort);
-                    client.setTcpNoDelay(true);
-                    server.setTcpNoDelay(true);
-                    ends.add(client);
-                    ends.add(server);
-                    Thread.ofVirtual().start(() -> forward(client, server));
-                    forward(server, client);
-                } catch (IOException closed) {
-                    // closed by the test
+            start(() -> {
+                var client = listener.accept();
+                var server = new Socket(InetAddress.getLoopbackAddress(), serverPort);
+                for (var end : List.of(client, server)) {
+                    end.setTcpNoDelay(true);
+                    ends.add(end);
                 }
+                start(() -> forward(client, server));
+                return forward(server, client);
             });
         }
 
-        private void forward(Socket from, Socket to) {
+        /** The test ends the task by closing its sockets. */
+        private static void start(Callable<Boolean> task) {
+            Thread.ofVirtual().start(new FutureTask<>(task));
+        }
+
+        private boolean forward(Socket from, Socket to) throws IOException {
             var bytes = new byte[8192];
-            try {
-                for (int count = from.getInputStream().read(bytes);
-                        count > 0;
-                        count = from.getInputStream().read(bytes)) {
-                    if (!cut) {
-                        to.getOutputStream().write(bytes, 0, count);
-                    }
+            for (int count = 0; count >= 0; count = from.getInputStream().read(bytes)) {
+                if (!cut) {
+                    to.getOutputStream().write(bytes, 0, count);
                 }
-            } catch (IOException closed) {
-                // closed by the test
             }
-        }
-
-        int port() {
-            return listener.getLocalPort();
-        }
-
-        void cut() {
-            cut = true;
+            return cut;
         }
 
         @Override
@@ -386,14 +403,7 @@ class DriverGoneTest {
     @Test
     void processThatIsFrozen_drivesAgainWhenItGoesOn_andOneThatIsKilled() throws Exception {
         try (var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0)) {
-            var process = new ProcessBuilder(
-                            Path.of(System.getProperty("java.home"), "bin", "java")
-                                    .toString(),
-                            "-XX:TieredStopAtLevel=1",
-                            "-cp",
-                            System.getProperty("java.class.path"),
-                            Driver.class.getName(),
-                            String.valueOf(tcp.port()))
+            var process = CommandLineBench.jvm("-XX:TieredStopAtLevel=1", Driver.class, List.of("" + tcp.port()))
                     .redirectError(ProcessBuilder.Redirect.INHERIT)
                     .start();
             try {
@@ -413,7 +423,7 @@ class DriverGoneTest {
 
     /** Sends a signal and waits until it has taken effect. */
     private static boolean signal(Process process, String name) throws InterruptedException {
-        String pid = String.valueOf(process.pid());
+        String pid = "" + process.pid();
         try {
             if (new ProcessBuilder("kill", name, pid).start().waitFor() != 0) {
                 return false;
@@ -421,10 +431,8 @@ class DriverGoneTest {
             boolean stops = name.equals("-STOP");
             String state;
             do {
-                state = new ProcessBuilder("ps", "-o", "state=", "-p", pid)
-                        .start()
-                        .inputReader()
-                        .readLine();
+                var status = new ProcessBuilder("ps", "-o", "state=", "-p", pid).start();
+                state = status.inputReader().readLine();
             } while (state != null && state.startsWith("T") != stops);
             return state != null;
         } catch (IOException noSuchProgram) {

@@ -1,138 +1,44 @@
 package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
+import org.w3c.dom.Element;
 
-/** The command line: every usage error gives one clear line and exit status 2. */
-class MainTest {
-    private static final String WORLD = Path.of("worlds", "paper-arena.world").toString();
+/** The command line, and {@code troupe run}, {@code modes}, {@code crowd} and {@code draw}. */
+@Timeout(300)
+class MainTest extends CommandLineBench {
+    // ---- every usage error gives one clear line and exit status 2
 
-    private final StringWriter out = new StringWriter();
-    private final StringWriter err = new StringWriter();
-
-    @TempDir
-    private Path directory;
-
-    private int troupe(String... arguments) {
-        return Main.execute(new PrintWriter(out), new PrintWriter(err), arguments);
-    }
-
-    private void assertComplaint(int status, String... parts) {
-        assertThat(status).isEqualTo(2);
-        assertThat(err.toString().lines())
-                .singleElement()
-                .satisfies(line -> assertThat(line).startsWith("troupe: ").contains(parts));
+    @Test
+    void help_namesCommandsAndOptions_andHowToStart() {
+        assertThat(printed("")).startsWith("Usage: troupe").contains("evaluate", "Start with the main job: troupe run");
+        assertThat(printed("help run")).startsWith("Usage: troupe run").doesNotContain("Start with");
+        assertThat(printed("run --help"))
+                .contains("--world=FILE", "--seconds=N", "--seed=N", "--realtime", "--out=DIR");
     }
 
     @Test
-    void run_printsChangesAndSummary_andWritesBothFiles() {
-        assertThat(troupe(
-                        "run",
-                        "--world",
-                        WORLD,
-                        "--seconds",
-                        "2",
-                        "--out",
-                        directory.resolve("o").toString()))
-                .isZero();
-        assertThat(out.toString())
-                .contains("state 1: robot 1 wallFollower, robot 2 spaceWanderer", "times real time", "distance driven");
-        assertThat(directory.resolve("o/run.jsonl")).isNotEmptyFile();
-        assertThat(directory.resolve("o/trajectory.svg")).isNotEmptyFile();
-        assertThat(err.toString()).isEmpty();
-    }
-
-    @Test
-    void fileThatCannotBeWritten_isOneLineWithoutNamesOfClasses() {
-        Path file = directory.resolve("missing/session.txt");
-        assertThat(troupe("serve", "--world", WORLD, "--port", "0", "--record", file.toString()))
-                .isEqualTo(Main.USAGE);
-        assertThat(err.toString().lines())
-                .containsExactly("troupe: --record is " + file + ", but there is no directory " + file.getParent()
-                        + " (see troupe serve --help)");
-    }
-
-    @Test
-    void netFileThatIsNone_isOneLine() throws IOException {
-        Path file = Files.writeString(
-                directory.resolve("bad.pnml"), "<pnml xmlns=\"http://www.pnml.org/version-2009/grammar/pnml\">");
-        assertComplaint(
-                troupe("verify", "--net", file.toString(), "--out", directory.toString()), "bad.pnml", "troupe verify");
-    }
-
-    @Test
-    void netWithMoreTokensThanAnIntHolds_isOneLine() {
-        Path file = directory.resolve("many.pnml");
-        Pnml.write(
-                PetriNet.builder("many")
-                        .place("p", Integer.MAX_VALUE)
-                        .transition("t", List.of(), List.of("p"))
-                        .build(),
-                file);
-
-        assertComplaint(
-                troupe("verify", "--net", file.toString(), "--out", directory.toString()),
-                "many.pnml",
-                "place p would hold 2147483648 tokens");
-    }
-
-    @ParameterizedTest
-    @ValueSource(strings = {"run", "verify"})
-    void version_ofACommand_isThatOfTroupe(String command) {
-        assertThat(troupe(command, "--version")).isZero();
-        assertThat(out.toString()).startsWith("Troupe ");
-    }
-
-    @Test
-    void wrongOption() {
-        assertComplaint(troupe("run", "--sed", "1"), "--sed", "troupe run --help");
-    }
-
-    @Test
-    void wrongCommand() {
-        assertComplaint(troupe("dance"), "dance");
-    }
-
-    @Test
-    void wrongNumber() {
-        assertComplaint(troupe("run", "--seconds", "soon"), "--seconds", "soon");
-    }
-
-    @Test
-    void numberOutOfRange() {
-        assertComplaint(troupe("run", "--seconds", "-3"), "--seconds is -3.0", "above 0");
-    }
-
-    @Test
-    void nothing_printsTheHelp_andHowToStart() {
-        assertThat(troupe()).isZero();
-        assertThat(out.toString())
-                .startsWith("Usage: troupe")
-                .contains("evaluate", "Start with the main job: troupe run");
-    }
-
-    @Test
-    void help_isACommandToo() {
-        assertThat(troupe("help", "run")).isZero();
-        assertThat(out.toString()).startsWith("Usage: troupe run").doesNotContain("Start with");
-    }
-
-    @Test
-    void program_isThatOfTheBuild() throws IOException {
+    void version_ofACommand_isThatOfTroupe_andOfTheBuild() throws IOException {
+        assertThat(printed("run --version")).startsWith("Troupe ");
+        assertThat(printed("verify --version")).startsWith("Troupe ");
         assertThat(Files.readString(Path.of("..", "pom.xml")))
                 .contains("<version>" + RunLog.PROGRAM.replace("Troupe ", "") + "</version>");
     }
@@ -141,18 +47,39 @@ class MainTest {
     @CsvSource(
             delimiter = '|',
             value = {
+                "dance | dance",
                 "rnu | there is no command 'rnu'; did you mean run?",
                 "eval | there is no command 'eval'; did you mean evaluate?",
                 "help rnu | did you mean run?",
-                "run --sed 1 | there is no option --sed; did you mean --seed?",
+                "run --sed 1 | there is no option --sed; did you mean --seed? .. troupe run --help",
                 "run --seconds=1 --realtme | there is no option --realtme; did you mean --realtime?",
                 "table a b | 'b' is one argument too many",
                 "run --seconds soon | --seconds is 'soon', expected a number (see",
+                "run --seconds -3 | --seconds is -3.0 .. above 0",
                 "run --seed 1.5 | --seed is '1.5', expected a whole number (see",
+                "run --mode magic | --mode .. magic .. SYNC, CALLBACK, PROMISE .. case-insensitive",
+                "run --mode sync --reconnect | --reconnect goes with --mode callback or promise .. connects once"
+                        + " .. troupe run --help",
+                "run --world worlds/track.world --out DIR/taken"
+                        + " | --out is DIR/taken, but DIR/taken is a file, expected a directory",
+                "run --robots 0 | --robots is 0, expected a number from 1 to 20000",
+                "run --robots 3 --colours 101 | --colours is 101, expected a number from 1 to 100",
+                "run --robots 3 --services 0 | --services is 0, expected a number from 1 to 100",
+                "run --robots 3 --hold -1 | --hold is -1.0, expected a number from 0 to 3600",
+                "run --services 3 | --services is 3, but there is no crowd: expected --robots as well",
+                "run --robots 3 --world x.world | --robots is 3 and --world is x.world, expected only one of them",
+                "run --robots 3 --table tables/paper.table"
+                        + " | --robots is 3, expected 2 as in --table tables/paper.table",
+                "run --robots 2 --services 3 --table tables/paper.table | --services is 3 beside --table",
+                "run --table nowhere.table | nowhere.table: no such file",
+                "crowd --sizes 3,0 | --sizes is 0, expected a number from 1 to 20000",
                 "serve --realtime --lock-step | troupe: --realtime, --lock-step are mutually exclusive",
+                "draw worlds/office.world --out DIR/missing/x.svg"
+                        + " | --out is DIR/missing/x.svg, but there is no directory DIR/missing",
             })
-    void slipOfTheFinger_isToldInPlainWords(String arguments, String problem) {
-        assertComplaint(troupe(arguments.split(" ")), problem);
+    void mistake_isToldInPlainWords(String line, String problem) throws IOException {
+        file("taken", "x");
+        assertRefused(line, problem.split(" \\.\\. "));
     }
 
     @ParameterizedTest
@@ -170,17 +97,98 @@ class MainTest {
                 "table",
                 "verify --net"
             })
-    void missingFile_isStatus2InEveryCommand(String arguments) {
-        String file = directory.resolve("nowhere").toString();
-        assertComplaint(troupe((arguments + " " + file).split(" ")), file + ": no such file, expected ", " --help)");
+    void missingFile_isStatus2InEveryCommand(String line) {
+        String help = "(see troupe " + line.split(" ")[0] + " --help)";
+        assertRefused(line + " DIR/nowhere", "DIR/nowhere: no such file, expected ", help);
     }
 
     @Test
-    void drawing_inADirectoryThatIsMissing_isStatus2() {
-        Path file = directory.resolve("missing/x.svg");
-        assertComplaint(
-                troupe("draw", "worlds/office.world", "--out", file.toString()),
-                "--out is " + file + ", but there is no directory " + file.getParent());
+    void fileThatCannotBeWritten_isOneLineWithoutNamesOfClasses_andANameThatCanBeNoFileIsToldWithTheEncoding() {
+        assertThat(troupe("serve " + ARENA + "--port 0 --record DIR/missing/session.txt"))
+                .isEqualTo(Main.USAGE);
+        assertThat(err.toString().lines())
+                .containsExactly(local("troupe: --record is DIR/missing/session.txt, but there is no directory"
+                        + " DIR/missing (see troupe serve --help)"));
+
+        assertRefused("draw a\0b", "'a\0b' can be no file here, where names are in ");
+    }
+
+    @Test
+    void mistakeInAFile_isToldWithItsPlace() throws IOException {
+        file("bad.pnml", "<pnml xmlns=\"http://www.pnml.org/version-2009/grammar/pnml\">");
+        assertRefused("verify --net DIR/bad.pnml --out DIR", "bad.pnml", "troupe verify");
+        file("wrong.world", "interval_sim 100\nmodel ( siez [ 1 1 1 ] )\n");
+        assertRefused("run --world DIR/wrong.world --out DIR/o", "wrong.world:2:9: ", "siez", "size");
+        file("poor.world", """
+                define ring ranger ( scount 1 spose[0] [ 0 0 0 ] )
+                define bot position ( size [ 0.4 0.4 0.4 ] ring() blobfinder ( ) )
+                bot ( name "a" pose [ 0 0 0 0 ] )
+                bot ( name "b" pose [ 2 0 0 0 ] )
+                """);
+        String robot = "robot 'a' has 1 sonar and a blobfinder";
+        assertRefused("run --world DIR/poor.world", "poor.world:3:1", robot, "expected 8");
+        file("bad.table", "robots 1\nstate red : spaceWandrer\n");
+        String problem = "DIR/bad.table:2:13: there is no service called 'spaceWandrer'";
+        assertRefused("table DIR/bad.table --out DIR", problem, "did you mean 'spaceWanderer'?");
+        assertMissing("states.svg");
+
+        var net = PetriNet.builder("many").place("p", Integer.MAX_VALUE).transition("t", List.of(), List.of("p"));
+        Pnml.write(net.build(), directory.resolve("many.pnml"));
+        assertRefused("verify --net DIR/many.pnml --out DIR", "many.pnml", "place p would hold 2147483648 tokens");
+
+        for (String name : List.of("paper-arena.world", "pioneer.inc")) {
+            Files.copy(Path.of("worlds", name), directory.resolve(name));
+        }
+        String swapped = Files.readString(Path.of("worlds", "paper-arena.cfg"))
+                .replace("\"robot1\"", "\"x\"")
+                .replace("\"robot2\"", "\"robot1\"")
+                .replace("\"x\"", "\"robot2\"");
+        file("paper-arena.cfg", swapped);
+        assertRefused("run --world DIR/paper-arena.cfg", "robot 'robot1' is not position2d:0 on port 6665");
+    }
+
+    /** The worlds have no robots and the other files are empty, so that each command ends soon after reading it. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "run --seconds 0.2 --out DIR/out --world",
+                "modes --seconds 0.2 --out DIR/out --world",
+                "app DIR/empty --world",
+                "draw --out DIR/w.svg",
+                "evaluate --out DIR/out --world",
+                "serve --port TAKEN --world",
+                "replay DIR/empty --world"
+            })
+    void world_withThingsThatAreNotSimulated_isAWarning_andWithUnknownNamesAnErrorUnlessLenient(String command)
+            throws IOException {
+        file("empty", "");
+        try (var taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            String line = command.replace("TAKEN", "" + taken.getLocalPort()) + " DIR/t.world ";
+            file("t.world", "\nmodel ( joules 1 )");
+            troupe(line);
+            String warning = "DIR/t.world:2:9: \"joules\" has no effect here: energy is not simulated";
+            assertThat(err.toString().lines()).contains(local("troupe: warning: " + warning));
+
+            file("t.world", "\nmodel ( siez 1 )");
+            String problem = "DIR/t.world:2:9: unknown property \"siez\" of model; did you mean \"size\"?";
+            assertRefused(line, "troupe: " + problem);
+            err.getBuffer().setLength(0);
+            troupe(line + "--lenient");
+            assertThat(err.toString().lines()).contains(local("troupe: warning: " + problem));
+        }
+    }
+
+    // ---- what commands print and write
+
+    @Test
+    void run_printsChangesAndSummary_andWritesBothFiles() {
+        assertThat(printed("run " + ARENA + "--seconds 2 --out DIR/o"))
+                .contains("state 1: robot 1 wallFollower, robot 2 spaceWanderer", "times real time", "distance driven");
+        assertWritten("o/run.jsonl", "o/trajectory.svg");
+        assertThat(err.toString()).isEmpty();
+        assertThat(printed(ARENA + "--seconds 1 --out DIR/o"))
+                .as("options without a command are those of run")
+                .contains("1.0 s simulated");
     }
 
     @Test
@@ -194,197 +202,212 @@ class MainTest {
 
     /** The run fails at once, since the log file is a directory. */
     @Test
-    void longRun_warnsBeforeItBegins() throws Exception {
+    void logThatCannotBeWritten_isOneLine_andALongRunWarnsBeforeIt() throws IOException {
         Files.createDirectories(directory.resolve("run.jsonl"));
-        assertThat(troupe("run", "--world", WORLD, "--seconds", "100000", "--out", directory.toString()))
-                .isEqualTo(1);
+        String command = "run " + ARENA + "--out DIR --seconds ";
+        assertFails(1, command + "1", "run.jsonl");
+        err.getBuffer().setLength(0);
+        assertThat(troupe(command + "100000")).isEqualTo(1);
         assertThat(err.toString().lines())
-                .first()
-                .asString()
-                .isEqualTo("troupe: warning: --seconds is 100000.0: expect about "
+                .startsWith("troupe: warning: --seconds is 100000.0: expect about "
                         + "320 MB in run.jsonl and at most 24 MB in trajectory.svg");
     }
 
     @Test
-    void nameThatCanBeNoFile_isToldWithTheEncoding() {
-        assertComplaint(troupe("draw", "a\0b"), "'a\0b' can be no file here, where names are in ");
-    }
-
-    @Test
-    void missingWorld() {
-        assertComplaint(
-                troupe("run", "--world", directory.resolve("nowhere.world").toString()), "nowhere.world");
-    }
-
-    @Test
-    void wrongWorld_isNamedByFileLineAndColumn() throws Exception {
-        Path world = directory.resolve("wrong.world");
-        Files.writeString(world, "interval_sim 100\nmodel ( siez [ 1 1 1 ] )\n");
-        assertComplaint(
-                troupe(
-                        "run",
-                        "--world",
-                        world.toString(),
-                        "--out",
-                        directory.resolve("o").toString()),
-                "wrong.world:2:9: ",
-                "siez",
-                "size");
-    }
-
-    @Test
-    void outputThatIsAFile() throws Exception {
-        Path file = Files.writeString(directory.resolve("taken"), "x");
-        assertComplaint(
-                troupe("run", "--world", WORLD, "--out", file.toString()),
-                "--out is " + file + ", but " + file + " is a file, expected a directory");
-    }
-
-    @Test
-    void help_namesEveryOption() {
-        assertThat(troupe("run", "--help")).isZero();
-        assertThat(out.toString()).contains("--world=FILE", "--seconds=N", "--seed=N", "--realtime", "--out=DIR");
-    }
-
-    @Test
-    void optionsWithoutACommand_areThoseOfRun() {
-        assertThat(troupe(
-                        "--world",
-                        WORLD,
-                        "--seconds",
-                        "1",
-                        "--out",
-                        directory.resolve("o").toString()))
-                .isZero();
-        assertThat(out.toString()).contains("1.0 s simulated");
-    }
-
-    @Test
-    void fileThatCannotBeWritten_isOneLine() throws Exception {
-        Files.createDirectories(directory.resolve("o").resolve("run.jsonl"));
-        assertThat(troupe(
-                        "run",
-                        "--world",
-                        WORLD,
-                        "--seconds",
-                        "1",
-                        "--out",
-                        directory.resolve("o").toString()))
-                .isEqualTo(1);
-        assertThat(err.toString().lines())
-                .singleElement()
-                .satisfies(line -> assertThat(line).contains("run.jsonl"));
-    }
-
-    @Test
-    void robotThatTheServicesCannotDrive_isNamed() throws Exception {
-        Path world = directory.resolve("poor.world");
-        Files.writeString(world, """
-                define ring ranger ( scount 1 spose[0] [ 0 0 0 ] )
-                define bot position ( size [ 0.4 0.4 0.4 ] ring() blobfinder ( ) )
-                bot ( name "a" pose [ 0 0 0 0 ] )
-                bot ( name "b" pose [ 2 0 0 0 ] )
-                """);
-        assertComplaint(
-                troupe("run", "--world", world.toString()),
-                "poor.world:3:1",
-                "robot 'a' has 1 sonar and a blobfinder",
-                "expected 8");
-    }
-
-    @Test
-    void configurationThatSwapsTheRobots_isRefused() throws Exception {
-        for (String name : new String[] {"paper-arena.world", "pioneer.inc"}) {
-            Files.copy(Path.of("worlds", name), directory.resolve(name));
-        }
-        String swapped = Files.readString(Path.of("worlds", "paper-arena.cfg"))
-                .replace("\"robot1\"", "\"x\"")
-                .replace("\"robot2\"", "\"robot1\"")
-                .replace("\"x\"", "\"robot2\"");
-        Files.writeString(directory.resolve("paper-arena.cfg"), swapped);
-        assertComplaint(
-                troupe("run", "--world", directory.resolve("paper-arena.cfg").toString()),
-                "robot 'robot1' is not position2d:0 on port 6665");
-    }
-
-    @Test
-    void table_thatIsWrong_isToldWithItsPlace() throws IOException {
-        Path file = Files.writeString(directory.resolve("bad.table"), "robots 1\nstate red : spaceWandrer\n");
-        assertComplaint(
-                troupe("table", file.toString(), "--out", directory.toString()),
-                file + ":2:13: there is no service called 'spaceWandrer'",
-                "did you mean 'spaceWanderer'?");
-        assertThat(directory.resolve("states.svg")).doesNotExist();
-    }
-
-    @Test
-    void table_thatIsNotThere_isAComplaint() {
-        assertComplaint(troupe("table", directory.resolve("none").toString()), "no such file");
-    }
-
-    @ParameterizedTest
-    @CsvSource(
-            delimiter = '|',
-            value = {
-                "--robots 0 | --robots is 0, expected a number from 1 to 20000",
-                "--robots 3 --colours 101 | --colours is 101, expected a number from 1 to 100",
-                "--robots 3 --services 0 | --services is 0, expected a number from 1 to 100",
-                "--robots 3 --hold -1 | --hold is -1.0, expected a number from 0 to 3600",
-                "--services 3 | --services is 3, but there is no crowd: expected --robots as well",
-                "--robots 3 --world x.world | --robots is 3 and --world is x.world, expected only one of them",
-                "--robots 3 --table tables/paper.table | --robots is 3, expected 2 as in --table tables/paper.table",
-                "--robots 2 --services 3 --table tables/paper.table | --services is 3 beside --table",
-                "--table nowhere.table | nowhere.table: no such file",
-            })
-    void crowdThatCannotBe_isRefused(String options, String problem) {
-        assertComplaint(troupe(("run " + options).split(" ")), problem);
+    void interpretedJvm_writesTheSameFile() throws Exception {
+        var settings = RecordedRun.Settings.DEFAULT.withSeed(7).withSeconds(20);
+        var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.world"));
+        new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings).run(directory.resolve("here"));
+        Path log = directory.resolve("log");
+        var run = jvm("-Xint", Main.class, words("run " + ARENA + "--seed 7 --seconds 20 --out DIR/there"));
+        var interpreted =
+                run.redirectErrorStream(true).redirectOutput(log.toFile()).start();
+        assertThat(interpreted.waitFor()).as(Files.readString(log)).isZero();
+        assertThat(directory.resolve("there/run.jsonl")).hasSameBinaryContentAs(directory.resolve("here"));
     }
 
     @Test
     void table_ofAFile_worksWithACrowdToo() {
-        String output = directory.resolve("o").toString();
-        assertThat(troupe("run", "--robots", "2", "--table", "tables/paper.table", "--seconds", "1", "--out", output))
-                .isZero();
-        assertThat(out.toString()).contains("crowd of 2", "state 3 (green)");
+        assertThat(printed("run --robots 2 --table tables/paper.table --seconds 1 --out DIR"))
+                .contains("crowd of 2", "state 3 (green)");
     }
 
     @ParameterizedTest
     @CsvSource({"8, 3", "5, 4"})
-    void crowd_isGenerated(int colours, int services) {
-        String output = directory.resolve("o").toString();
-        String options = "run --robots 50 --colours " + colours + " --services " + services + " --seconds 1 --out";
+    void crowd_isGenerated(int colours, int services) throws IOException {
+        String text = printed("run --robots 50 --seconds 1 --out DIR --colours " + colours + " --services " + services);
 
-        assertThat(troupe((options + " " + output).split(" "))).isZero();
-
-        assertThat(out.toString()).contains("crowd of 50", "50 robots ");
-        assertThat(out.toString().lines().filter(line -> line.matches("state \\d+ \\(.+\\): \\d+ times?, .+ s")))
+        assertThat(text).contains("crowd of 50", "50 robots ");
+        assertThat(text.lines().filter(line -> line.matches("state \\d+ \\(.+\\): \\d+ times?, .+ s")))
                 .as("states, one for each colour")
                 .hasSize(colours);
         var all = List.of("spaceWanderer", "wallFollower", "avoid > patrol1", "avoid > patrol2");
-        assertThat(out.toString().lines().filter(line -> line.startsWith("cycles of ")))
+        assertThat(text.lines().filter(line -> line.startsWith("cycles of ")))
                 .extracting(line -> line.split(" {2,}")[0].substring("cycles of ".length()))
                 .containsExactlyInAnyOrderElementsOf(all.subList(0, services));
-        assertThat(directory.resolve("o/run.jsonl"))
-                .content()
-                .contains("\"robot\":50,")
-                .doesNotContain("\"robot\":51,");
-        assertThat(directory.resolve("o/trajectory.svg")).content().contains("50 robots, 1.0 s simulated");
+        assertThat(written("run.jsonl")).contains("\"robot\":50,").doesNotContain("\"robot\":51,");
+        assertThat(written("trajectory.svg")).contains("50 robots, 1.0 s simulated");
         assertThat(err.toString()).isEmpty();
     }
 
     @Test
-    void crowd_isMeasured() {
-        assertThat(troupe(
-                        "crowd", "--sizes", "1,4", "--seconds", "0.5", "--repeat", "1", "--out", directory.toString()))
-                .isZero();
-        assertThat(out.toString()).contains("us of processor time", "crowd.svg");
-        assertThat(directory.resolve("crowd.csv")).content().hasLineCount(3);
-        assertThat(directory.resolve("crowd.svg")).content().contains("<svg");
-        assertThat(directory.resolve("crowd.png")).isNotEmptyFile();
+    void crowd_isMeasured() throws IOException {
+        assertThat(printed("crowd --sizes 1,4 --seconds 0.5 --repeat 1 --out DIR"))
+                .contains("us of processor time", "crowd.svg");
+        assertThat(written("crowd.csv")).hasLineCount(3);
+        assertThat(written("crowd.svg")).contains("<svg");
+        assertWritten("crowd.png");
     }
 
     @Test
-    void crowd_ofNobody_isNotMeasured() {
-        assertComplaint(troupe("crowd", "--sizes", "3,0"), "--sizes is 0, expected a number from 1 to 20000");
+    void run_inCallbackMode_tellsItsMessages_andItsTicksWithoutAService() {
+        assertThat(printed("run " + ARENA + "--seconds 100 --mode CALLBACK --reconnect --out DIR"))
+                .contains("callback mode with reconnection, seed 1")
+                .containsPattern("readings with no or several services +1 +1\\R")
+                .containsPattern("colours sent by colour finders: [1-9][0-9]+ in 1 state change,");
+    }
+
+    private String logWithoutItsMode(String mode) throws IOException {
+        String log = written("run-" + mode + ".jsonl");
+        String field = ",\"mode\":\"" + mode + "\"";
+        assertThat(log.lines().findFirst().orElse("")).contains(field);
+        return log.replace(field, "");
+    }
+
+    @Test
+    void modes_showsWhereSynchronousModeDiffers_andThatCallbackModeDoesNot() throws Exception {
+        String text = printed("modes " + ARENA + "--seconds 100 --out DIR");
+        assertThat(err.toString()).isEmpty();
+        assertThat(text)
+                .contains("sync mode", "callback mode", "promise mode", "*  46.1 s 3: robot 2 sees green")
+                .contains("callback mode: the same states at the same times and the same trajectories")
+                .contains("as each waits for the cycles of the others. The robots are elsewhere from 0.1 s on");
+        assertThat(text.lines().filter(line -> line.contains("*  "))).hasSize(1);
+        assertThat(text.lines().takeWhile(line -> !line.startsWith("*")))
+                .as("the table")
+                .hasSizeGreaterThan(2)
+                .allSatisfy(line -> assertThat(line).hasSizeLessThanOrEqualTo(100));
+
+        String promise = logWithoutItsMode("promise");
+        String sync = logWithoutItsMode("sync");
+        assertThat(logWithoutItsMode("callback")).isEqualTo(promise).isNotEqualTo(sync);
+        String picture = written("modes.svg");
+        assertThat(picture).doesNotContain("#00ff00");
+        var svg = ParsedSvg.parse(picture);
+        assertThat(svg.elements("g"))
+                .as("bars, one for each state")
+                .hasSize((promise + promise + sync).split("\"type\":\"state\"", -1).length - 1);
+        assertThat(svg.title())
+                .matches("States compared with promise mode: sync differs from [0-9.]+ s on,"
+                        + " callback does not differ \\(paper arena, seed 1\\)");
+    }
+
+    // ---- pictures
+
+    /**
+     * Expected areas and titles: one per obstacle and robot. Expected rays: 16 sonars per robot, and 181 of the laser.
+     */
+    @ParameterizedTest
+    @CsvSource({"paper-arena, 2, 32, 12.4", "office, 2, 213, 16.4", "track, 1, 16, 20.4"})
+    void world_isDrawnWithAllThatIsInIt(String name, int robots, int rays, double widthM) throws Exception {
+        String text = printed("draw --out DIR/w.svg worlds/" + name + ".world");
+
+        String counted = robots == 1 ? "1 robot," : robots + " robots,";
+        assertThat(text).startsWith(counted + " ").contains(local("wrote DIR/w.svg"));
+        int things = Integer.parseInt(text.replaceAll("(?s).*robots?, (\\d+) other.*", "$1"));
+        var svg = ParsedSvg.parse(written("w.svg"));
+        assertThat(svg.elements("title")).hasSize(1 + things + robots);
+        assertThat(svg.elements("path")).hasSize(things + 2 * robots + rays);
+        assertThat(svg.title()).contains(counted);
+        assertThat(svg.texts()).contains("robot1", "sonar, first reading");
+        assertThat(svg.texts().contains("laser, first reading")).isEqualTo(name.equals("office"));
+        assertThat(svg.pixelsPerMetre())
+                .as("as long as the map is wide: LONGEST_PX over the outer walls and 0.3 m on both sides")
+                .isCloseTo(1000 / (widthM + 0.6), within(0.05));
+    }
+
+    @Test
+    void pictureInTheGuide_isThatOfTheCommand() {
+        printed("draw --out DIR/w.svg worlds/office.world");
+        assertThat(directory.resolve("w.svg"))
+                .hasSameTextualContentAs(Path.of("..", "docs", "figures", "world-office.svg"));
+    }
+
+    /** A world of 5.4 m by 8.4 m with five robots, two of them navy. */
+    @Test
+    void trajectory_ofANarrowWorldWithFiveRobots_canBeRead() throws Exception {
+        Files.copy(Path.of("worlds", "pioneer.inc"), directory.resolve("pioneer.inc"));
+        file("five.table", """
+                robots 5
+                ignore black : walls
+                state blue : wallFollower, spaceWanderer, spaceWanderer, spaceWanderer, wallFollower
+                state red  : spaceWanderer, wallFollower, spaceWanderer, wallFollower, spaceWanderer
+                """);
+        var world = new StringBuilder("""
+                name "narrow hall"
+                interval_sim 100
+                include "pioneer.inc"
+                define wall model ( color "black" obstacle_return 1 blob_return 1 )
+                wall ( name "n" pose [ 0 4.1 0 0 ] size [ 5.4 0.2 0.5 ] )
+                wall ( name "s" pose [ 0 -4.1 0 0 ] size [ 5.4 0.2 0.5 ] )
+                wall ( name "e" pose [ 2.6 0 0 0 ] size [ 0.2 8 0.5 ] )
+                wall ( name "w" pose [ -2.6 0 0 0 ] size [ 0.2 8 0.5 ] )
+                """);
+        var configuration = new StringBuilder(
+                "driver ( name \"stage\" provides [ \"simulation:0\" ] plugin \"p\" worldfile \"narrow.world\" )\n");
+        var colours = List.of("orange", "black", "navy", "navy", "gold");
+        for (int robot = 0; robot < colours.size(); robot++) {
+            world.append("pioneer2dx ( name \"r%d\" color \"%s\" pose [ %d %d 0 90 ] )\n"
+                    .formatted(robot, colours.get(robot), robot % 2 == 0 ? -1 : 1, robot - 2));
+            String devices = "\"position2d:%1$d\" \"sonar:%1$d\" \"blobfinder:%1$d\"";
+            configuration.append(
+                    ("driver ( name \"stage\" provides [ " + devices + " ] model \"r%1$d\" )\n").formatted(robot));
+        }
+        file("narrow.world", world.toString());
+        file("narrow.cfg", configuration.toString());
+        printed("run --seconds=20 --world=DIR/narrow.cfg --table=DIR/five.table --out=DIR");
+
+        var svg = ParsedSvg.parse(written("trajectory.svg"));
+        assertThat(svg.title())
+                .startsWith("narrow hall: 5 robots change state ")
+                .endsWith(" in 20 s");
+        assertThat(svg.pixelsPerMetre()).isCloseTo(70, within(0.1));
+        captionIsInside(svg);
+        var legend = dashes(svg.elements("line", "stroke", "#444444"));
+        assertThat(legend).as("every robot has a line of its own").hasSize(5).doesNotHaveDuplicates();
+        assertThat(dashes(svg.elements("polyline"))).containsAll(legend);
+        assertThat(svg.elements("text", "font-weight", "bold"))
+                .as("numbers can be read on the bodies")
+                .extracting(text -> text.getTextContent() + " " + text.getAttribute("fill"))
+                .containsExactly("1 black", "2 white", "3 white", "4 white", "5 black");
+        assertThat(svg.elements("polygon", "class", "head")).as("directions").isNotEmpty();
+        assertThat(svg.texts()).contains("10 s");
+        assertThat(svg.elements("circle", "class", "time")).hasSize(5);
+    }
+
+    /** Estimates the text width: half the font size per letter, about the mean of a sans-serif font. */
+    private static void captionIsInside(ParsedSvg svg) {
+        String[] viewBox = svg.root().getAttribute("viewBox").split(" ");
+        assertThat(svg.elements("text", "class", "caption")).isNotEmpty();
+        assertThat(svg.elements("text")).allSatisfy(text -> {
+            boolean centred = text.getAttribute("text-anchor").equals("middle");
+            int letters = text.getTextContent().length();
+            assertThat(ParsedSvg.number(text, "x") + letters * 14 * 0.5 * (centred ? 0.5 : 1))
+                    .as(text.getTextContent())
+                    .isLessThan(Double.parseDouble(viewBox[2]));
+            assertThat(ParsedSvg.number(text, "y")).isLessThan(Double.parseDouble(viewBox[3]));
+        });
+    }
+
+    private static List<String> dashes(List<Element> lines) {
+        return lines.stream().map(line -> line.getAttribute("stroke-dasharray")).toList();
+    }
+
+    @Test
+    void trajectory_ofACrowd_fadesWithAge() throws IOException {
+        printed("run --robots=12 --seconds=6 --out=DIR");
+        String svg = written("trajectory.svg");
+        assertThat(svg).containsSubsequence("stroke-opacity=\"0.10\"", "stroke-opacity=\"0.85\"");
+        assertThat(svg.indexOf("stroke-opacity=\"0.10\"")).isLessThan(svg.indexOf("stroke-opacity=\"0.85\""));
     }
 }

@@ -9,9 +9,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 
 class CompareActorsTest {
     private static CompareActors parsed(String... arguments) {
-        var command = new CompareActors();
-        BenchmarkCommand.of(command).parseArgs(arguments);
-        return command;
+        return BenchmarkTests.parsed(new CompareActors(), arguments);
     }
 
     @Test
@@ -25,31 +23,16 @@ class CompareActorsTest {
     }
 
     @Test
-    void only_addsTheLimitFirst() {
+    void only_addsTheLimitFirst_andTheLastOfEqualOptionsCounts() {
         assertThat(parsed("--only", "vertx,limit,troupe").contenders())
                 .containsExactly(Contenders.LIMIT, Contenders.VERTX, Contenders.TROUPE);
-    }
-
-    @Test
-    void lastOfEqualOptions_counts() {
         assertThat(parsed("--rounds", "3", "--rounds", "4").rounds).isEqualTo(4);
     }
 
     @Test
     void allOptions_areRead() {
-        var options = parsed(
-                "--rounds",
-                "3",
-                "--warm-up",
-                "50",
-                "--seed",
-                "-9",
-                "--only",
-                "limit",
-                "--workloads",
-                "tell,create",
-                "--figure",
-                "a.svg");
+        String line = "--rounds 3 --warm-up 50 --seed -9 --only limit --workloads tell,create --figure a.svg";
+        var options = parsed(line.split(" "));
         assertThat(options.contenders()).containsExactly(Contenders.LIMIT);
         assertThat(options.workloads).containsExactly(Workload.TELL, Workload.CREATE);
         assertThat(options)
@@ -71,7 +54,7 @@ class CompareActorsTest {
                 "--fast yes | '--fast'"
             })
     void wrongOption_isNamed_withItsValueAndWhatWasExpected_beforeTheUsage(String line, String message) {
-        assertThat(WrongOption.of(new CompareActors(), line.split(" ")))
+        assertThat(BenchmarkTests.errorOf(new CompareActors(), line.split(" ")))
                 .contains(message)
                 .contains("Usage: CompareActors");
     }

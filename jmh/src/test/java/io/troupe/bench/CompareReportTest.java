@@ -1,40 +1,30 @@
 package io.troupe.bench;
 
+import static io.troupe.bench.BenchmarkTests.assertDocumented;
+import static io.troupe.bench.BenchmarkTests.documentedRows;
+import static io.troupe.bench.BenchmarkTests.quartiles;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.SampleStatistics;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.regex.Matcher;
-import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 
 class CompareReportTest {
     /** Each round is twice the limit of that round, although the machine's speed changes between rounds. */
-    private final Results results = new Results(
-            new EnumMap<>(Map.of(
-                    Workload.ASK_ONCE,
-                    limitAndTroupe(),
-                    Workload.TELL,
-                    limitAndTroupe(),
-                    Workload.CREATE,
-                    limitAndTroupe())),
-            Map.of("troupe", 80.4));
+    private final Map<String, List<TurnResult>> turns =
+            new TreeMap<>(Map.of("limit", turns(0, 10, 30, 1_000), "troupe", turns(1_032, 20, 60, 2_000)));
 
+    private final Results results = new Results(
+            new EnumMap<>(Map.of(Workload.ASK_ONCE, turns, Workload.TELL, turns, Workload.CREATE, turns)),
+            Map.of("troupe", 80.4));
     private final String table = new CompareReport(3, 1, results).table();
     private final String drawing = CompareDrawing.of(results).svg();
-
-    private static Map<String, List<TurnResult>> limitAndTroupe() {
-        return new TreeMap<>(Map.of("limit", turns(0, 10, 30, 1_000), "troupe", turns(1_032, 20, 60, 2_000)));
-    }
 
     /** The turn in the middle allocates {@code bytes}, the others less and more. */
     private static List<TurnResult> turns(double bytes, double... nanos) {
@@ -44,15 +34,10 @@ class CompareReportTest {
     }
 
     @Test
-    void table_givesTheRatioWithinTheSameRoundAndTheMedianOfTheBytes() {
+    void table_givesTheRatioWithinTheSameRound_theMedianOfTheBytes_andRetainedBytesOfActorsIfMeasured() {
         assertThat(table)
                 .contains("| tell | troupe | 60.0 (40.0..1,030) | 2.00 (2.00..2.00) | 1,032 |  |")
-                .contains("| tell | limit | 30.0 (20.0..515) | 1.00 (1.00..1.00) | 0 |  |");
-    }
-
-    @Test
-    void table_givesRetainedBytesOfActorsOnly_andOnlyIfMeasured() {
-        assertThat(table)
+                .contains("| tell | limit | 30.0 (20.0..515) | 1.00 (1.00..1.00) | 0 |  |")
                 .contains("| create | troupe | 60.0 (40.0..1,030) | 2.00 (2.00..2.00) | 1,032 | 80 |")
                 .contains("| create | limit | 30.0 (20.0..515) | 1.00 (1.00..1.00) | 0 |  |");
     }
@@ -66,14 +51,9 @@ class CompareReportTest {
     }
 
     @Test
-    void drawing_hasABarForEveryContender() {
-        assertThat(drawing)
-                .startsWith("<svg")
-                .contains(">tell<", ">limit<", ">troupe<", ">60.0 ns, 2.00×<", "class='m'");
-    }
-
-    @Test
-    void drawing_showsWakeUpsLastAndWithoutColours() {
+    void drawing_hasABarForEveryContender_andShowsWakeUpsLastAndWithoutColours() {
+        assertThat(drawing).startsWith("<svg");
+        assertThat(drawing).contains(">tell<", ">limit<", ">troupe<", ">60.0 ns, 2.00×<", "class='m'");
         int wakeUps = drawing.indexOf(">askOnce (wake-up of a thread, not ranked)<");
         assertThat(wakeUps).isGreaterThan(drawing.indexOf(">create<"));
         assertThat(drawing.substring(wakeUps)).contains("class='u'").doesNotContain("class='m'", "class='b'");
@@ -88,38 +68,19 @@ class CompareReportTest {
         assertThat(drawing.split("<text x='494' y='\\d+' class='t'>", -1)).hasSize(1 + 1);
     }
 
-    /** {@code -Dfigures=write} writes it anew. */
     @Test
     void drawingInTheDocumentation_isThatOfTheTableThere() throws IOException {
         String spread = "([\\d,.]+) \\(([\\d,.]+?)\\.\\.([\\d,.]+)\\)";
-        var row = Pattern.compile("\\| (\\S+) \\| (\\S+) \\| " + spread + " \\| " + spread + " \\|.*");
         var labels = Stream.of(Workload.values()).map(Workload::label).toList();
         var bars = new EnumMap<Workload, Map<String, CompareDrawing.Bar>>(Workload.class);
-        for (String line : Files.readAllLines(Path.of("..", "docs", "benchmarks-method.md"))) {
-            var found = row.matcher(line);
-            if (found.matches() && labels.contains(found.group(1))) {
-                bars.computeIfAbsent(Workload.named(found.group(1)), workload -> new LinkedHashMap<>())
-                        .put(found.group(2), new CompareDrawing.Bar(quartiles(found, 3), quartiles(found, 6)));
+        for (var row : documentedRows("\\| (\\S+) \\| (\\S+) \\| " + spread + " \\| " + spread + " \\|.*")) {
+            if (labels.contains(row.group(1))) {
+                bars.computeIfAbsent(Workload.named(row.group(1)), workload -> new LinkedHashMap<>())
+                        .put(row.group(2), new CompareDrawing.Bar(quartiles(row, 3), quartiles(row, 6)));
             }
         }
-        assertThat(bars)
-                .hasSize(9)
-                .allSatisfy((workload, its) -> assertThat(its).hasSize(9));
-
-        String svg = new CompareDrawing(bars).svg();
-        Path documented = Path.of("..", "docs", "figures", "actors.svg");
-        if ("write".equals(System.getProperty("figures"))) {
-            Files.writeString(documented, svg);
-        }
-        assertThat(documented).hasContent(svg);
-    }
-
-    private static SampleStatistics quartiles(Matcher row, int group) {
-        double[] numbers = new double[3];
-        for (int i = 0; i < numbers.length; i++) {
-            numbers[i] = Double.parseDouble(row.group(group + i).replace(",", ""));
-        }
-        // five values whose quartiles are these
-        return SampleStatistics.of(numbers[1], numbers[1], numbers[0], numbers[2], numbers[2]);
+        assertThat(bars).hasSize(9);
+        assertThat(bars.values()).allMatch(its -> its.size() == 9);
+        assertDocumented("actors.svg", new CompareDrawing(bars).svg());
     }
 }

@@ -32,15 +32,15 @@ class MeasureNetsTest {
 
     @Test
     void arguments_thatAreWrong_areRefused() {
-        var command = new MeasureNets();
-        BenchmarkCommand.of(command).parseArgs();
-        assertThat(command.repetitions).isEqualTo(7);
-        BenchmarkCommand.of(command).parseArgs("--repetitions", "3");
-        assertThat(command.repetitions).isEqualTo(3);
-        assertThat(WrongOption.of(new MeasureNets(), "--repetitions", "0"))
-                .startsWith("--repetitions is 0, expected 1 or more");
-        assertThat(WrongOption.of(new MeasureNets(), "--repetitions", "many"))
-                .startsWith("--repetitions is many, expected a whole number");
-        assertThat(WrongOption.of(new MeasureNets(), "--runs")).contains("'--runs'", "--repetitions=N");
+        assertThat(BenchmarkTests.parsed(new MeasureNets()).repetitions).isEqualTo(7);
+        assertThat(BenchmarkTests.parsed(new MeasureNets(), "--repetitions", "3").repetitions)
+                .isEqualTo(3);
+        assertThat(errorOf("--repetitions", "0")).startsWith("--repetitions is 0, expected 1 or more");
+        assertThat(errorOf("--repetitions", "many")).startsWith("--repetitions is many, expected a whole number");
+        assertThat(errorOf("--runs")).contains("'--runs'", "--repetitions=N");
+    }
+
+    private static String errorOf(String... arguments) {
+        return BenchmarkTests.errorOf(new MeasureNets(), arguments);
     }
 }

@@ -8,7 +8,6 @@ import static io.troupe.player.wire.Interfaces.SIMULATION;
 import static io.troupe.player.wire.Interfaces.SONAR;
 import static io.troupe.sim.TestWorlds.NOWHERE;
 import static io.troupe.sim.TestWorlds.RED;
-import static io.troupe.sim.TestWorlds.robot;
 import static io.troupe.sim.TestWorlds.wall;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
@@ -23,6 +22,7 @@ import io.troupe.player.wire.LaserConfiguration;
 import io.troupe.player.wire.Pose3d;
 import io.troupe.player.wire.RangerConfiguration;
 import io.troupe.player.wire.Size3d;
+import io.troupe.sim.RobotReading;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.TestWorlds;
 import io.troupe.sim.WorldSettings;
@@ -32,17 +32,28 @@ import io.troupe.sim.model.RangeNoise;
 import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.Scenario;
+import io.troupe.sim.worldfile.ScenarioReader;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** Messages that the simulated devices send and understand. Robot one has a laser, a ranger and a second laser. */
 @Timeout(60)
 class SimulatedDevicesTest {
     static final int PORT = 6790;
     private static final double DEGREE = StrictMath.PI / 180;
+    private static final DeviceReply ACK = new DeviceReply.Ack();
+    private static final DeviceReply LASER_GEOMETRY =
+            new DeviceReply.LaserGeometry(Pose3d.flat(0.1, 0, 0), new Size3d(0.12, 0.15, 0));
 
     private final Simulation simulation = Simulation.open(scenario(), WorldSettings.DEFAULT);
     private final WireClient client = new WireClient(PORT, WireClient.ANSWER);
@@ -51,23 +62,26 @@ class SimulatedDevicesTest {
         return new RangeSensorSpec(mount, 0.1, 8, fovDeg * DEGREE, samples, 0.03, 0.05, RangeNoise.NONE);
     }
 
+    private static RangerSpec laser(Pose pose, RangeSensorSpec sensor) {
+        return new RangerSpec(RangerSpec.Kind.LASER, pose, 0.15, 0.12, List.of(sensor));
+    }
+
     static Scenario scenario() {
-        var front = new RangerSpec(
-                RangerSpec.Kind.LASER, new Pose(0.1, 0, 0), 0.15, 0.12, List.of(sensor(new Pose(0.1, 0, 0), 90, 3)));
+        var quarter = sensor(new Pose(0.1, 0, 0), 90, 3);
+        var left = sensor(new Pose(0, 0.3, 90 * DEGREE), 15, 1);
+        var behind = sensor(new Pose(0, 0, 180 * DEGREE), 0, 1);
+        var front = laser(new Pose(0.1, 0, 0), quarter);
         var ring = new RangerSpec(
                 RangerSpec.Kind.RANGER,
                 new Pose(0, 0.1, 90 * DEGREE),
                 0.4,
                 0.3,
-                List.of(sensor(new Pose(0, 0.3, 90 * DEGREE), 15, 1), sensor(Pose.ORIGIN, 15, 1)));
-        var back = new RangerSpec(
-                RangerSpec.Kind.LASER,
-                new Pose(0, 0, 180 * DEGREE),
-                0.15,
-                0.12,
-                List.of(sensor(new Pose(0, 0, 180 * DEGREE), 0, 1)));
+                List.of(left, sensor(Pose.ORIGIN, 15, 1)));
+        var back = laser(new Pose(0, 0, 180 * DEGREE), behind);
         var world = TestWorlds.world(
-                List.of(robot("one", 0, 0, 0).withRangers(List.of(front, ring, back)), robot("two", -2, 0, 0)),
+                List.of(
+                        TestWorlds.robot("one", 0, 0, 0).withRangers(List.of(front, ring, back)),
+                        TestWorlds.robot("two", -2, 0, 0)),
                 wall("east", 3, 0, 0.2, 12, RED));
         var devices = new ArrayList<>(TestWorlds.scenario(PORT, world).devices());
         devices.add(new DeviceBinding(PORT, "laser", 0, "one", 0, NOWHERE));
@@ -82,8 +96,12 @@ class SimulatedDevicesTest {
         simulation.close();
     }
 
+    private RobotReading robot(int index) {
+        return simulation.latest().robots().get(index);
+    }
+
     private Pose pose(int robot) {
-        return simulation.latest().robots().get(robot).pose();
+        return robot(robot).pose();
     }
 
     private void ticks(int count) {
@@ -92,22 +110,144 @@ class SimulatedDevicesTest {
         }
     }
 
-    // ---- lasers and rangers
+    // ---- requests
+
+    /** @param expected the reply, or what the reason of a refusal contains */
+    private record Asked(Interfaces type, int index, DeviceRequest request, Object expected) {}
+
+    private static Asked asked(Interfaces type, DeviceRequest request, Object expected) {
+        return new Asked(type, 0, request, expected);
+    }
+
+    private static Asked laserSet(LaserConfiguration configuration, Object expected) {
+        return asked(LASER, new DeviceRequest.SetLaserConfiguration(configuration), expected);
+    }
+
+    private static Asked set(String robot, double x, double y, String reason) {
+        return asked(SIMULATION, new DeviceRequest.SetPose(robot, x, y, 0), reason);
+    }
+
+    private static Asked capability(Interfaces type, int messageType, int subtype, boolean offered) {
+        return asked(type, new DeviceRequest.Capability(messageType, subtype), offered ? ACK : "");
+    }
+
+    static List<Asked> requests() {
+        float eighth = (float) (45 * DEGREE);
+        var laser = new LaserConfiguration(-eighth, eighth, eighth, 8, 1, false, 10);
+        var ofLaser = new DeviceReply.OfLaser(laser);
+        var ranger = new RangerConfiguration(-7.5 * DEGREE, 7.5 * DEGREE, 15 * DEGREE, 0.1, 8, 0, 10);
+        return List.of(
+                asked(LASER, new DeviceRequest.Geometry(), LASER_GEOMETRY),
+                asked(LASER, new DeviceRequest.GetConfiguration(), ofLaser),
+                new Asked(LASER, 1, new DeviceRequest.LaserId(), new DeviceReply.LaserId(1)),
+                laserSet(laser, ofLaser),
+                // what it is already, in round numbers, without a frequency
+                laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 0.01f, false, 0), ofLaser),
+                laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.775f, 8, 1, false, 0), "world file"),
+                laserSet(new LaserConfiguration(-0.785f, 0.785f, Float.NaN, 8, 1, false, 0), "world file"),
+                laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 1, true, 0), "world file"),
+                laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 1, false, 20), "world file"),
+                laserSet(new LaserConfiguration(0, 1, 0.1f, 8, 0, false, 10), "world file"),
+                asked(RANGER, new DeviceRequest.GetConfiguration(), new DeviceReply.OfRanger(ranger)),
+                asked(RANGER, new DeviceRequest.Intensities(true), "not offer"),
+                asked(RANGER, new DeviceRequest.Intensities(false), ACK),
+                // as Stage does
+                asked(POSITION2D, new DeviceRequest.VelocityMode(0), ""),
+                asked(POSITION2D, new DeviceRequest.SpeedPid(1, 2, 3), ""),
+                asked(POSITION2D, new DeviceRequest.PositionPid(1, 2, 3), ""),
+                asked(POSITION2D, new DeviceRequest.SpeedProfile(1, 2), ""),
+                asked(POSITION2D, new DeviceRequest.PositionMode(7), ""),
+                asked(POSITION2D, new DeviceRequest.PositionMode(1), ACK),
+                asked(POSITION2D, new DeviceRequest.GetColour(), ""),
+                asked(POSITION2D, new DeviceRequest.Unknown(99), ""),
+                asked(BLOBFINDER, new DeviceRequest.SetColour(0, 1, 2, 3, 4, 5, 6), "not offer"),
+                asked(BLOBFINDER, new DeviceRequest.SetImager(0, 1, 2, 3), "not offer"),
+                capability(POSITION2D, 2, 2, true),
+                capability(POSITION2D, 3, 7, false),
+                capability(SONAR, 2, 1, false),
+                capability(SONAR, 1, 1, true),
+                capability(LASER, 3, 3, true),
+                capability(SIMULATION, 2, 3, false),
+                capability(BLOBFINDER, 3, 255, true),
+                capability(BLOBFINDER, 9, 1, false),
+                asked(SIMULATION, new DeviceRequest.Geometry(), "not offer"),
+                asked(SIMULATION, new DeviceRequest.GetPose("two"), new DeviceReply.ModelPose("two", -2, 0, 0)),
+                asked(SIMULATION, new DeviceRequest.GetPose("east"), new DeviceReply.ModelPose("east", 3, 0, 0)),
+                asked(SIMULATION, new DeviceRequest.GetPose("three"), "world 'test' has no model"),
+                set("one", 2.8, 0, "it would overlap obstacle 'east'"),
+                set("one", -2, 0.1, "it would overlap robot 'two'"),
+                set("three", 0, 0, "no model 'three'"),
+                set("east", 0, 0, "only robots"),
+                new Asked(
+                        POSITION2D,
+                        1,
+                        new DeviceRequest.SetOdometry(1.7e308, 0, 0),
+                        "odometry of robot 'two' was set to Pose[x=1.7E308"),
+                new Asked(POSITION2D, 1, new DeviceRequest.SetOdometry(Double.NaN, 0, 0), "expected finite numbers"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("requests")
+    void request_isAnswered_orRefusedSayingWhy(Asked asked) {
+        var reply = client.ask(asked.type, asked.index, asked.request);
+        if (asked.expected instanceof String reason) {
+            assertThat(reply)
+                    .isInstanceOfSatisfying(
+                            DeviceReply.Nack.class,
+                            nack -> assertThat(nack.reason()).contains(reason));
+        } else {
+            assertThat(reply).isEqualTo(asked.expected);
+        }
+    }
+
+    // ---- sonars, lasers and rangers
+
+    /** One sonar ring that is served as sonar:0 and as ranger:0, in both dialects: real programs use both. */
+    @ParameterizedTest
+    @ValueSource(strings = {"ranger ( scount 2 spose[0] [ 0 0 0 ] spose[1] [ 0.05 0 90 ] sview [ 0 5 15 ] )", """
+                ranger ( pose [ 0 0 0 0 ]
+                  sensor ( pose [ 0 0 0 0 ] range [ 0 5 ] fov 15 samples 1 )
+                  sensor ( pose [ 0.05 0 0 90 ] range [ 0 5 ] fov 15 samples 1 ) )"""})
+    void sonarAndRanger_ofOneRobot_areOfferedTogether_andSeeTheSame(String ring, @TempDir Path dir) throws IOException {
+        Files.writeString(dir.resolve("w.world"), """
+                model ( name "wall" pose [ 3 0 0 0 ] size [ 2 2 1 ] )
+                position ( name "r" size [ 0.4 0.3 0.2 ] %s )
+                """.formatted(ring));
+        Path config = Files.writeString(dir.resolve("w.cfg"), """
+                driver ( name "stage" provides [ "simulation:0" ] worldfile "w.world" )
+                driver ( name "stage" provides [ "6791:sonar:0" "6791:ranger:0" ] model "r" )
+                """);
+        try (var world = Simulation.open(ScenarioReader.readConfig(config), WorldSettings.DEFAULT)) {
+            var both =
+                    new WireClient(6791, WireClient.ANSWER).subscribe(SONAR, 0).subscribe(RANGER, 0);
+            world.tick();
+            world.tick();
+            assertThat(both.newest(SONAR, 0)).isEqualTo(new DeviceData.SonarRanges(List.of(2f, 5f)));
+            assertThat(both.newest(RANGER, 0)).isEqualTo(new DeviceData.RangerRanges(List.of(2.0, 5.0)));
+            var mounts = List.of(
+                    new DeviceReply.SonarMount(0, 0, 0), new DeviceReply.SonarMount(0.05, 0, StrictMath.PI / 2));
+            assertThat(both.ask(SONAR, 0, new DeviceRequest.Geometry()))
+                    .isEqualTo(new DeviceReply.SonarGeometry(mounts));
+            var ranger = (DeviceReply.RangerGeometry) both.ask(RANGER, 0, new DeviceRequest.Geometry());
+            assertThat(ranger.elementPoses())
+                    .extracting(each -> new DeviceReply.SonarMount(each.x(), each.y(), each.yaw()))
+                    .isEqualTo(mounts);
+            assertThat(both.ask(RANGER, 0, new DeviceRequest.GetConfiguration()))
+                    .extracting("configuration.minRangeM", "configuration.maxRangeM")
+                    .containsExactly(0.0, 5.0);
+        }
+    }
 
     @Test
     void laser_publishesItsScan_fromRightToLeft() {
         client.subscribe(LASER, 0);
         ticks(2);
-        var scan = (DeviceData.LaserScan) client.newest(LASER, 0);
-        assertThat(scan.minAngleRad()).isEqualTo((float) (-45 * DEGREE));
-        assertThat(scan.maxAngleRad()).isEqualTo((float) (45 * DEGREE));
-        assertThat(scan.resolutionRad()).isEqualTo((float) (45 * DEGREE));
-        assertThat(scan.maxRangeM()).isEqualTo(8f);
         double straight = 2.9 - 0.1;
         float slanted = (float) (straight / StrictMath.cos(45 * DEGREE));
-        assertThat(scan.rangesM()).containsExactly(slanted, (float) straight, slanted);
-        assertThat(scan.intensities()).isEmpty();
-        assertThat(scan.scanId()).isEqualTo(1);
+        float eighth = (float) (45 * DEGREE);
+        var ranges = List.of(slanted, (float) straight, slanted);
+        assertThat(client.newest(LASER, 0))
+                .isEqualTo(new DeviceData.LaserScan(-eighth, eighth, eighth, 8, ranges, List.of(), 1));
     }
 
     @Test
@@ -117,8 +257,7 @@ class SimulatedDevicesTest {
         assertThat(((DeviceData.LaserScan) client.newest(LASER, 1)).rangesM())
                 .as("looks back at the front of robot two")
                 .containsExactly((float) (2 - 0.2));
-        assertThat(((DeviceData.RangerRanges) client.newest(RANGER, 0)).rangesM())
-                .containsExactly(8.0, 2.9);
+        assertThat(client.newest(RANGER, 0)).isEqualTo(new DeviceData.RangerRanges(List.of(8.0, 2.9)));
     }
 
     @Test
@@ -129,43 +268,12 @@ class SimulatedDevicesTest {
         assertThat(geometry.elementSizes()).containsOnly(new Size3d(0.05, 0.03, 0));
         assertPose(geometry.elementPoses().get(0), 0.2, 0, 0);
         assertPose(geometry.elementPoses().get(1), -0.1, 0, -90 * DEGREE);
-        assertThat(client.ask(LASER, 0, new DeviceRequest.Geometry()))
-                .isEqualTo(new DeviceReply.LaserGeometry(Pose3d.flat(0.1, 0, 0), new Size3d(0.12, 0.15, 0)));
     }
 
     private static void assertPose(Pose3d actual, double x, double y, double yaw) {
         assertThat(actual.x()).isCloseTo(x, within(1e-12));
         assertThat(actual.y()).isCloseTo(y, within(1e-12));
         assertThat(actual.yaw()).isCloseTo(yaw, within(1e-12));
-    }
-
-    @Test
-    void configuration_isThatOfTheFile_andCannotBeAnother() {
-        var laser = new LaserConfiguration(
-                (float) (-45 * DEGREE), (float) (45 * DEGREE), (float) (45 * DEGREE), 8, 1, false, 10);
-        assertThat(client.ask(LASER, 0, new DeviceRequest.GetConfiguration()))
-                .isEqualTo(new DeviceReply.OfLaser(laser));
-        assertThat(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(laser)))
-                .isEqualTo(new DeviceReply.OfLaser(laser));
-        var rounded = new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 0.01f, false, 0); // no frequency
-        assertThat(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(rounded)))
-                .as("what it is already, in round numbers")
-                .isEqualTo(new DeviceReply.OfLaser(laser));
-        for (var other : List.of(
-                new LaserConfiguration(-0.785f, 0.785f, 0.775f, 8, 1, false, 0),
-                new LaserConfiguration(-0.785f, 0.785f, Float.NaN, 8, 1, false, 0),
-                new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 1, true, 0),
-                new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 1, false, 20))) {
-            assertRefused(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(other)), "world file");
-        }
-        var finer = new LaserConfiguration(0, 1, 0.1f, 8, 0, false, 10);
-        assertRefused(client.ask(LASER, 0, new DeviceRequest.SetLaserConfiguration(finer)), "world file");
-        var ranger = new RangerConfiguration(-7.5 * DEGREE, 7.5 * DEGREE, 15 * DEGREE, 0.1, 8, 0, 10);
-        assertThat(client.ask(RANGER, 0, new DeviceRequest.GetConfiguration()))
-                .isEqualTo(new DeviceReply.OfRanger(ranger));
-        assertThat(client.ask(LASER, 1, new DeviceRequest.LaserId())).isEqualTo(new DeviceReply.LaserId(1));
-        assertRefused(client.ask(RANGER, 0, new DeviceRequest.Intensities(true)), "not offer");
-        assertThat(client.ask(RANGER, 0, new DeviceRequest.Intensities(false))).isEqualTo(new DeviceReply.Ack());
     }
 
     @Test
@@ -180,23 +288,14 @@ class SimulatedDevicesTest {
         }
     }
 
-    private static void assertRefused(DeviceReply reply, String reason) {
-        assertThat(reply)
-                .isInstanceOfSatisfying(
-                        DeviceReply.Nack.class,
-                        nack -> assertThat(nack.reason()).contains(reason));
-    }
-
     // ---- position2d
 
     @Test
     void car_isSpeedAndTurnRate_andSidewaysIsIgnored() {
         client.subscribe(POSITION2D, 0).tell(POSITION2D, 0, new DeviceCommand.Car(0.2, 0.5));
         ticks(2);
-        assertThat(simulation.latest().robots().getFirst().odometry().forwardMps())
-                .isEqualTo(0.2);
-        assertThat(simulation.latest().robots().getFirst().odometry().turnRadps())
-                .isEqualTo(0.5);
+        assertThat(robot(0).odometry().forwardMps()).isEqualTo(0.2);
+        assertThat(robot(0).odometry().turnRadps()).isEqualTo(0.5);
         client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0, 0.7, 0, true));
         ticks(1);
         Pose before = pose(0);
@@ -204,73 +303,34 @@ class SimulatedDevicesTest {
         assertThat(pose(0)).isEqualTo(before);
     }
 
-    @Test
-    void goTo_andVelocityHeading_areUnderstood() {
-        client.subscribe(POSITION2D, 0).tell(POSITION2D, 0, new DeviceCommand.GoTo(0.5, 0, 1, 0, 0, 0, true));
+    /** State zero drives too, as in Stage. */
+    @ParameterizedTest
+    @ValueSource(booleans = {true, false})
+    void goTo_velocityHeadingAndVelocity_areUnderstood_whateverTheState(boolean enabled) {
+        client.subscribe(POSITION2D, 0).tell(POSITION2D, 0, new DeviceCommand.GoTo(0.5, 0, 1, 0, 0, 0, enabled));
         ticks(120);
         assertThat(pose(0).x()).isCloseTo(0.5, within(0.02));
         assertThat(pose(0).headingRad()).isCloseTo(1, within(0.01));
         client.tell(POSITION2D, 0, new DeviceCommand.VelocityHeading(0.1, -1));
         ticks(60);
         assertThat(pose(0).headingRad()).isCloseTo(-1, within(0.02));
-    }
-
-    @Test
-    void stateZero_drives_asInStage() {
-        client.subscribe(POSITION2D, 0).tell(POSITION2D, 0, new DeviceCommand.GoTo(0.5, 0, 1, 0, 0, 0, false));
-        ticks(120);
-        assertThat(pose(0).x()).isCloseTo(0.5, within(0.02));
-        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.1, 0, 0, false));
+        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.1, 0, 0, enabled));
         ticks(2);
-        assertThat(simulation.latest().robots().getFirst().odometry().forwardMps())
-                .isEqualTo(0.1);
+        assertThat(robot(0).odometry().forwardMps()).isEqualTo(0.1);
     }
 
     @Test
     void motorPower_off_holdsTheRobot() {
         client.subscribe(POSITION2D, 0);
-        assertThat(client.ask(POSITION2D, 0, new DeviceRequest.Power(false))).isEqualTo(new DeviceReply.Ack());
-        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.5, 0, 0, true));
+        assertThat(client.ask(POSITION2D, 0, new DeviceRequest.Power(false))).isEqualTo(ACK);
+        client.drive(0, 0.5);
         ticks(3);
         assertThat(pose(0)).isEqualTo(Pose.ORIGIN);
         client.ask(POSITION2D, 0, new DeviceRequest.Power(true));
-        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.5, 0, 0, true));
+        client.drive(0, 0.5);
         ticks(2);
         // the client has already answered: the command counts one tick later
         assertThat(pose(0).x()).isCloseTo(0.1, within(1e-9));
-    }
-
-    @Test
-    void requestsThatStageRefuses_areRefused() {
-        for (DeviceRequest request : List.of(
-                new DeviceRequest.VelocityMode(0),
-                new DeviceRequest.SpeedPid(1, 2, 3),
-                new DeviceRequest.PositionPid(1, 2, 3),
-                new DeviceRequest.SpeedProfile(1, 2),
-                new DeviceRequest.PositionMode(7),
-                new DeviceRequest.GetColour(),
-                new DeviceRequest.Unknown(99))) {
-            assertThat(client.ask(POSITION2D, 0, request)).as("%s", request).isInstanceOf(DeviceReply.Nack.class);
-        }
-        assertThat(client.ask(POSITION2D, 0, new DeviceRequest.PositionMode(1))).isEqualTo(new DeviceReply.Ack());
-        assertRefused(client.ask(BLOBFINDER, 0, new DeviceRequest.SetColour(0, 1, 2, 3, 4, 5, 6)), "not offer");
-        assertRefused(client.ask(BLOBFINDER, 0, new DeviceRequest.SetImager(0, 1, 2, 3)), "not offer");
-    }
-
-    @Test
-    void capabilities_areWhatTheDevicesDo() {
-        assertThat(capability(POSITION2D, 2, 2)).isTrue();
-        assertThat(capability(POSITION2D, 3, 7)).isFalse();
-        assertThat(capability(SONAR, 2, 1)).isFalse();
-        assertThat(capability(SONAR, 1, 1)).isTrue();
-        assertThat(capability(LASER, 3, 3)).isTrue();
-        assertThat(capability(SIMULATION, 2, 3)).isFalse();
-        assertThat(capability(BLOBFINDER, 3, 255)).isTrue();
-        assertThat(capability(BLOBFINDER, 9, 1)).isFalse();
-    }
-
-    private boolean capability(Interfaces type, int messageType, int subtype) {
-        return client.ask(type, 0, new DeviceRequest.Capability(messageType, subtype)) instanceof DeviceReply.Ack;
     }
 
     @Test
@@ -290,42 +350,12 @@ class SimulatedDevicesTest {
         client.subscribe(SONAR, 0);
         assertThat(client.ask(SONAR, 0, new DeviceRequest.Power(false)))
                 .isEqualTo(new DeviceReply.Nack("sonar:0 of a simulated robot cannot be switched off"));
-        assertThat(client.ask(SONAR, 0, new DeviceRequest.Power(true))).isEqualTo(new DeviceReply.Ack());
+        assertThat(client.ask(SONAR, 0, new DeviceRequest.Power(true))).isEqualTo(ACK);
         ticks(3);
         assertThat(client.frames).as("a frame for each tick").hasSize(3);
     }
 
     // ---- simulation
-
-    @Test
-    void poses_canBeAsked_andSet() {
-        client.subscribe(POSITION2D, 0);
-        assertThat(client.ask(SIMULATION, 0, new DeviceRequest.GetPose("two")))
-                .isEqualTo(new DeviceReply.ModelPose("two", -2, 0, 0));
-        assertThat(client.ask(SIMULATION, 0, new DeviceRequest.GetPose("east")))
-                .isEqualTo(new DeviceReply.ModelPose("east", 3, 0, 0));
-        assertThat(client.ask(SIMULATION, 0, new DeviceRequest.SetPose("two", -3, 2, 1)))
-                .isEqualTo(new DeviceReply.Ack());
-        assertThat(client.ask(SIMULATION, 0, new DeviceRequest.SetPose("one", -1, -2, 0)))
-                .isEqualTo(new DeviceReply.Ack());
-        ticks(1);
-        assertThat(pose(1)).isEqualTo(new Pose(-3, 2, 1));
-        assertThat(pose(0)).isEqualTo(new Pose(-1, -2, 0));
-    }
-
-    @Test
-    void poseThatCannotBe_isRefused_sayingWhy() {
-        assertRefused(
-                client.ask(SIMULATION, 0, new DeviceRequest.SetPose("one", 2.8, 0, 0)),
-                "it would overlap obstacle 'east'");
-        assertRefused(
-                client.ask(SIMULATION, 0, new DeviceRequest.SetPose("one", -2, 0.1, 0)),
-                "it would overlap robot 'two'");
-        assertRefused(client.ask(SIMULATION, 0, new DeviceRequest.SetPose("three", 0, 0, 0)), "no model 'three'");
-        assertRefused(client.ask(SIMULATION, 0, new DeviceRequest.SetPose("east", 0, 0, 0)), "only robots");
-        assertRefused(client.ask(SIMULATION, 0, new DeviceRequest.GetPose("three")), "world 'test' has no model");
-        assertRefused(client.ask(SIMULATION, 0, new DeviceRequest.Geometry()), "not offer");
-    }
 
     @Test
     void reset_putsEverythingBack_andTimeGoesOn() {
@@ -336,47 +366,37 @@ class SimulatedDevicesTest {
         client.tell(SIMULATION, 0, new DeviceCommand.Reset());
         ticks(2);
         assertThat(pose(0)).isEqualTo(Pose.ORIGIN);
-        assertThat(simulation.latest().robots().getFirst().odometry().pose()).isEqualTo(Pose.ORIGIN);
+        assertThat(robot(0).odometry().pose()).isEqualTo(Pose.ORIGIN);
         assertThat(simulation.latest().tick()).isEqualTo(7);
     }
 
+    private static void resetSpeedReset(WireClient client) {
+        client.tell(SIMULATION, 0, new DeviceCommand.Reset());
+        client.drive(0, 0.5);
+        client.tell(SIMULATION, 0, new DeviceCommand.Reset());
+    }
+
     @Test
-    void resetSpeedReset_inOneTick_leavesTheRobotStanding() {
+    void resetSpeedReset_inOneTickOrAfterTheAnswer_leavesTheRobotStanding() {
         client.subscribe(POSITION2D, 0);
-        client.tell(SIMULATION, 0, new DeviceCommand.Reset());
-        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.5, 0, 0, true));
-        client.tell(SIMULATION, 0, new DeviceCommand.Reset());
+        resetSpeedReset(client);
         ticks(3);
         assertThat(pose(0)).isEqualTo(Pose.ORIGIN);
-
         client.tell(SIMULATION, 0, new DeviceCommand.Reset());
-        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.5, 0, 0, true));
+        client.drive(0, 0.5);
         ticks(2);
         assertThat(pose(0).x()).as("a speed after the last reset").isCloseTo(0.1, within(1e-9));
-    }
 
-    @Test
-    void resetSpeedReset_afterTheAnswer_leavesTheRobotStandingToo() {
-        var talker = new WireClient(PORT, (self, frame) -> {
-            self.line.answered(frame.tick());
-            if (frame.tick() == 0) {
-                self.tell(SIMULATION, 0, new DeviceCommand.Reset());
-                self.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.5, 0, 0, true));
-                self.tell(SIMULATION, 0, new DeviceCommand.Reset());
-            }
-        });
-        talker.subscribe(POSITION2D, 0);
+        resetSpeedReset(client);
+        new WireClient(PORT, (self, frame) -> {
+                    self.answer(frame);
+                    if (frame.tick() == 5) {
+                        resetSpeedReset(self);
+                    }
+                })
+                .subscribe(POSITION2D, 0);
         ticks(4);
         assertThat(pose(0)).isEqualTo(Pose.ORIGIN);
-    }
-
-    @Test
-    void odometryThatIsTooFarAway_isRefused_namingTheRobot() {
-        assertRefused(
-                client.ask(POSITION2D, 1, new DeviceRequest.SetOdometry(1.7e308, 0, 0)),
-                "odometry of robot 'two' was set to Pose[x=1.7E308");
-        assertRefused(
-                client.ask(POSITION2D, 1, new DeviceRequest.SetOdometry(Double.NaN, 0, 0)), "expected finite numbers");
     }
 
     @Test
@@ -404,11 +424,20 @@ class SimulatedDevicesTest {
     }
 
     @Test
-    void teleport_acknowledgedBeforeTheClientLeft_stillCounts() {
+    void poses_canBeSet_andCount_whenTheClientHasLeftAfterTheAcknowledgement() {
         client.subscribe(POSITION2D, 0);
-        client.ask(SIMULATION, 0, new DeviceRequest.SetPose("two", -3, 2, 1));
-        client.line.close();
-        ticks(1);
-        assertThat(pose(1)).isEqualTo(new Pose(-3, 2, 1));
+        for (boolean leaves : new boolean[] {false, true}) {
+            double x = leaves ? -3 : -2.5;
+            assertThat(client.ask(SIMULATION, 0, new DeviceRequest.SetPose("two", x, 2, 1)))
+                    .isEqualTo(ACK);
+            assertThat(client.ask(SIMULATION, 0, new DeviceRequest.SetPose("one", -1, -2, 0)))
+                    .isEqualTo(ACK);
+            if (leaves) {
+                client.line.close();
+            }
+            ticks(1);
+            assertThat(pose(1)).isEqualTo(new Pose(x, 2, 1));
+            assertThat(pose(0)).isEqualTo(new Pose(-1, -2, 0));
+        }
     }
 }

@@ -4,14 +4,16 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.player.wire.ScriptedServer;
+import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
-import java.lang.reflect.Constructor;
+import java.lang.reflect.Array;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
 import java.util.List;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -30,56 +32,17 @@ class UserProgramTest {
     private static final List<Class<?>> NAMED_IN_THE_GUIDE =
             List.of(PlayerClient.class, ActorSpace.class, NullMarked.class);
 
+    /** The packages below {@code io.troupe.player.structures}. */
+    private static final String STRUCTURES = """
+            actarray aio audio audiodsp audiomixer blinkenlight blobfinder bumper camera dio fiducial gps graphics2d \
+            graphics3d gripper health imu ir joystick laser limb localize log map mcom opaque planner player \
+            pointcloud3d position1d position2d position3d power ptz ranger rfid simulation sonar sound speech \
+            speechrecognition stereo waveform wifi wsn""";
+
     /** Written for javaclient3 except for the import prefix; it mentions the unsupported interfaces too. */
     private static final String MENTIONS_EVERYTHING = """
             import io.troupe.player.*;
             import io.troupe.player.structures.*;
-            import io.troupe.player.structures.actarray.*;
-            import io.troupe.player.structures.aio.*;
-            import io.troupe.player.structures.audio.*;
-            import io.troupe.player.structures.audiodsp.*;
-            import io.troupe.player.structures.audiomixer.*;
-            import io.troupe.player.structures.blinkenlight.*;
-            import io.troupe.player.structures.blobfinder.*;
-            import io.troupe.player.structures.bumper.*;
-            import io.troupe.player.structures.camera.*;
-            import io.troupe.player.structures.dio.*;
-            import io.troupe.player.structures.fiducial.*;
-            import io.troupe.player.structures.gps.*;
-            import io.troupe.player.structures.graphics2d.*;
-            import io.troupe.player.structures.graphics3d.*;
-            import io.troupe.player.structures.gripper.*;
-            import io.troupe.player.structures.health.*;
-            import io.troupe.player.structures.imu.*;
-            import io.troupe.player.structures.ir.*;
-            import io.troupe.player.structures.joystick.*;
-            import io.troupe.player.structures.laser.*;
-            import io.troupe.player.structures.limb.*;
-            import io.troupe.player.structures.localize.*;
-            import io.troupe.player.structures.log.*;
-            import io.troupe.player.structures.map.*;
-            import io.troupe.player.structures.mcom.*;
-            import io.troupe.player.structures.opaque.*;
-            import io.troupe.player.structures.planner.*;
-            import io.troupe.player.structures.player.*;
-            import io.troupe.player.structures.pointcloud3d.*;
-            import io.troupe.player.structures.position1d.*;
-            import io.troupe.player.structures.position2d.*;
-            import io.troupe.player.structures.position3d.*;
-            import io.troupe.player.structures.power.*;
-            import io.troupe.player.structures.ptz.*;
-            import io.troupe.player.structures.ranger.*;
-            import io.troupe.player.structures.rfid.*;
-            import io.troupe.player.structures.simulation.*;
-            import io.troupe.player.structures.sonar.*;
-            import io.troupe.player.structures.sound.*;
-            import io.troupe.player.structures.speech.*;
-            import io.troupe.player.structures.speechrecognition.*;
-            import io.troupe.player.structures.stereo.*;
-            import io.troupe.player.structures.waveform.*;
-            import io.troupe.player.structures.wifi.*;
-            import io.troupe.player.structures.wsn.*;
-
             public class Everything implements PlayerConstants {
                 ActarrayInterface arm; AIOInterface aio; AudioInterface audio; AudioDSPInterface dsp;
                 AudioMixerInterface mixer; BlinkenlightInterface lamp; BumperInterface bumper; CameraInterface camera;
@@ -142,28 +105,23 @@ class UserProgramTest {
     private Path folder;
 
     /** Compiles the sources; returns the output of javac, which is empty on success. */
-    private String compile(List<Path> sources) {
+    private String compile(List<Path> sources) throws IOException {
         String classPath = NAMED_IN_THE_GUIDE.stream()
                 .map(UserProgramTest::placeOf)
                 .distinct()
-                .collect(Collectors.joining(java.io.File.pathSeparator));
+                .collect(Collectors.joining(File.pathSeparator));
         var options = List.of("-cp", classPath, "-d", folder.resolve("out").toString(), "-proc:none");
         var compiler = ToolProvider.getSystemJavaCompiler();
         var said = new StringWriter();
         try (var files = compiler.getStandardFileManager(null, null, null)) {
-            boolean compiled = compiler.getTask(
-                            said, files, null, options, null, files.getJavaFileObjectsFromPaths(sources))
-                    .call();
-            return compiled ? said.toString() : "failed: " + said;
-        } catch (IOException e) {
-            throw new AssertionError(e);
+            var task = compiler.getTask(said, files, null, options, null, files.getJavaFileObjectsFromPaths(sources));
+            return task.call() ? said.toString() : "failed: " + said;
         }
     }
 
     private static String placeOf(Class<?> type) {
-        return Path.of(java.net.URI.create(
-                        type.getProtectionDomain().getCodeSource().getLocation().toString()))
-                .toString();
+        var place = type.getProtectionDomain().getCodeSource().getLocation();
+        return Path.of(URI.create(place.toString())).toString();
     }
 
     @Test
@@ -179,12 +137,15 @@ class UserProgramTest {
 
     @Test
     void program_thatMentionsWhatIsNotOffered_compiles() throws IOException {
-        Path source = Files.writeString(folder.resolve("Everything.java"), MENTIONS_EVERYTHING);
+        String imports = Stream.of(STRUCTURES.split(" "))
+                .map(each -> "import io.troupe.player.structures." + each + ".*;\n")
+                .collect(Collectors.joining());
+        Path source = Files.writeString(folder.resolve("Everything.java"), imports + MENTIONS_EVERYTHING);
         assertThat(compile(List.of(source))).isEmpty();
     }
 
     static List<Class<?>> unoffered() {
-        return Arrays.stream(UnsupportedInterfaces.class.getDeclaredMethods())
+        return Stream.of(UnsupportedInterfaces.class.getDeclaredMethods())
                 .filter(each -> each.getName().startsWith("requestInterface"))
                 .<Class<?>>map(Method::getReturnType)
                 .distinct()
@@ -194,17 +155,15 @@ class UserProgramTest {
     @ParameterizedTest
     @MethodSource("unoffered")
     void methods_ofAnInterfaceThatIsNotOffered_sayWhatThereIs(Class<?> type) throws Exception {
-        var server = new ScriptedServer();
-        try (var port = PlayerPorts.open(ScriptedServer.PORT, server)) {
+        try (var port = PlayerPorts.open(ScriptedServer.PORT, new ScriptedServer())) {
             assertThat(port).isNotNull();
             var client = new PlayerClient("localhost", ScriptedServer.PORT);
-            Constructor<?> constructor = type.getConstructor(PlayerClient.class);
-            Object device = constructor.newInstance(client);
-            for (Method method : type.getDeclaredMethods()) {
-                if (!Modifier.isPublic(method.getModifiers()) || method.isSynthetic()) {
-                    continue;
-                }
-                Object[] arguments = Arrays.stream(method.getParameterTypes())
+            Object device = type.getConstructor(PlayerClient.class).newInstance(client);
+            var methods = Stream.of(type.getDeclaredMethods())
+                    .filter(each -> Modifier.isPublic(each.getModifiers()) && !each.isSynthetic())
+                    .toList();
+            for (Method method : methods) {
+                Object[] arguments = Stream.of(method.getParameterTypes())
                         .map(UserProgramTest::argument)
                         .toArray();
                 assertThatThrownBy(() -> method.invoke(device, arguments))
@@ -218,6 +177,6 @@ class UserProgramTest {
     }
 
     private static Object argument(Class<?> type) {
-        return java.lang.reflect.Array.get(java.lang.reflect.Array.newInstance(type, 1), 0);
+        return Array.get(Array.newInstance(type, 1), 0);
     }
 }

@@ -16,10 +16,11 @@ import java.util.function.BiConsumer;
 /** A client at the wire level that reacts to every frame in the same way. */
 public final class WireClient implements DataSink {
     /** The minimum that a client in lock step does: it answers. */
-    public static final BiConsumer<WireClient, Frame> ANSWER = (self, frame) -> self.line.answered(frame.tick());
+    public static final BiConsumer<WireClient, Frame> ANSWER = WireClient::answer;
 
     public final List<Frame> frames = new CopyOnWriteArrayList<>();
     public final PlayerConnection line;
+    final List<String> losses = new CopyOnWriteArrayList<>();
     private final BiConsumer<WireClient, Frame> move;
 
     public WireClient(int port, BiConsumer<WireClient, Frame> move) {
@@ -39,8 +40,16 @@ public final class WireClient implements DataSink {
                 .orElseThrow();
     }
 
+    void answer(Frame frame) {
+        line.answered(frame.tick());
+    }
+
     public void tell(Interfaces type, int index, DeviceCommand command) {
         line.command(device(type, index), command);
+    }
+
+    void drive(int robot, double speedMps) {
+        tell(Interfaces.POSITION2D, robot, new DeviceCommand.Velocity(speedMps, 0, 0, true));
     }
 
     public DeviceReply ask(Interfaces type, int index, DeviceRequest request) {
@@ -63,5 +72,7 @@ public final class WireClient implements DataSink {
     }
 
     @Override
-    public void lost(String reason) {}
+    public void lost(String reason) {
+        losses.add(reason);
+    }
 }

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import com.sun.management.ThreadMXBean;
 import io.troupe.sim.model.WorldSpec;
 import java.lang.management.ManagementFactory;
+import java.lang.management.MemoryUsage;
 import java.lang.ref.Reference;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
@@ -21,12 +22,12 @@ class FootprintTest {
     @ParameterizedTest
     @ValueSource(ints = {2, 100})
     void warmWorld_advancesWithoutGarbage(int robots) {
-        World world = World.create(Tiles.world(robots, 1, Specs.RED, Specs.GREEN, Specs.BLUE), WorldSettings.DEFAULT);
-        world.advance(1_200, Tiles::wander);
+        World world = World.create(Arena.crowd(robots, 1, Specs.RED, Specs.GREEN, Specs.BLUE), WorldSettings.DEFAULT);
+        world.advance(1_200, Arena::wander);
         var allocated = new long[401];
         world.advance(allocated.length, view -> {
             allocated[(int) (view.tick() - 1_200)] = THREADS.getCurrentThreadAllocatedBytes();
-            Tiles.wander(view);
+            Arena.wander(view);
         });
         long grown = IntStream.range(1, allocated.length)
                 .filter(i -> allocated[i] > allocated[i - 1])
@@ -36,8 +37,8 @@ class FootprintTest {
 
     @Test
     void robot_takesLessThanEightKilobytes() {
-        WorldSpec few = Tiles.world(64, 1, Specs.RED);
-        WorldSpec many = Tiles.world(1_024, 1, Specs.RED);
+        WorldSpec few = Arena.crowd(64, 1, Specs.RED);
+        WorldSpec many = Arena.crowd(1_024, 1, Specs.RED);
         long perRobot = (size(many) - size(few)) / (1_024 - 64);
         assertThat(perRobot).as("bytes per robot").isBetween(1_000L, 8_000L);
     }
@@ -45,7 +46,7 @@ class FootprintTest {
     /** Heap bytes freed when this world is dropped. */
     private static long size(WorldSpec spec) {
         World world = World.create(spec, WorldSettings.DEFAULT);
-        world.advance(20, Tiles::wander);
+        world.advance(20, Arena::wander);
         long with = usedAfterCollection();
         Reference.reachabilityFence(world);
         world = null;
@@ -56,9 +57,8 @@ class FootprintTest {
         long least = Long.MAX_VALUE;
         for (int i = 0; i < 3; i++) {
             System.gc();
-            least = Math.min(
-                    least,
-                    ManagementFactory.getMemoryMXBean().getHeapMemoryUsage().getUsed());
+            MemoryUsage heap = ManagementFactory.getMemoryMXBean().getHeapMemoryUsage();
+            least = Math.min(least, heap.getUsed());
         }
         return least;
     }

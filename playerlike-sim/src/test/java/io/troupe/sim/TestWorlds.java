@@ -4,8 +4,8 @@ import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.ObstacleSpec;
-import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.Shape;
@@ -15,57 +15,33 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
-import java.util.stream.IntStream;
 
-/** Small worlds built in code. */
+/** Small worlds built in code, and the devices that they provide. */
 public final class TestWorlds {
-    public static final int BLACK = 0;
-    public static final int RED = 0xFF0000;
-    public static final int GREEN = 0x00FF00;
-    public static final SourcePosition NOWHERE = new SourcePosition(Path.of("test.world"), 1, 1);
+    public static final int BLACK = Specs.BLACK;
+    public static final int RED = Specs.RED;
+    public static final int GREEN = Specs.GREEN;
+    public static final SourcePosition NOWHERE = Specs.at(1);
     /** Facing left, ahead, right and back; at the centre of rotation. */
-    public static final SonarSpec CROSS = new SonarSpec(
-            IntStream.of(90, 0, -90, 180)
-                    .mapToObj(degrees -> new Pose(0, 0, StrictMath.toRadians(degrees)))
-                    .toList(),
-            0,
-            5,
-            StrictMath.toRadians(15));
+    public static final SonarSpec CROSS = Specs.sonars(90, 0, -90, 180);
     /** 80 columns of one degree, 5 m. */
     public static final BlobfinderSpec CAMERA =
             new BlobfinderSpec(Pose.ORIGIN, 80, 60, 5, StrictMath.toRadians(80), List.of());
 
     private TestWorlds() {}
 
-    /** A rectangle around the origin. */
-    public static Shape box(double lengthM, double widthM) {
-        double x = lengthM / 2;
-        double y = widthM / 2;
-        return new Shape(List.of(List.of(new Point(-x, -y), new Point(x, -y), new Point(x, y), new Point(-x, y))));
-    }
-
     public static ObstacleSpec wall(String name, double x, double y, double lengthM, double widthM, int colour) {
-        return new ObstacleSpec(name, new Pose(x, y, 0), box(lengthM, widthM), colour, true, true, true, NOWHERE);
+        return Specs.box(name, new Pose(x, y, 0), lengthM, widthM, colour);
     }
 
     /** 0.4 m by 0.3 m, with the sonar cross and the camera. */
     public static RobotSpec robot(String name, double x, double y, double headingRad) {
+        Pose pose = new Pose(x, y, headingRad);
+        Pose zero = Pose.ORIGIN;
+        Shape box = Specs.box(0.4, 0.3);
+        List<RangerSpec> none = List.of();
         return new RobotSpec(
-                name,
-                new Pose(x, y, headingRad),
-                box(0.4, 0.3),
-                0xFFA500,
-                0.4,
-                0.3,
-                10,
-                Pose.ORIGIN,
-                Pose.ORIGIN,
-                CROSS,
-                CAMERA,
-                List.of(),
-                true,
-                true,
-                NOWHERE);
+                name, pose, box, Specs.ORANGE, 0.4, 0.3, 10, zero, zero, CROSS, CAMERA, none, true, true, NOWHERE);
     }
 
     public static WorldSpec world(List<RobotSpec> robots, ObstacleSpec... obstacles) {

@@ -1,40 +1,50 @@
 package io.troupe.petri;
 
+import static io.troupe.petri.Nets.part;
+import static io.troupe.petri.Nets.refused;
+import static java.util.stream.Collectors.toMap;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.petri.PaperNets.Reading;
+import io.troupe.petri.ReachabilityGraph.State;
 import java.net.URISyntaxException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.HashMap;
-import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
-import org.junit.jupiter.params.provider.EnumSource;
 
+/** The paper's nets, and those of its robots in teams. */
 class PaperNetsTest {
     private static PetriNet fixture(String name) throws URISyntaxException {
-        return Pnml.read(Path.of(
-                Objects.requireNonNull(PaperNetsTest.class.getResource(name)).toURI()));
+        var resource = Objects.requireNonNull(PaperNetsTest.class.getResource(name), name);
+        return Pnml.read(Path.of(resource.toURI()));
     }
 
     /** The marking after a firing sequence. */
     private static Marking end(PetriNet net, String names) {
-        return net.fire(
-                net.initialMarking(),
-                Arrays.stream(names.split(" ")).map(net::transition).toList());
+        var sequence = Arrays.stream(names.split(" ")).map(net::transition).toList();
+        return net.fire(net.initialMarking(), sequence);
     }
 
     /** The dead markings with the lengths of their shortest traces. */
     private static Map<Marking, Integer> dead(ReachabilityGraph graph) {
-        var dead = new HashMap<Marking, Integer>();
-        graph.dead()
-                .forEach(
-                        state -> dead.put(state.marking(), state.shortestTrace().size()));
-        return dead;
+        var states = graph.dead().stream();
+        return states.collect(
+                toMap(State::marking, state -> state.shortestTrace().size()));
+    }
+
+    private static PetriNet team(String design, int robots) {
+        return switch (design) {
+            case "uncorrected" -> RobotTeams.uncorrected(robots);
+            case "together" -> RobotTeams.stoppingTogether(robots);
+            case "oneByOne" -> RobotTeams.stoppingOneByOne(robots);
+            default -> throw new IllegalArgumentException(design);
+        };
     }
 
     @ParameterizedTest
@@ -47,114 +57,71 @@ class PaperNetsTest {
                 .isEqualTo(fixture(corrected).structure());
     }
 
+    /** Places, transitions, arcs; markings, edges, dead markings. */
+    private static String numbers(ReachabilityGraph graph) {
+        var net = graph.net();
+        assertThat(graph.isComplete()).isTrue();
+        return "%d %d %d; ".formatted(net.places().size(), net.transitions().size(), net.arcCount())
+                + "%d %d %d"
+                        .formatted(graph.size(), graph.edgeCount(), graph.dead().size());
+    }
+
     @ParameterizedTest
     @CsvSource({
-        "A, false, 38, 33, 86, 1264, 3706, 6",
-        "A, true, 38, 30, 86, 429, 1084, 0",
-        "B, false, 37, 32, 84, 1104, 3236, 3",
-        "B, true, 37, 29, 84, 363, 913, 0"
+        "A, false, 38 33 86; 1264 3706 6",
+        "A, true,  38 30 86; 429 1084 0",
+        "B, false, 37 32 84; 1104 3236 3",
+        "B, true,  37 29 84; 363 913 0"
     })
-    void wholeNet_hasTheKnownNumbers(
-            Reading reading,
-            boolean corrected,
-            int places,
-            int transitions,
-            int arcs,
-            int markings,
-            int edges,
-            int dead) {
-        var net = corrected ? PaperNets.corrected(reading) : PaperNets.uncorrected(reading);
-
-        var graph = ReachabilityGraph.explore(net);
-
-        assertThat(net.places()).hasSize(places);
-        assertThat(net.transitions()).hasSize(transitions);
-        assertThat(net.arcCount()).isEqualTo(arcs);
-        assertThat(graph.isComplete()).isTrue();
-        assertThat(graph.size()).isEqualTo(markings);
-        assertThat(graph.edgeCount()).isEqualTo(edges);
-        assertThat(graph.dead()).hasSize(dead);
+    void wholeNet_hasTheKnownNumbers(Reading reading, boolean corrected, String numbers) {
+        var graph = ReachabilityGraph.explore(Nets.paper(reading, corrected));
+        assertThat(numbers(graph)).isEqualTo(numbers);
         assertThat(graph.deadlockFree()).isEqualTo(corrected ? Verdict.YES : Verdict.NO);
         assertThat(graph.mostTokens()).isEqualTo(1);
         assertThat(graph.neverMarked()).isEmpty();
         assertThat(graph.neverFired()).isEmpty();
+        for (var state : graph.states()) {
+            assertThat(state.marking().marked().stream()
+                            .map(place -> place.name().substring(0, 1)))
+                    .as("each component is in one place")
+                    .containsExactlyInAnyOrder("R", "P", "M", "S");
+        }
     }
 
     @ParameterizedTest
     @CsvSource({
-        "robot,                   '',       6,  7, 14,  6,  7, 0",
-        "player,                  '',       3,  4,  8,  3,  4, 0",
-        "middleware,              '',       3,  4,  8,  3,  4, 0",
-        "service,                 '',       6,  8, 16,  6,  8, 0",
-        "robot player,            Tr2,     13, 13, 30, 23, 45, 0",
-        "robot player,            Tr2 Tr4, 17, 15, 38, 28, 43, 1",
-        "player middleware,       Tp3,     10, 10, 24, 14, 27, 0",
-        "middleware service,      Tm2,     13, 14, 32, 26, 55, 0",
-        "middleware service,      Ts1,     13, 14, 32, 23, 48, 0",
-        "middleware service,      Ts1 Tm2, 17, 16, 40, 32, 55, 2"
+        "robot,              '',      6 7 14; 6 7 0",
+        "player,             '',      3 4 8; 3 4 0",
+        "middleware,         '',      3 4 8; 3 4 0",
+        "service,            '',      6 8 16; 6 8 0",
+        "robot player,       Tr2,     13 13 30; 23 45 0",
+        "robot player,       Tr2 Tr4, 17 15 38; 28 43 1",
+        "player middleware,  Tp3,     10 10 24; 14 27 0",
+        "middleware service, Tm2,     13 14 32; 26 55 0",
+        "middleware service, Ts1,     13 14 32; 23 48 0",
+        "middleware service, Ts1 Tm2, 17 16 40; 32 55 2"
     })
-    void part_ofReadingA_hasTheKnownNumbers(
-            String components,
-            String requests,
-            int places,
-            int transitions,
-            int arcs,
-            int markings,
-            int edges,
-            int dead) {
-        var graph = ReachabilityGraph.explore(part(components, requests));
-
-        assertThat(graph.net().places()).hasSize(places);
-        assertThat(graph.net().transitions()).hasSize(transitions);
-        assertThat(graph.net().arcCount()).isEqualTo(arcs);
-        assertThat(graph.size()).isEqualTo(markings);
-        assertThat(graph.edgeCount()).isEqualTo(edges);
-        assertThat(graph.dead()).hasSize(dead);
-    }
-
-    private static PetriNet part(String components, String requests) {
-        var byName = Map.of(
-                "robot",
-                PaperNets.robot(),
-                "player",
-                PaperNets.player(),
-                "middleware",
-                PaperNets.middleware(),
-                "service",
-                PaperNets.service(Reading.A));
-        return Composition.compose(
-                components,
-                Arrays.stream(components.split(" ")).map(byName::get).toList(),
-                PaperNets.melds().stream()
-                        .filter(meld -> List.of(requests.split(" ")).contains(meld.request()))
-                        .toList());
+    void part_ofReadingA_hasTheKnownNumbers(String components, String requests, String numbers) {
+        assertThat(numbers(ReachabilityGraph.explore(part(components, requests))))
+                .isEqualTo(numbers);
     }
 
     @Test
     void pairs_showBothCausesOfTheDeadlock() {
-        var robotPlayer = ReachabilityGraph.explore(part("robot player", "Tr2 Tr4"));
-        var middlewareService = ReachabilityGraph.explore(part("middleware service", "Ts1 Tm2"));
-
-        assertThat(dead(robotPlayer)).isEqualTo(Map.of(robotPlayer.net().marking("P1", "R7''"), 8));
-        assertThat(dead(middlewareService))
-                .isEqualTo(Map.of(
-                        middlewareService.net().marking("M1", "S10"),
-                        6,
-                        middlewareService.net().marking("S2''", "M8''"),
-                        8));
-        assertThat(end(robotPlayer.net(), "Tr1 Tr2'' Trp1'' Tp1 Trp2'' Tr3 Tr4'' Tp4"))
-                .hasToString("{P1, R7''}");
-        assertThat(end(middlewareService.net(), "Ts1'' Tms1'' Tm1 Tms2'' Tm4 Ts8"))
-                .hasToString("{M1, S10}");
-        assertThat(end(middlewareService.net(), "Ts1'' Tms1'' Tm1 Tms2'' Tm3 Tm2'' Ts7 Ts1''"))
-                .hasToString("{S2'', M8''}");
+        var one = part("robot player", "Tr2 Tr4");
+        var other = part("middleware service", "Ts1 Tm2");
+        assertThat(dead(ReachabilityGraph.explore(one))).isEqualTo(Map.of(one.marking("P1", "R7''"), 8));
+        assertThat(dead(ReachabilityGraph.explore(other)))
+                .isEqualTo(Map.of(other.marking("M1", "S10"), 6, other.marking("S2''", "M8''"), 8));
+        assertThat(end(one, "Tr1 Tr2'' Trp1'' Tp1 Trp2'' Tr3 Tr4'' Tp4")).hasToString("{P1, R7''}");
+        assertThat(end(other, "Ts1'' Tms1'' Tm1 Tms2'' Tm4 Ts8")).hasToString("{M1, S10}");
+        assertThat(end(other, "Ts1'' Tms1'' Tm1 Tms2'' Tm3 Tm2'' Ts7 Ts1''")).hasToString("{S2'', M8''}");
     }
 
     @Test
     void uncorrectedA_hasTheSixKnownDeadMarkings() {
         var net = PaperNets.uncorrected(Reading.A);
         var graph = ReachabilityGraph.explore(net);
-
         assertThat(dead(graph))
                 .isEqualTo(Map.of(
                         net.marking("P1", "M1", "S10", "R7''"), 14,
@@ -168,13 +135,12 @@ class PaperNetsTest {
             assertThat(net.enabled(state.marking())).isEmpty();
         });
         var known = "Tr1 Tr2'' Trp1'' Tp1 Trp2'' Tr3 Tr4'' Tp4 Ts1'' Tms1'' Tm1 Tms2'' Tm4 Ts8";
-        assertThat(end(net, known)).isEqualTo(graph.dead().get(0).marking());
+        assertThat(end(net, known)).isEqualTo(graph.dead().getFirst().marking());
     }
 
     @Test
     void uncorrectedB_hasTheThreeKnownDeadMarkings() {
         var net = PaperNets.uncorrected(Reading.B);
-
         assertThat(dead(ReachabilityGraph.explore(net)))
                 .isEqualTo(Map.of(
                         net.marking("P1", "R7''", "S2''", "M8''"), 25,
@@ -183,33 +149,11 @@ class PaperNetsTest {
     }
 
     @ParameterizedTest
-    @CsvSource({"P1 R7'', 32, 8", "S2'' M8'', 36, 21", "M1 S10, 36, 6"})
-    void block_onceReachedInUncorrectedA_isNeverLeft(String places, int markings, int firings) {
-        var net = PaperNets.uncorrected(Reading.A);
-        var block = net.marking(places.split(" "));
-
-        var blocked = ReachabilityGraph.explore(net).states().stream()
-                .filter(state -> state.marking().covers(block))
-                .toList();
-
-        assertThat(blocked).hasSize(markings);
-        assertThat(blocked.get(0).shortestTrace()).hasSize(firings);
-        assertThat(blocked)
-                .allSatisfy(state -> assertThat(state.successors())
-                        .allMatch(edge -> edge.target().marking().covers(block)));
-    }
-
-    @ParameterizedTest
-    @CsvSource({"A, 360, 891", "B, 305, "})
-    void stops_ofLowerPriority_neverFire(Reading reading, int markings, Integer edges) {
+    @CsvSource({"A, 38 33 86; 360 891 0", "B, 37 32 84; 305 751 0"})
+    void stops_ofLowerPriority_neverFire(Reading reading, String numbers) {
         var net = PaperNets.lowPriorityStops(reading);
-
         var graph = ReachabilityGraph.explore(net);
-
-        assertThat(graph.size()).isEqualTo(markings);
-        if (edges != null) {
-            assertThat(graph.edgeCount()).isEqualTo(edges);
-        }
+        assertThat(numbers(graph)).isEqualTo(numbers);
         assertThat(graph.deadlockFree()).isEqualTo(Verdict.YES);
         assertThat(graph.neverFired())
                 .extracting(Transition::name)
@@ -221,46 +165,103 @@ class PaperNetsTest {
     void correctedA_onceTheRobotWantsToStop_stopsWithinTwentyOneFirings() {
         var net = PaperNets.corrected(Reading.A);
         var stop = net.transition("Tstop");
-        var graph = ReachabilityGraph.explore(net);
-        var stopping = graph.states().stream()
-                .filter(state -> state.marking().covers(net.marking("R10")))
-                .toList();
+        var states = ReachabilityGraph.explore(net).states();
+        var wish = net.marking("R10");
+        var stopping =
+                states.stream().filter(state -> state.marking().covers(wish)).toList();
 
         // the longest firing sequence from each stopping state to Tstop, which is excluded; a cycle would not settle
         // within this number of rounds
-        var longest = new HashMap<ReachabilityGraph.State, Integer>();
+        var longest = new HashMap<State, Integer>();
         for (var round = 0; round <= stopping.size(); round++) {
             for (var state : stopping) {
-                assertThat(state.successors()).isNotEmpty();
-                longest.put(
-                        state,
-                        state.successors().stream()
-                                .mapToInt(edge ->
-                                        edge.transition().equals(stop) ? 0 : 1 + longest.getOrDefault(edge.target(), 0))
-                                .max()
-                                .orElseThrow());
+                var lengths = state.successors().stream()
+                        .map(edge -> edge.transition().equals(stop) ? 0 : 1 + longest.getOrDefault(edge.target(), 0));
+                longest.put(state, lengths.max(Integer::compare).orElseThrow());
             }
         }
 
         assertThat(stopping).hasSize(69);
-        assertThat(longest.values().stream().mapToInt(Integer::intValue).max()).hasValue(21);
-        var enabling = graph.states().stream()
-                .filter(state -> net.enabled(state.marking()).contains(stop))
-                .toList();
-        assertThat(enabling).singleElement().satisfies(state -> {
-            assertThat(state.shortestTrace()).hasSize(27);
-            assertThat(net.fire(state.marking(), stop)).isEqualTo(net.initialMarking());
-        });
+        assertThat(longest.values().stream().max(Integer::compare)).hasValue(21);
+        assertThat(states)
+                .filteredOn(state -> net.enabled(state.marking()).contains(stop))
+                .singleElement()
+                .satisfies(state -> {
+                    assertThat(state.shortestTrace()).hasSize(27);
+                    assertThat(net.fire(state.marking(), stop)).isEqualTo(net.initialMarking());
+                });
+    }
+
+    @Test
+    void teamOfOne_isThePapersNet_andOfNoneIsRefused() {
+        var uncorrected = RobotTeams.uncorrected(1).renamed("one", name -> name.replace(".1", ""));
+        var corrected = RobotTeams.stoppingTogether(1).renamed("one", name -> name.replace(".1", ""));
+        assertThat(uncorrected.structure())
+                .isEqualTo(PaperNets.uncorrected(Reading.A).structure());
+        assertThat(corrected.structure())
+                .isEqualTo(PaperNets.corrected(Reading.A).structure());
+        refused(() -> RobotTeams.stoppingOneByOne(0), "robots is 0, expected 1 or more");
     }
 
     @ParameterizedTest
-    @EnumSource
-    void everyComponent_alwaysIsInOnePlace(Reading reading) {
-        for (var net : List.of(PaperNets.uncorrected(reading), PaperNets.corrected(reading))) {
-            for (var state : ReachabilityGraph.explore(net).states()) {
-                assertThat(state.marking().marked().stream()
-                                .map(place -> place.name().substring(0, 1)))
-                        .containsExactlyInAnyOrder("R", "P", "M", "S");
+    @CsvSource({
+        "uncorrected, 1,    1264,  6, NO,  NO",
+        "uncorrected, 2,   49536, 18, NO,  NO",
+        "together,    1,     429,  0, YES, YES",
+        "together,    2,   11653,  0, YES, YES",
+        "together,    3,  283741,  0, YES, YES",
+        "oneByOne,    1,     504,  0, NO,  NO",
+        "oneByOne,    2,   12028,  0, NO,  NO",
+        "oneByOne,    3,  285616,  0, NO,  NO"
+    })
+    void team_hasTheKnownNumbers(String design, int robots, int markings, int dead, Verdict live, Verdict reversible) {
+        var graph = ReachabilityGraph.explore(team(design, robots));
+        var liveness = Liveness.of(graph);
+        assertThat(graph.isComplete()).isTrue();
+        assertThat(graph.size()).isEqualTo(markings);
+        assertThat(graph.dead()).hasSize(dead);
+        assertThat(graph.safe()).isEqualTo(Verdict.YES);
+        assertThat(liveness.live()).isEqualTo(live);
+        assertThat(liveness.reversible()).isEqualTo(reversible);
+        assertThat(liveness.terminalComponents()).hasSize(Math.max(dead, 1));
+    }
+
+    /** Takes some seconds and 200 MiB: two million markings, eleven million edges. */
+    @Test
+    @Tag("slow")
+    void threeUncorrectedRobots_haveTheKnownNumbers() {
+        var graph = ReachabilityGraph.explore(RobotTeams.uncorrected(3));
+        assertThat(graph.isComplete()).isTrue();
+        assertThat(graph.size()).isEqualTo(1_928_448);
+        assertThat(graph.dead()).hasSize(54);
+        assertThat(Liveness.of(graph).terminalComponents()).hasSize(54).allMatch(TerminalComponent::isDead);
+    }
+
+    /** The middleware and the service never stop, so only what happens once at their start is not live. */
+    @Test
+    void robotsStoppingOneByOne_loseTheRegistrationOnly() {
+        var liveness = Liveness.of(ReachabilityGraph.explore(RobotTeams.stoppingOneByOne(2)));
+        assertThat(liveness.terminalComponents())
+                .singleElement()
+                .satisfies(component -> assertThat(component.neverFired())
+                        .isEqualTo(liveness.notLive())
+                        .extracting(Transition::name)
+                        .containsExactlyInAnyOrder("Tm1", "Ts1''", "Tms1''", "Tms2''"));
+    }
+
+    @ParameterizedTest
+    @CsvSource({"uncorrected, 6 18 54 162 486 1458", "together, 0 0 0 0 0 0", "oneByOne, 0 0 0 0 0 0"})
+    void deadlockSearch_ofTeamsOfOneToSix_findsAllDeadMarkings(String design, String dead) {
+        for (var robots = 1; robots <= 6; robots++) {
+            var net = team(design, robots);
+            var expected = Integer.parseInt(dead.split(" ")[robots - 1]);
+            var search = DeadlockSearch.run(net, SearchLimits.markings(100_000));
+            assertThat(search.end()).as(net.name()).isEqualTo(SearchEnd.COMPLETE);
+            assertThat(search.deadlocks()).as(net.name()).hasSize(expected).doesNotHaveDuplicates();
+            assertThat(search.deadlockFree()).isEqualTo(expected == 0 ? Verdict.YES : Verdict.NO);
+            for (var deadlock : search.deadlocks()) {
+                assertThat(net.fire(net.initialMarking(), deadlock.trace())).isEqualTo(deadlock.marking());
+                assertThat(net.enabled(deadlock.marking())).isEmpty();
             }
         }
     }

@@ -1,12 +1,20 @@
 package io.troupe.petri;
 
+import static io.troupe.petri.Nets.net;
+import static io.troupe.petri.Nets.refusals;
+import static io.troupe.petri.Nets.refused;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.petri.PaperNets.Reading;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 
+/** Nets, their builder and their composition. */
 class PetriNetTest {
     /** Two parts and a wheel make a cart; carts are sold one by one. */
     private static PetriNet workshop() {
@@ -23,7 +31,6 @@ class PetriNetTest {
     @Test
     void net_built_keepsOrderTokensAndWeights() {
         var net = workshop();
-
         assertThat(net).hasToString("workshop (3 places, 2 transitions, 4 arcs)");
         assertThat(net.places()).extracting(Place::name).containsExactly("parts", "wheels", "carts");
         assertThat(net.transition("make").inputs())
@@ -34,41 +41,30 @@ class PetriNetTest {
     @Test
     void fire_enabled_movesTokensByWeight() {
         var net = workshop();
-
         var after = net.fire(net.initialMarking(), net.transition("make"));
-
         assertThat(after).isEqualTo(net.marking("parts", "parts", "parts", "wheels", "carts"));
         assertThat(net.enabled(after)).containsExactly(net.transition("make"), net.transition("sell"));
         assertThat(net.initialMarking().tokens(net.place("parts"))).isEqualTo(5);
     }
 
     @Test
-    void fire_notEnabled_tellsWhatIsMissing() {
+    void fire_notEnabledOrOutranked_tellsWhy() {
         var net = workshop();
-
-        assertThatThrownBy(() -> net.fire(net.marking("parts"), net.transition("make")))
+        var make = net.transition("make");
+        var ranked = net.toBuilder().priority("sell", 3).build();
+        var marking = ranked.marking("parts", "parts", "wheels", "carts");
+        assertThatThrownBy(() -> net.fire(net.marking("parts"), make))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("transition make may not fire in {parts}: wheels holds 0 of 1, parts holds 1 of 2");
-    }
-
-    @Test
-    void fire_outranked_tellsWhoGoesFirst() {
-        var net = workshop().toBuilder().priority("sell", 3).build();
-        var marking = net.marking("parts", "parts", "wheels", "carts");
-
-        assertThat(net.enabled(marking)).containsExactly(net.transition("sell"));
-        assertThatThrownBy(() -> net.fire(marking, net.transition("make")))
+        assertThat(ranked.enabled(marking)).containsExactly(ranked.transition("sell"));
+        assertThatThrownBy(() -> ranked.fire(marking, ranked.transition("make")))
                 .hasMessageEndingWith("sell has priority 3 over 0");
-        assertThat(net.enabled(net.initialMarking())).containsExactly(net.transition("make"));
+        assertThat(ranked.enabled(ranked.initialMarking())).containsExactly(ranked.transition("make"));
     }
 
     @Test
     void fire_placeOverflowing_isRefused() {
-        var net = PetriNet.builder("flood")
-                .place("lake", Integer.MAX_VALUE)
-                .transition("rain", List.of(), List.of("lake"))
-                .build();
-
+        var net = net("flood", "lake=" + Integer.MAX_VALUE, "rain: > lake");
         assertThatThrownBy(() -> net.fire(net.initialMarking(), net.transition("rain")))
                 .isInstanceOf(ArithmeticException.class)
                 .hasMessage("place lake would hold 2147483648 tokens, more than 2147483647");
@@ -80,91 +76,160 @@ class PetriNetTest {
     void builder_badInput_namesNetThingAndValue() {
         var net = workshop().toBuilder();
 
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.place("make"))
-                .withMessage("net workshop: make is already the name of a transition");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.transition("parts"))
-                .withMessage("net workshop: parts is already the name of a place");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.place("nails", -1))
-                .withMessage("net workshop: place nails has -1 tokens, expected 0 or more");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.arc("wheels", "sell", 0))
-                .withMessage("net workshop: arc wheels -> sell has weight 0, expected 1 or more");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.arc("wheels", "burn"))
-                .withMessage("net workshop: arc wheels -> burn: there is no place or transition called burn");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.arc("wheels", "parts"))
-                .withMessage("net workshop: arc wheels -> parts joins two places, expected a place and a transition");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.arc("parts", "make"))
-                .withMessage("net workshop: arc parts -> make is there already; give it a weight instead");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.transition("burn", List.of("wood"), List.of()))
-                .withMessage("net workshop: transition burn: there is no place called wood");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.transition("burn", List.of("carts", "carts"), List.of()))
-                .withMessageContaining("names place carts twice");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.remove("burn"))
-                .withMessage("net workshop: there is no transition called burn");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.place(" "))
-                .withMessageContaining("a name is \" \", expected text");
+        assertThat(refusals(
+                        () -> net.place("make"),
+                        () -> net.transition("parts"),
+                        () -> net.place("nails", -1),
+                        () -> net.arc("wheels", "sell", 0),
+                        () -> net.arc("wheels", "burn"),
+                        () -> net.arc("wheels", "parts"),
+                        () -> net.arc("parts", "make"),
+                        () -> net.transition("burn", List.of("wood"), List.of()),
+                        () -> net.transition("burn", List.of("carts", "carts"), List.of()),
+                        () -> net.remove("burn"),
+                        () -> net.place(" ")))
+                .isEqualTo("""
+                net workshop: make is already the name of a transition
+                net workshop: parts is already the name of a place
+                net workshop: place nails has -1 tokens, expected 0 or more
+                net workshop: arc wheels -> sell has weight 0, expected 1 or more
+                net workshop: arc wheels -> burn: there is no place or transition called burn
+                net workshop: arc wheels -> parts joins two places, expected a place and a transition
+                net workshop: arc parts -> make is there already; give it a weight instead
+                net workshop: transition burn: there is no place called wood
+                net workshop: transition burn names place carts twice on one side; use an arc with a weight
+                net workshop: there is no transition called burn
+                net workshop: a name is " ", expected text without control characters or space around it""");
         assertThat(net.build().sameStructureAs(workshop())).isTrue();
     }
 
     @Test
     void lookup_unknownOrForeign_isRefused() {
         var net = workshop();
-        var other = PetriNet.builder("other")
-                .place("x")
-                .transition("go", List.of("x"), List.of())
-                .build();
-
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.place("make"))
-                .withMessage("net workshop has no place called make");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.fire(net.initialMarking(), other.transition("go")))
-                .withMessage("transition go is not of net workshop");
+        var other = net("other", "x", "go: x >");
+        var initial = net.initialMarking();
+        refused(() -> net.place("make"), "net workshop has no place called make");
+        refused(() -> net.fire(initial, other.transition("go")), "transition go is not of net workshop");
         assertThatIllegalArgumentException()
                 .isThrownBy(() -> net.enabled(other.initialMarking()))
                 .withMessageContaining("is of a net with other places than workshop");
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> net.initialMarking().tokens(other.place("x")));
+        assertThatIllegalArgumentException().isThrownBy(() -> initial.tokens(other.place("x")));
     }
 
     @Test
     void sameStructure_seesEveryDifferenceButOrderAndName() {
         var net = workshop();
-        var reordered = PetriNet.builder("elsewhere")
-                .place("carts")
-                .place("wheels", 2)
-                .place("parts", 5)
-                .transition("sell", List.of("carts"), List.of())
-                .transition("make", List.of("wheels"), List.of("carts"))
-                .arc("parts", "make", 2);
-
-        assertThat(reordered.build().sameStructureAs(net)).isTrue();
-        assertThat(reordered.priority("sell", 1).build().sameStructureAs(net)).isFalse();
-        assertThat(net.toBuilder().arc("make", "wheels").build().sameStructureAs(net))
-                .isFalse();
-        assertThat(net.toBuilder().place("nails").build().sameStructureAs(net)).isFalse();
-        assertThat(net.renamed("x", name -> name + "1").sameStructureAs(net)).isFalse();
+        var reordered = net("elsewhere", "carts wheels=2 parts=5", "sell: carts >", "make: wheels 2*parts > carts");
+        var ranked = reordered.toBuilder().priority("sell", 1).build();
+        var withArc = net.toBuilder().arc("make", "wheels").build();
+        var withPlace = net.toBuilder().place("nails").build();
+        assertThat(reordered.sameStructureAs(net)).isTrue();
+        assertThat(List.of(ranked, withArc, withPlace, net.renamed("x", name -> name + "1")))
+                .noneMatch(different -> different.sameStructureAs(net));
     }
 
     @Test
     void marking_covers_comparesEveryPlace() {
         var net = workshop();
-
         assertThat(net.marking("parts", "parts", "carts").covers(net.marking("parts", "carts")))
                 .isTrue();
         assertThat(net.marking("parts", "parts").covers(net.marking("carts"))).isFalse();
-        assertThat(net.marking("parts", "carts").marked())
-                .extracting(Place::name)
-                .containsExactly("parts", "carts");
+        assertThat(net.marking("parts", "carts").marked()).hasToString("[parts, carts]");
+    }
+
+    private static PetriNet client(String name) {
+        var client = net("client", "idle=1 done", "ask: idle > done", "again: done > idle");
+        return client.renamed(name, part -> name + "." + part);
+    }
+
+    private static final PetriNet SERVER = net("server", "free=1 busy", "serve: free > busy", "rest: busy > free");
+
+    @Test
+    void meld_oneCall_makesFourPlacesAndThreeTransitions() {
+        var net = Composition.compose("call", List.of(client("c"), SERVER), List.of(Meld.of("c.ask", "serve")));
+        var expected = net(
+                "expected",
+                "c.idle=1 c.done free=1 busy c.ask.waiting c.ask.pending serve.before serve.after",
+                "c.again: c.done > c.idle",
+                "rest: busy > free",
+                "c.ask'': c.idle > c.ask.waiting",
+                "c.ask/serve.accept: c.ask.waiting free > c.ask.pending serve.before",
+                "serve: serve.before > serve.after",
+                "c.ask/serve.answer: c.ask.pending serve.after > c.done busy");
+        assertThat(net.structure()).isEqualTo(expected.structure());
+    }
+
+    @Test
+    void meld_severalPlacesAndWeights_areTakenAndPutAsAWhole() {
+        var requestor = net("r", "a=2 key=1 b", "ask: key 2*a > key 3*b");
+        var provider = net("p", "c=4 d", "do: 4*c > d");
+        var ranked = List.of(
+                requestor.toBuilder().priority("ask", -1).build(),
+                provider.toBuilder().priority("do", 2).build());
+        var net = Composition.compose("both", ranked, List.of(Meld.of("ask", "do")));
+        assertThat(ReachabilityGraph.explore(net).dead()).singleElement().satisfies(state -> {
+            assertThat(state).hasToString("{key, 3*b, d}");
+            assertThat(state.shortestTrace()).hasToString("[ask'', ask/do.accept, do, ask/do.answer]");
+        });
+        assertThat(net.transitions()).extracting(Transition::priority).containsExactly(2, -1, 2, 2);
+    }
+
+    @Test
+    void meld_twoRequestsToOneOffer_areServedInTurn() {
+        var net = Composition.compose(
+                "shared",
+                List.of(client("c"), client("d"), SERVER),
+                List.of(Meld.of("c.ask", "serve"), Meld.of("d.ask", "serve")));
+        var graph = ReachabilityGraph.explore(net);
+        assertThat(net.places()).hasSize(6 + 2 + 4);
+        assertThat(graph.deadlockFree()).isEqualTo(Verdict.YES);
+        assertThat(graph.mostTokens()).isEqualTo(1);
+        assertThat(graph.neverFired()).isEmpty();
+        assertThat(graph.states())
+                .noneMatch(state -> state.marking().covers(net.marking("c.ask.pending", "d.ask.pending")));
+    }
+
+    @Test
+    void meld_inAnyOrder_makesTheSameNet() {
+        var components =
+                List.of(PaperNets.robot(), PaperNets.player(), PaperNets.middleware(), PaperNets.service(Reading.A));
+        var expected = PaperNets.uncorrected(Reading.A).structure();
+        var melds = new ArrayList<>(PaperNets.melds());
+        for (var seed = 1L; seed <= 20; seed++) {
+            Collections.shuffle(melds, new Random(seed));
+            var shuffled = Composition.compose("shuffled", components, melds);
+            assertThat(shuffled.structure()).as("seed %d", seed).isEqualTo(expected);
+        }
+    }
+
+    @Test
+    void fuse_addsUpAllSteps() {
+        var two = Composition.compose("two", List.of(client("c"), client("d")), List.of());
+        var net = Composition.fuse(two, "both", List.of("c.ask", "d.ask"));
+        var both = net.transition("both");
+        assertThat(both.inputs()).extracting(Arc::place).containsExactly(net.place("c.idle"), net.place("d.idle"));
+        assertThat(both.outputs()).extracting(Arc::place).containsExactly(net.place("c.done"), net.place("d.done"));
+        assertThat(net.transitions()).hasSize(3);
+    }
+
+    @Test
+    void composition_badInput_isRefused() {
+        refused(() -> Meld.of("c.ask", "c.ask"), "transition c.ask cannot be melded with itself");
+        refusedMelds("net x: there is no transition called sreve", Meld.of("c.ask", "sreve"));
+        refusedMelds("net x: request c.ask is melded twice", Meld.of("c.ask", "serve"), Meld.of("c.ask", "rest"));
+        refused(
+                () -> Composition.compose("x", List.of(SERVER, SERVER), List.of()),
+                "net x: free is already the name of a place");
+        refusedMelds(
+                "net x: requests c.ask and c.again share offer serve and must name the same places before and after it",
+                Meld.of("c.ask", "serve"),
+                new Meld("c.again", "serve", "q", "w", "s", "p", "elsewhere", "serve.after", "t"));
+        for (var none : List.of(List.<String>of(), List.of("rest", "rest"))) {
+            assertThatIllegalArgumentException().isThrownBy(() -> Composition.fuse(SERVER, "stop", none));
+        }
+    }
+
+    private static void refusedMelds(String message, Meld... melds) {
+        refused(() -> Composition.compose("x", List.of(client("c"), SERVER), List.of(melds)), message);
     }
 }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.services.subsumption.Mode;
-import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
@@ -15,7 +14,9 @@ import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
 import io.troupe.sim.worldfile.WorldFileException;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -23,6 +24,7 @@ import java.util.List;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -35,8 +37,12 @@ class RecordedRunTest {
     @TempDir
     private Path out;
 
-    private static RunResult run(long seed, double seconds, Path file) throws Exception {
-        return prepared(WORLD, settings(seed, seconds)).run(file);
+    private RunResult run(long seed, double seconds, String name) throws Exception {
+        return prepared(WORLD, settings(seed, seconds)).run(out.resolve(name));
+    }
+
+    private List<String> lines(String name) throws IOException {
+        return Files.readAllLines(out.resolve(name));
     }
 
     private static RecordedRun.Settings settings(long seed, double seconds) {
@@ -59,8 +65,7 @@ class RecordedRunTest {
         Files.writeString(folder.resolve("summary.txt"), result.summary());
         Files.writeString(folder.resolve("trajectory.svg"), Pictures.trajectory(scenario.world(), result));
 
-        assertThat(Files.readAllLines(folder.resolve("run.jsonl")).getLast())
-                .startsWith("{\"t\":60.0,\"type\":\"summary\",");
+        assertThat(lines("run.jsonl").getLast()).startsWith("{\"t\":60.0,\"type\":\"summary\",");
         assertThat(result.duration()).isEqualTo("60.0");
         assertThat(folder.resolve("summary.txt")).content().contains("distance driven", "state 1 (blue): ");
         assertThat(folder.resolve("trajectory.svg")).content().contains("paper arena: 2 robots change state ");
@@ -93,7 +98,7 @@ class RecordedRunTest {
                             .hasSize(21));
             assertThat(result.states()).hasSize(1);
         }
-        assertThat(Files.readAllLines(out.resolve("own.jsonl")))
+        assertThat(lines("own.jsonl"))
                 .as("header, one state, two robots at 21 times, summary")
                 .hasSize(1 + 1 + 2 * 21 + 1)
                 .first()
@@ -104,12 +109,8 @@ class RecordedRunTest {
     @Test
     void threeHundredSeconds_visitEveryState_withoutTouchingAWallWhileFollowingOne_andAlwaysWithOneServicePerRobot()
             throws Exception {
-        RunResult result = run(1, 300, out.resolve("run.jsonl"));
-        for (State state : result.table().states()) {
-            assertThat(result.visits(state))
-                    .as("visits of state %d", state.number())
-                    .isGreaterThan(1);
-        }
+        RunResult result = run(1, 300, "run.jsonl");
+        assertThat(result.table().states()).allMatch(state -> result.visits(state) > 1);
         assertThat(result.robots()).allSatisfy(robot -> {
             assertThat(robot.followingContacts()).isZero();
             assertThat(robot.chargeFaults()).isZero();
@@ -122,7 +123,7 @@ class RecordedRunTest {
         assertThat(Pictures.trajectory(ScenarioReader.read(WORLD).world(), result))
                 .as("the picture in README")
                 .isEqualTo(Files.readString(Path.of("..", "docs", "figures", "trajectory.svg")));
-        List<String> lines = Files.readAllLines(out.resolve("run.jsonl"));
+        List<String> lines = lines("run.jsonl");
         assertThat(lines.getFirst())
                 .isEqualTo("{\"t\":0.0,\"type\":\"header\",\"format\":\"troupe-run\",\"version\":1,\"program\":\""
                         + RunLog.PROGRAM
@@ -139,27 +140,35 @@ class RecordedRunTest {
 
     @Test
     void sameSeed_sameFile_anotherSeed_anotherFile() throws Exception {
-        run(7, 20, out.resolve("first"));
-        run(7, 20, out.resolve("second"));
-        run(8, 20, out.resolve("third"));
+        run(7, 20, "first");
+        run(7, 20, "second");
+        run(8, 20, "third");
         assertThat(out.resolve("second")).hasSameBinaryContentAs(out.resolve("first"));
         assertThat(Files.mismatch(out.resolve("first"), out.resolve("third"))).isNotNegative();
     }
 
     @Test
-    void realTime_writesTheSameFile() throws Exception {
-        run(7, 1, out.resolve("fast"));
+    void realTime_writesTheSameFile_andEndsNoEarlierThanTheSimulatedTime() throws Exception {
+        run(7, 1, "fast");
         prepared(WORLD, settings(7, 1).withRealTime(true)).run(out.resolve("realtime"));
-        assertThat(Files.readAllLines(out.resolve("fast"))).hasSizeGreaterThan(2 * 10);
+        assertThat(lines("fast")).hasSizeGreaterThan(2 * 10);
         assertThat(out.resolve("realtime")).hasSameBinaryContentAs(out.resolve("fast"));
+
+        long began = System.nanoTime();
+        var pacer = new WallClockPacer();
+        pacer.await(1_000);
+        assertThat(System.nanoTime() - began).isGreaterThanOrEqualTo(1_000_000);
+        pacer.await(3_000);
+        assertThat(System.nanoTime() - began).isGreaterThanOrEqualTo(3_000_000);
+        pacer.await(0); // already over
     }
 
     private record Start(double x, double y, double heading) {}
 
-    private static List<Start> starts(Path log) throws IOException {
+    private static List<Start> starts(List<String> log) {
         var pose = Pattern.compile(
                 "\\{\"t\":0\\.0,\"type\":\"pose\",.*\"x\":([^,]+),\"y\":([^,]+),\"heading\":([^,}]+).*");
-        return Files.readAllLines(log).stream()
+        return log.stream()
                 .map(pose::matcher)
                 .filter(Matcher::matches)
                 .map(found -> new Start(
@@ -176,9 +185,8 @@ class RecordedRunTest {
         var robots = ScenarioReader.read(WORLD).world().robots();
         List<List<Start>> bySeed = new ArrayList<>();
         for (int seed = 1; seed <= 20; seed++) {
-            Path log = out.resolve("seed" + seed);
-            run(seed, 0.1, log);
-            bySeed.add(starts(log));
+            run(seed, 0.1, "log");
+            bySeed.add(starts(lines("log")));
             assertThat(bySeed.getLast()).as("first poses with seed %d", seed).hasSize(robots.size());
         }
         for (int index = 0; index < robots.size(); index++) {
@@ -191,14 +199,14 @@ class RecordedRunTest {
                             start.y - file.y(),
                             Math.IEEEremainder(start.heading - file.headingRad(), 2 * Math.PI)))
                     .toList();
-            assertSpread(offsets.stream().map(Start::x).toList(), metres);
-            assertSpread(offsets.stream().map(Start::y).toList(), metres);
-            assertSpread(offsets.stream().map(Start::heading).toList(), radians);
+            assertThat(offsets).extracting(Start::x).satisfies(each -> assertSpread(each, metres));
+            assertThat(offsets).extracting(Start::y).satisfies(each -> assertSpread(each, metres));
+            assertThat(offsets).extracting(Start::heading).satisfies(each -> assertSpread(each, radians));
         }
     }
 
     /** All offsets are within the limit, and some are in the outer half on either side. */
-    private static void assertSpread(List<Double> offsets, double limit) {
+    private static void assertSpread(List<? extends Double> offsets, double limit) {
         double rounding = 1e-4; // of the log
         assertThat(offsets).allSatisfy(offset -> assertThat(offset).isBetween(-limit - rounding, limit + rounding));
         assertThat(offsets).anySatisfy(offset -> assertThat(offset).isLessThan(-limit / 2));
@@ -218,12 +226,11 @@ class RecordedRunTest {
 
     @Test
     void stop_endsTheRunWithTheSummarySoFar() throws Exception {
-        RunResult result;
         try (var log = new RunLog(out.resolve("short"))) {
-            result = prepared(WORLD, settings(1, 300)).run(log, atPoll(50, () -> true));
+            var result = prepared(WORLD, settings(1, 300)).run(log, atPoll(50, () -> true));
+            assertThat(result.endMicros()).isEqualTo(5_000_000);
         }
-        assertThat(result.endMicros()).isEqualTo(5_000_000);
-        assertThat(Files.readAllLines(out.resolve("short")).getLast())
+        assertThat(lines("short").getLast())
                 .startsWith("{\"t\":5.0,\"type\":\"summary\"")
                 .endsWith(",\"cutShort\":\"interrupted\"}");
     }
@@ -237,8 +244,7 @@ class RecordedRunTest {
                     })))
                     .hasMessage("for a test");
         }
-        assertThat(Files.readAllLines(out.resolve("failed")).getLast())
-                .isEqualTo("{\"t\":1.0,\"type\":\"cutShort\",\"cutShort\":\"failed\"}");
+        assertThat(lines("failed").getLast()).isEqualTo("{\"t\":1.0,\"type\":\"cutShort\",\"cutShort\":\"failed\"}");
     }
 
     @Test
@@ -278,30 +284,25 @@ class RecordedRunTest {
 
     @Test
     void picture_showsEveryObstacleBothPathsAndEveryStateChange() throws Exception {
-        RunResult result = run(1, 60, out.resolve("run.jsonl"));
+        RunResult result = run(1, 60, "run.jsonl");
         String svg = Pictures.trajectory(ScenarioReader.read(WORLD).world(), result);
         assertThat(svg).startsWith("<svg").endsWith("</svg>\n");
         assertThat(svg).contains("<title>red box 1</title>", "wallFollower", "spaceWanderer", "stroke-dasharray");
         assertThat(svg.split("<g class=\"state\"", -1))
                 .hasSize(result.states().size()); // one per change, none for the start
-        javax.xml.parsers.DocumentBuilderFactory.newInstance()
+        DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()
-                .parse(new java.io.ByteArrayInputStream(svg.getBytes(java.nio.charset.StandardCharsets.UTF_8)));
+                .parse(new ByteArrayInputStream(svg.getBytes(StandardCharsets.UTF_8)));
     }
 
     @Test
     void worldWithAnotherNumberOfRobots_isRefused() {
         Scenario two = ScenarioReader.read(WORLD);
         WorldSpec world = two.world();
-        var one = new Scenario(
-                new WorldSpec(
-                        world.name(),
-                        world.file(),
-                        world.intervalMillis(),
-                        world.robots().subList(0, 1),
-                        world.obstacles()),
-                two.devices());
-        assertThatThrownBy(() -> new RecordedRun(one, SubsumptionTable.ofThePaper(), RecordedRun.Settings.DEFAULT))
+        var robot = world.robots().subList(0, 1);
+        var ofOne = new WorldSpec(world.name(), world.file(), world.intervalMillis(), robot, world.obstacles());
+        var one = new Scenario(ofOne, two.devices());
+        assertThatThrownBy(() -> new RecordedRun(one, SubsumptionTable.ofThePaper(), settings(1, 1)))
                 .isInstanceOf(WorldFileException.class)
                 .hasMessageContaining("has 1 robot, expected 2");
     }

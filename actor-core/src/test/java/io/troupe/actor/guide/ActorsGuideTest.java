@@ -1,39 +1,78 @@
 package io.troupe.actor.guide;
 
+import static io.troupe.actor.Concurrently.LONG;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Callback;
+import io.troupe.actor.InTestSpace;
+import io.troupe.actor.Topic;
 import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Outcome;
 import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.CallbackProbe;
+import io.troupe.actor.testkit.Probe;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.actor.time.Schedule;
+import java.io.ByteArrayOutputStream;
+import java.io.PrintStream;
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/**
- * The sections "An interface and an object" on the global space, "Or a class", "Timers", and the first sample of
- * "Testing".
- */
-class ActorsGuideTest {
-    private final Deferred<String> shown = new Deferred<>();
+/** The sections of the guide on actors, promises, sequential bodies, callbacks, topics, timers and testing. */
+class ActorsGuideTest extends InTestSpace {
+    private static final Duration SECOND = Duration.ofSeconds(1);
 
-    private void show(Object what) {
-        shown.resolve(what + " on " + Thread.currentThread().getName());
+    private void show(@Nullable Object what) {
+        log.add(String.valueOf(what));
+    }
+
+    private void done() {
+        log.add("done");
+    }
+
+    // ---- an interface and an object, or a class
+
+    private static String printedBy(Consumer<String[]> main) {
+        PrintStream console = System.out;
+        var printed = new ByteArrayOutputStream();
+        System.setOut(new PrintStream(printed, true, StandardCharsets.UTF_8));
+        try {
+            main.accept(new String[0]);
+        } finally {
+            System.setOut(console);
+        }
+        return printed.toString(StandardCharsets.UTF_8).strip();
     }
 
     @Test
     @Tag("threads")
     @Timeout(60)
-    void thermostat_takesMessages_andAnswersRequests() throws Exception {
+    void programsOfTheReadmeAndTheGuide_printBeforeTheyEnd() {
+        assertThat(printedBy(Hello::main)).isEqualTo("Hello again, Ada");
+        assertThat(printedBy(Heating::main)).isEqualTo("21.5");
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void thermostat_inTheGlobalSpace_takesMessages_andAnswersRequests() throws Exception {
+        var shown = new Deferred<String>();
         Heating.Thermostat heater = ActorSpace.global().spawn(Heating.Thermostat.class, Heating.Heater::new);
         heater.set(21.5);
-        heater.read().then(degrees -> show(degrees));
-        assertThat(shown.get(Duration.ofSeconds(30))).isEqualTo("21.5 on actor-space");
+        heater.read()
+                .then(degrees ->
+                        shown.resolve(degrees + " on " + Thread.currentThread().getName()));
+        assertThat(shown.get(LONG)).isEqualTo("21.5 on actor-space");
         ActorSpace.global().stop(heater);
     }
 
@@ -65,22 +104,230 @@ class ActorsGuideTest {
 
     @Test
     void messageToItself_isNoCall_andAnswersAsOne() {
-        try (var test = new TestSpace()) {
-            Blinker blinker = test.spawn(Blinker.class, Blinker::new);
-            Promise<Boolean> later = blinker.isOnLater();
-            long before = test.space().metrics().served();
-            assertThat(test.get(later)).isFalse();
-            assertThat(test.space().metrics().served() - before).isGreaterThanOrEqualTo(2); // itself, and what it sent
+        Blinker blinker = test.spawn(Blinker.class, Blinker::new);
+        Promise<Boolean> later = blinker.isOnLater();
+        long before = test.space().metrics().served();
+        assertThat(test.get(later)).isFalse();
+        assertThat(test.space().metrics().served() - before).isGreaterThanOrEqualTo(2); // itself, and what it sent
+    }
+
+    // ---- promises
+
+    private static final Image DARK = new Image(0);
+    private static final Image BRIGHT = new Image(2);
+
+    record Image(int blobs) {}
+
+    interface Camera {
+        default void turn(int degrees) {}
+
+        Promise<Image> shoot();
+    }
+
+    interface Finder {
+        Promise<List<String>> blobs(Image image);
+    }
+
+    private void steer(List<String> blobs) {
+        show(blobs);
+    }
+
+    private void shootFindAndSteer(Camera camera, Finder finder) {
+        camera.shoot()
+                .thenCompose(image -> finder.blobs(image)) // calls the next actor
+                .orTimeout(Duration.ofSeconds(1))
+                .exceptionally(error -> List.of())
+                .then(blobs -> steer(blobs));
+    }
+
+    @Test
+    void chain_asksTheNextOne_andStandsInForAnAnswerThatDoesNotCome() {
+        Probe<Camera> camera = test.probe(Camera.class);
+        Probe<Finder> finder = test.probe(Finder.class);
+        shootFindAndSteer(camera.actor(), finder.actor());
+        camera.answer(BRIGHT);
+        finder.expectCall("blobs(Image[blobs=2])");
+        finder.answer(List.of("red", "blue"));
+        assertThat(log).containsExactly("[red, blue]");
+        shootFindAndSteer(camera.actor(), finder.actor());
+        test.advance(SECOND);
+        assertThat(log).containsExactly("[red, blue]", "[]");
+        assertThat(camera.takeUnanswered()).hasSize(1);
+    }
+
+    /** The source of pictures. */
+    private record Driver(List<Consumer<Image>> listeners) {
+        void onFrame(Consumer<Image> listener) {
+            listeners.add(listener);
         }
     }
 
-    static class Listener extends Actor {
-        private final List<String> log;
+    private record DrivenCamera(Driver driver) implements Camera {
+        @Override
+        public Promise<Image> shoot() {
+            var image = new Deferred<Image>();
+            driver.onFrame(image::resolve); // from any thread; the first outcome counts
+            return image;
+        }
+    }
 
-        Listener(List<String> log) {
-            this.log = log;
+    @Test
+    void deferred_isSettledByTheFirstFrame() {
+        var driver = new Driver(new ArrayList<>());
+        Camera camera = test.spawn(Camera.class, () -> new DrivenCamera(driver));
+        Promise<Image> image = camera.shoot();
+        test.crank();
+        assertThat(image.isDone()).isFalse();
+        driver.listeners.forEach(each -> each.accept(BRIGHT));
+        driver.listeners.forEach(each -> each.accept(DARK));
+        assertThat(test.get(image)).isEqualTo(BRIGHT);
+    }
+
+    @Test
+    void combinators_andConversions_answerWhatTheyAreSaidTo() {
+        Camera left = test.spawn(Camera.class, () -> () -> Promise.failed(new IllegalStateException("no light")));
+        Camera right = test.spawn(Camera.class, () -> () -> Promise.of(BRIGHT));
+
+        Promise<List<Image>> both = Promise.all(List.of(left.shoot(), right.shoot()));
+        Promise<Image> either = Promise.any(List.of(left.shoot(), right.shoot()));
+        Promise<Image> sooner = Promise.race(List.of(left.shoot(), right.shoot()));
+        Promise<List<Outcome<Image>>> ends = Promise.allSettled(List.of(left.shoot(), right.shoot()));
+
+        CompletableFuture<Image> future = either.toCompletableFuture();
+        Promise<Image> promise = Promise.from(future);
+
+        assertThat(test.error(both)).hasMessage("no light");
+        assertThat(test.get(either)).isEqualTo(BRIGHT);
+        assertThat(test.error(sooner)).hasMessage("no light");
+        assertThat(test.get(ends)).hasSize(2).element(1).isEqualTo(new Outcome.Fulfilled<>(BRIGHT));
+        assertThat(future).isCompletedWithValue(BRIGHT);
+        assertThat(test.get(promise)).isEqualTo(BRIGHT);
+    }
+
+    interface Greeter {
+        Promise<String> greet(String name);
+
+        default void remember(String name) {}
+    }
+
+    @Test
+    void timeout_namesCallerRequestAndProgress() {
+        Greeter greeter = test.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
+        class Robot extends Actor {
+            public void askWhenBusy() {
+                for (int call = 0; call < 259; call++) { // timers run after 256 of them
+                    greeter.remember("Ada");
+                }
+                greeter.greet("x").orTimeout(SECOND).handle((text, late) -> log.add(late.getMessage()));
+                test.clock().advance(SECOND);
+            }
+        }
+        test.spawn(Robot.class, Robot::new).askWhenBusy();
+        test.crank();
+        assertThat(log)
+                .containsExactly(
+                        "no answer to Robot#2 within PT1S from Greeter.greet(x) of Greeter#1, which has not begun it: 3 calls come first");
+    }
+
+    // ---- sequential and await
+
+    interface Wheels {
+        Promise<Boolean> goTo(String place);
+    }
+
+    private static class Guard extends Actor {
+        private final Wheels robot;
+        private final Camera camera;
+
+        Guard(Probe<Wheels> wheels, Probe<Camera> eyes) {
+            robot = wheels.actor();
+            camera = eyes.actor();
         }
 
+        public Promise<Integer> patrol(List<String> places) {
+            return space().sequential(() -> {
+                int blobs = 0;
+                for (String place : places) {
+                    robot.goTo(place).await();
+                    blobs += camera.shoot().await().blobs();
+                }
+                return blobs;
+            });
+        }
+
+        public Promise<String> name() {
+            return Promise.of("guard");
+        }
+    }
+
+    @Test
+    void patrol_goesStraightOn_whileItsActorAnswersOthers() {
+        Probe<Wheels> wheels = test.probe(Wheels.class);
+        Probe<Camera> eyes = test.probe(Camera.class);
+        Guard guard = test.spawn(Guard.class, () -> new Guard(wheels, eyes));
+        Promise<Integer> blobs = guard.patrol(List.of("door", "window"));
+        wheels.expectCall("goTo(door)");
+        assertThat(test.get(guard.name())).isEqualTo("guard");
+        eyes.expectNoCall();
+        wheels.answer(true);
+        eyes.answer(new Image(2));
+        wheels.expectCall("goTo(window)");
+        wheels.answer(true);
+        eyes.answer(new Image(5));
+        assertThat(test.get(blobs)).isEqualTo(7);
+    }
+
+    // ---- callbacks and topics
+
+    interface Robot {
+        void wander(Callback<Integer> colours);
+    }
+
+    @Test
+    void callbacks_bringEveryResult_untilTheyAreCancelled() {
+        var readers = new ArrayList<Callback<Integer>>();
+        Robot robot = test.spawn(Robot.class, () -> readers::add);
+        robot.wander((colour, error) -> show(colour)); // as the paper writes it
+        var stream = new Callback.Stream<Integer>(this::show, end -> done()); // notified of the end; can be cancelled
+        robot.wander(stream);
+        stream.cancel(); // the robot sees colours.isCancelled()
+        test.crank();
+        assertThat(readers).extracting(Callback::isCancelled).containsExactly(false, true);
+        readers.forEach(colours -> colours.next(255));
+        readers.getFirst().next(16711680);
+        test.crank();
+        assertThat(log).containsExactly("done", "255", "16711680");
+    }
+
+    record Scan(double nearestMetres) {}
+
+    private void avoid(Scan scan) {
+        show(scan);
+    }
+
+    @Test
+    void topic_reachesItsSubscribers_andTheLateOnesToo() {
+        ActorSpace space = test.space();
+        var scan = new Scan(0.4);
+
+        Topic<Scan> scans = Topic.latest(space, "laser");
+
+        int readers = scans.publish(scan); // the number of subscribers; 0 is no error
+        var subscription = scans.subscribe(heard -> avoid(heard));
+        subscription.cancel(); // from any thread; no more values arrive, not even queued ones
+        scans.subscribe(new Callback.Stream<>(this::avoid, end -> done())); // is also notified of finish() and fail(..)
+        assertThat(readers).isZero();
+        test.crank();
+        assertThat(log).containsExactly("Scan[nearestMetres=0.4]");
+        assertThat(scans.publish(new Scan(0.3))).isEqualTo(1);
+        scans.finish();
+        test.crank();
+        assertThat(log).containsExactly("Scan[nearestMetres=0.4]", "Scan[nearestMetres=0.3]", "done");
+    }
+
+    // ---- timers
+
+    private class Listener extends Actor {
         public void heard() {
             after("silence", Duration.ofSeconds(3), this::stopMotors); // three seconds after the last word
         }
@@ -96,43 +343,28 @@ class ActorsGuideTest {
 
     @Test
     void timerWithAKey_beginsAnew_andCanBeTakenBack() {
-        var log = new ArrayList<String>();
-        try (var test = new TestSpace()) {
-            Listener listener = test.spawn(Listener.class, () -> new Listener(log));
+        Listener listener = test.spawn(Listener.class, Listener::new);
+        for (int heard = 0; heard < 2; heard++) {
             listener.heard();
-            test.crank();
             test.advance(Duration.ofSeconds(2));
-            listener.heard();
-            test.crank();
-            test.advance(Duration.ofSeconds(2));
-            assertThat(log).isEmpty();
-            test.advance(Duration.ofSeconds(1));
-            assertThat(log).containsExactly("stopped at 5");
-            listener.heard();
-            listener.rest();
-            test.advance(Duration.ofSeconds(9));
-            assertThat(log).hasSize(1);
         }
+        assertThat(log).isEmpty();
+        test.advance(SECOND);
+        assertThat(log).containsExactly("stopped at 5");
+        listener.heard();
+        listener.rest();
+        test.advance(Duration.ofSeconds(9));
+        assertThat(log).hasSize(1);
     }
 
-    static class Loops extends Actor {
-        private final List<String> log;
-
-        Loops(List<String> log) {
-            this.log = log;
-        }
-
+    private class Loops extends Actor {
         @Override
         protected void started() {
-            every(
-                    Duration.ofMillis(10),
-                    this::count); // Schedule.FIXED_RATE: catches up on missed runs of the last second
+            // Schedule.FIXED_RATE: catches up on missed runs of the last second
+            every(Duration.ofMillis(10), this::count);
             every(Duration.ofMillis(10), Schedule.SKIP_MISSED, this::control); // drops missed runs: for control loops
-            every(
-                    "poll",
-                    Duration.ofSeconds(1),
-                    Schedule.FIXED_DELAY,
-                    this::poll); // one second after the end of the last run
+            // one second after the end of the last run
+            every("poll", Duration.ofSeconds(1), Schedule.FIXED_DELAY, this::poll);
         }
 
         private void count() {
@@ -150,18 +382,54 @@ class ActorsGuideTest {
 
     @Test
     void periodicTimer_thatIsLate_goesByItsSchedule() {
-        var log = new ArrayList<String>();
-        try (var test = new TestSpace()) {
-            test.spawn(Loops.class, () -> new Loops(log));
-            test.crank();
-            test.clock().advance(Duration.ofMillis(1_500)); // in one step, as after a stall
-            test.crank();
-            assertThat(log).hasSize(150 + 1 + 1);
-            assertThat(log).filteredOn("count"::equals).hasSize(150);
-            test.advance(Duration.ofMillis(999));
-            assertThat(log).filteredOn("poll"::equals).hasSize(1);
-            test.advance(Duration.ofMillis(1));
-            assertThat(log).filteredOn("poll"::equals).hasSize(2);
+        test.spawn(Loops.class, Loops::new);
+        test.clock().advance(Duration.ofMillis(1_500)); // in one step, as after a stall
+        test.crank();
+        assertThat(log).hasSize(150 + 1 + 1);
+        assertThat(log).filteredOn("count"::equals).hasSize(150);
+        test.advance(Duration.ofMillis(999));
+        assertThat(log).filteredOn("poll"::equals).hasSize(1);
+        test.advance(Duration.ofMillis(1));
+        assertThat(log).filteredOn("poll"::equals).hasSize(2);
+    }
+
+    // ---- testing
+
+    interface Pilot {
+        Promise<Integer> look(int degrees);
+    }
+
+    private record LookingPilot(Camera camera) implements Pilot {
+        @Override
+        public Promise<Integer> look(int degrees) {
+            camera.turn(degrees);
+            return camera.shoot().thenApply(Image::blobs);
         }
+    }
+
+    @Test
+    void probes_recordCalls_andAnswerOnDemand() {
+        var image = new Image(4);
+        Probe<Camera> camera = test.probe(Camera.class);
+        Pilot pilot = test.spawn(Pilot.class, () -> new LookingPilot(camera.actor()));
+        Promise<Integer> blobs = pilot.look(3);
+        camera.expectCall("turn(3)"); // else an error that lists the calls so far; returns the arguments
+        camera.expectCall("shoot()");
+        camera.answer(image); // settles the oldest pending request; or reject(error)
+        camera.expectNoCall();
+        assertThat(test.get(blobs)).isEqualTo(4);
+    }
+
+    @Test
+    void callbackProbe_recordsResultsAndTheEnd() {
+        Robot robot = test.spawn(Robot.class, () -> colours -> {
+            colours.next(255);
+            colours.next(16711680);
+            colours.finish();
+        });
+        CallbackProbe<Integer> colours = test.callback();
+        robot.wander(colours);
+        assertThat(colours.results()).containsExactly(255, 16711680);
+        colours.expectFinished();
     }
 }

@@ -1,5 +1,6 @@
 package io.troupe.actor.guide;
 
+import static io.troupe.actor.Concurrently.LONG;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -12,6 +13,7 @@ import io.troupe.actor.ActorTypeException;
 import io.troupe.actor.Callback;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.ErrorHandler;
+import io.troupe.actor.InTestSpace;
 import io.troupe.actor.Leftovers;
 import io.troupe.actor.MailboxBound;
 import io.troupe.actor.MailboxBound.Overflow;
@@ -32,7 +34,6 @@ import io.troupe.actor.time.ManualClock;
 import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -43,8 +44,8 @@ import org.junit.jupiter.api.Timeout;
 /**
  * The samples in the Javadoc of actor-core, with assertions for their comments; {@code SamplesTest} compares the texts.
  */
-class JavadocSamplesTest {
-    private final List<String> log = new ArrayList<>();
+class JavadocSamplesTest extends InTestSpace {
+    private final ActorSpace space = test.space();
 
     interface Greeter {
         Promise<String> greet(String name);
@@ -58,7 +59,6 @@ class JavadocSamplesTest {
             Greeter greeter = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
             greeter.greet("Ada").then(text -> log.add(text)); // on the thread of the space
         } // close() serves what was queued
-
         assertThat(log).containsExactly("Hello, Ada");
     }
 
@@ -81,14 +81,10 @@ class JavadocSamplesTest {
 
     @Test
     void actor_isTheTypeThatOthersCall() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            Heater heater = space.spawn(Heater.class, Heater::new); // a proxy
-            heater.set(20); // a message
-
-            test.advance(Duration.ofMinutes(3));
-            assertThat(test.get(heater.degrees())).isEqualTo(23);
-        }
+        Heater heater = space.spawn(Heater.class, Heater::new); // a proxy
+        heater.set(20); // a message
+        test.advance(Duration.ofMinutes(3));
+        assertThat(test.get(heater.degrees())).isEqualTo(23);
     }
 
     static class Counter extends Actor {
@@ -108,37 +104,28 @@ class JavadocSamplesTest {
 
     @Test
     void actorSettings_nameBoundAndSuperviseAnActor() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            ActorSettings settings = ActorSettings.named("counter")
-                    .withSupervision(Supervision.restart(3, Duration.ofMinutes(1)))
-                    .withMailbox(1_000, Overflow.REJECT);
-            Counter counter = space.spawn(Counter.class, Counter::new, settings);
-
-            assertThat(counter).hasToString("counter");
-            counter.add(5);
-            counter.add(-1);
-            assertThat(test.get(counter.count())).isZero(); // a new instance
-            assertThat(test.takeProblems())
-                    .extracting(TestSpace.Problem::where)
-                    .containsExactly("Counter.add(int) of counter");
-        }
+        ActorSettings settings = ActorSettings.named("counter")
+                .withSupervision(Supervision.restart(3, Duration.ofMinutes(1)))
+                .withMailbox(1_000, Overflow.REJECT);
+        Counter counter = space.spawn(Counter.class, Counter::new, settings);
+        assertThat(counter).hasToString("counter");
+        counter.add(5);
+        counter.add(-1);
+        assertThat(test.get(counter.count())).isZero(); // a new instance
+        assertThat(test.takeProblems())
+                .extracting(TestSpace.Problem::where)
+                .containsExactly("Counter.add(int) of counter");
     }
 
     @Test
     void supervision_restartsTwice_thenStops() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            ActorSettings settings =
-                    ActorSettings.DEFAULT.withSupervision(Supervision.restart(2, Duration.ofSeconds(10)));
-            Counter counter = space.spawn(Counter.class, Counter::new, settings);
-            counter.add(-1); // restarts
-            counter.add(-1); // restarts
-            counter.add(-1); // the third failure within ten seconds: the actor stops
-
-            assertThat(test.error(counter.count())).isInstanceOf(ActorStoppedException.class);
-            assertThat(test.takeProblems()).hasSize(3);
-        }
+        ActorSettings settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(2, Duration.ofSeconds(10)));
+        Counter counter = space.spawn(Counter.class, Counter::new, settings);
+        counter.add(-1); // restarts
+        counter.add(-1); // restarts
+        counter.add(-1); // the third failure within ten seconds: the actor stops
+        assertThat(test.error(counter.count())).isInstanceOf(ActorStoppedException.class);
+        assertThat(test.takeProblems()).hasSize(3);
     }
 
     interface Printer {
@@ -147,19 +134,15 @@ class JavadocSamplesTest {
 
     @Test
     void mailboxBound_dropsTheOldest() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            MailboxBound newestOnly = new MailboxBound(1, Overflow.DROP_OLDEST);
-            ActorSettings settings =
-                    ActorSettings.named("printer").withMailbox(newestOnly.capacity(), newestOnly.overflow());
-            Printer printer = space.spawn(Printer.class, () -> log::add, settings);
-            printer.print("first");
-            printer.print("second"); // takes the place of the first, which becomes a dead letter
-
-            test.crank();
-            assertThat(log).containsExactly("second");
-            assertThat(test.takeDeadLetters()).extracting(DeadLetter::message).containsExactly("Printer.print(first)");
-        }
+        MailboxBound newestOnly = new MailboxBound(1, Overflow.DROP_OLDEST);
+        ActorSettings settings =
+                ActorSettings.named("printer").withMailbox(newestOnly.capacity(), newestOnly.overflow());
+        Printer printer = space.spawn(Printer.class, () -> log::add, settings);
+        printer.print("first");
+        printer.print("second"); // takes the place of the first, which becomes a dead letter
+        test.crank();
+        assertThat(log).containsExactly("second");
+        assertThat(test.takeDeadLetters()).extracting(DeadLetter::message).containsExactly("Printer.print(first)");
     }
 
     @Test
@@ -171,26 +154,23 @@ class JavadocSamplesTest {
         ErrorHandler onError = (where, error) -> reported.resolve(where + ": " + error.getMessage());
         Consumer<DeadLetter> onDeadLetter = undelivered::resolve;
         Consumer<Stall> onStall = stall -> log.add(stall.toString());
-
         SpaceSettings settings = SpaceSettings.named("shop")
                 .withOnError(onError)
                 .withOnDeadLetter(onDeadLetter)
                 .withOnStall(Duration.ofSeconds(30), onStall);
         ActorSpace space = ActorSpace.create(settings);
-
         Counter counter = space.spawn(Counter.class, Counter::new);
         counter.add(-1);
-        assertThat(reported.get(Duration.ofSeconds(30))).startsWith("Counter.add(int) of Counter#1: amount is -1");
+        assertThat(reported.get(LONG)).startsWith("Counter.add(int) of Counter#1: amount is -1");
         space.close();
         counter.add(1);
-        assertThat(undelivered.get(Duration.ofSeconds(30)).message()).isEqualTo("Counter.add(1)");
+        assertThat(undelivered.get(LONG).message()).isEqualTo("Counter.add(1)");
     }
 
     @Test
     void errorHandler_isAFunction() {
         ErrorHandler handler = (where, error) -> log.add(where + " failed: " + error.getMessage());
         SpaceSettings settings = SpaceSettings.named("shop").withOnError(handler);
-
         settings.onError().handle("here", new IllegalStateException("why"));
         assertThat(log).containsExactly("here failed: why");
     }
@@ -203,7 +183,6 @@ class JavadocSamplesTest {
         Counter counter = space.spawn(Counter.class, Counter::new);
         space.close();
         counter.add(1); // too late
-
         assertThat(log).containsExactly("Counter.add(1) to Counter#1");
     }
 
@@ -211,85 +190,63 @@ class JavadocSamplesTest {
     void stall_namesItsSpace_andHowLong() {
         Consumer<Stall> onStall = stall -> log.add(stall.space() + ": " + stall.atLeast());
         SpaceSettings settings = SpaceSettings.named("shop").withOnStall(Duration.ofMillis(200), onStall);
-
         settings.onStall().accept(new Stall("shop", Duration.ofMillis(250), List.of()));
         assertThat(log).containsExactly("shop: PT0.25S");
     }
 
     @Test
     void leftovers_countWhatAClosedSpaceHadNotDone() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withHandCrank());
-            space.spawn(Heater.class, Heater::new);
-            space.crank();
-
-            Leftovers left = space.close(Duration.ofSeconds(5));
-            if (!left.isEmpty()) {
-                System.getLogger("shop").log(System.Logger.Level.WARNING, "not done: " + left);
-            }
-
-            assertThat(left.isEmpty()).isTrue(); // timers alone do not count as work that was not done
-            test.crank();
+        ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withHandCrank());
+        space.spawn(Heater.class, Heater::new);
+        space.crank();
+        Leftovers left = space.close(Duration.ofSeconds(5));
+        if (!left.isEmpty()) {
+            System.getLogger("shop").log(System.Logger.Level.WARNING, "not done: " + left);
         }
+        assertThat(left.isEmpty()).isTrue(); // timers alone do not count as work that was not done
     }
 
     @Test
     void metrics_areReadFromAnyThread() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            space.spawn(Heater.class, Heater::new);
-            SpaceMetrics metrics = space.metrics();
-            String line =
-                    metrics.actors() + " actors, " + metrics.waiting() + " waiting, behind by " + metrics.latency();
-
-            assertThat(line).startsWith("0 actors, 1 waiting");
-            test.crank();
-            assertThat(metrics.actors()).isOne();
-        }
+        space.spawn(Heater.class, Heater::new);
+        SpaceMetrics metrics = space.metrics();
+        String line = metrics.actors() + " actors, " + metrics.waiting() + " waiting, behind by " + metrics.latency();
+        assertThat(line).startsWith("0 actors, 1 waiting");
+        test.crank();
+        assertThat(metrics.actors()).isOne();
     }
 
     interface Camera {
         void watch(Callback<Integer> colours);
     }
 
-    static class FakeCamera implements Camera {
-        @Override
-        public void watch(Callback<Integer> colours) {
-            colours.next(0xFF0000);
-            colours.next(0x00FF00);
-            colours.finish();
-        }
-    }
-
     @Test
-    void callback_bringsManyResults_andItsEndToAStream() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            Camera camera = space.spawn(Camera.class, FakeCamera::new);
-            camera.watch((colour, error) -> log.add("saw " + colour));
-
-            var stream = new Callback.Stream<Integer>(colour -> log.add("got " + colour), end -> log.add("end " + end));
-            camera.watch(stream); // stream.cancel() ends it
-
-            test.crank();
-            assertThat(log).containsExactly("saw 16711680", "saw 65280", "got 16711680", "got 65280", "end null");
-        }
+    void callback_bringsManyResults_andItsEnd_toALambda_aStream_orAProbe() {
+        Camera camera = space.spawn(Camera.class, () -> seen -> {
+            seen.next(0xFF0000);
+            seen.next(0x00FF00);
+            seen.finish();
+        });
+        camera.watch((colour, error) -> log.add("saw " + colour));
+        var stream = new Callback.Stream<Integer>(colour -> log.add("got " + colour), end -> log.add("end " + end));
+        camera.watch(stream); // stream.cancel() ends it
+        CallbackProbe<Integer> colours = test.callback();
+        camera.watch(colours);
+        assertThat(colours.results()).containsExactly(0xFF0000, 0x00FF00);
+        colours.expectFinished();
+        assertThat(log).containsExactly("saw 16711680", "saw 65280", "got 16711680", "got 65280", "end null");
     }
 
     @Test
     void topic_bringsValuesToSubscribers() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            Topic<Integer> colours = Topic.latest(space, "colours");
-            colours.publish(0xFF0000);
-            Callback.Stream<Integer> subscription = colours.subscribe(colour -> log.add("saw " + colour));
-            colours.publish(0x00FF00); // returns 1: the number of subscribers
-
-            test.crank();
-            assertThat(log).containsExactly("saw 16711680", "saw 65280");
-            subscription.cancel();
-            assertThat(colours.publish(1)).isZero();
-        }
+        Topic<Integer> colours = Topic.latest(space, "colours");
+        colours.publish(0xFF0000);
+        Callback.Stream<Integer> subscription = colours.subscribe(colour -> log.add("saw " + colour));
+        colours.publish(0x00FF00); // returns 1: the number of subscribers
+        test.crank();
+        assertThat(log).containsExactly("saw 16711680", "saw 65280");
+        subscription.cancel();
+        assertThat(colours.publish(1)).isZero();
     }
 
     interface Shop {
@@ -300,21 +257,18 @@ class JavadocSamplesTest {
 
     @Test
     void promise_isChained() {
-        try (var test = new TestSpace()) {
-            Probe<Shop> probe = test.probe(Shop.class);
-            Shop shop = probe.actor();
-            Promise<String> receipt = shop.price("lamp")
-                    .thenCompose(price -> shop.buy("lamp", price))
-                    .orTimeout(Duration.ofSeconds(2))
-                    .exceptionally(error -> "not bought: " + error.getMessage());
-
-            receipt.then(text -> log.add(text));
-            probe.answer(20);
-            probe.expectCall("price(lamp)");
-            probe.expectCall("buy(lamp, 20)");
-            probe.answer("receipt no 7");
-            assertThat(log).containsExactly("receipt no 7");
-        }
+        Probe<Shop> probe = test.probe(Shop.class);
+        Shop shop = probe.actor();
+        Promise<String> receipt = shop.price("lamp")
+                .thenCompose(price -> shop.buy("lamp", price))
+                .orTimeout(Duration.ofSeconds(2))
+                .exceptionally(error -> "not bought: " + error.getMessage());
+        receipt.then(text -> log.add(text));
+        probe.answer(20);
+        probe.expectCall("price(lamp)");
+        probe.expectCall("buy(lamp, 20)");
+        probe.answer("receipt no 7");
+        assertThat(log).containsExactly("receipt no 7");
     }
 
     static class Turnstile extends Actor {
@@ -334,34 +288,29 @@ class JavadocSamplesTest {
 
     @Test
     void deferred_isSettledLater() {
-        try (var test = new TestSpace()) {
-            Turnstile turnstile = test.spawn(Turnstile.class, Turnstile::new);
-            Promise<Boolean> open = turnstile.waitForCoin();
-            test.crank();
-            assertThat(open.isDone()).isFalse();
-            turnstile.insertCoin();
-            assertThat(test.get(open)).isTrue();
-        }
+        Turnstile turnstile = test.spawn(Turnstile.class, Turnstile::new);
+        Promise<Boolean> open = turnstile.waitForCoin();
+        test.crank();
+        assertThat(open.isDone()).isFalse();
+        turnstile.insertCoin();
+        assertThat(test.get(open)).isTrue();
     }
 
     @Test
     void outcomes_areMatchedByType() {
-        try (var test = new TestSpace()) {
-            Promise<String> first = Promise.of("lamp");
-            Promise<String> second = Promise.failed(new IllegalStateException("sold out"));
-            Promise.allSettled(List.of(first, second)).then(outcomes -> {
-                for (Outcome<String> outcome : outcomes) {
-                    log.add(
-                            switch (outcome) {
-                                case Outcome.Fulfilled<String>(var value) -> value;
-                                case Outcome.Rejected<String>(var error) -> error.getMessage();
-                            });
-                }
-            });
-
-            test.crank();
-            assertThat(log).containsExactly("lamp", "sold out");
-        }
+        Promise<String> first = Promise.of("lamp");
+        Promise<String> second = Promise.failed(new IllegalStateException("sold out"));
+        Promise.allSettled(List.of(first, second)).then(outcomes -> {
+            for (Outcome<String> outcome : outcomes) {
+                log.add(
+                        switch (outcome) {
+                            case Outcome.Fulfilled<String>(var value) -> value;
+                            case Outcome.Rejected<String>(var error) -> error.getMessage();
+                        });
+            }
+        });
+        test.crank();
+        assertThat(log).containsExactly("lamp", "sold out");
     }
 
     @Test
@@ -387,25 +336,12 @@ class JavadocSamplesTest {
 
     @Test
     void probe_standsInForAnActor() {
-        try (var test = new TestSpace()) {
-            Probe<Shop> shop = test.probe(Shop.class);
-            Clerk clerk = test.spawn(Clerk.class, () -> new Clerk(shop.actor()));
-            Promise<String> advice = clerk.advise("lamp");
-            shop.expectCall("price(lamp)");
-            shop.answer(20);
-            assertThat(test.get(advice)).isEqualTo("wait");
-        }
-    }
-
-    @Test
-    void callbackProbe_recordsResults() {
-        try (var test = new TestSpace()) {
-            Camera camera = test.spawn(Camera.class, FakeCamera::new);
-            CallbackProbe<Integer> colours = test.callback();
-            camera.watch(colours);
-            assertThat(colours.results()).containsExactly(0xFF0000, 0x00FF00);
-            colours.expectFinished();
-        }
+        Probe<Shop> shop = test.probe(Shop.class);
+        Clerk clerk = test.spawn(Clerk.class, () -> new Clerk(shop.actor()));
+        Promise<String> advice = clerk.advise("lamp");
+        shop.expectCall("price(lamp)");
+        shop.answer(20);
+        assertThat(test.get(advice)).isEqualTo("wait");
     }
 
     @Test
@@ -418,18 +354,12 @@ class JavadocSamplesTest {
         space.crank();
         clock.advance(Duration.ofSeconds(2));
         space.crank(); // serves the timers that are due
-
         assertThat(late.getNow()).isEqualTo("too late");
         space.close();
     }
 
-    static class Controller extends Actor {
-        private final List<String> log;
+    private class Controller extends Actor {
         private @Nullable Timer cycle;
-
-        Controller(List<String> log) {
-            this.log = log;
-        }
 
         @Override
         protected void started() {
@@ -445,53 +375,42 @@ class JavadocSamplesTest {
 
     @Test
     void schedule_andTimer_ofAControlLoop() {
-        try (var test = new TestSpace()) {
-            Controller controller = test.spawn(Controller.class, () -> new Controller(log));
-            test.advance(Duration.ofMillis(250));
-            controller.pause();
-            test.advance(Duration.ofMillis(250));
-            assertThat(log).containsExactly("cycle", "cycle");
-        }
+        Controller controller = test.spawn(Controller.class, Controller::new);
+        test.advance(Duration.ofMillis(250));
+        controller.pause();
+        test.advance(Duration.ofMillis(250));
+        assertThat(log).containsExactly("cycle", "cycle");
     }
 
     @Test
     void actorException_isTheErrorOfACallWithoutAnActor() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            Greeter greeter = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
-            space.stop(greeter);
-            Promise<String> answer = greeter.greet("Ada")
-                    .exceptionally(
-                            error -> error instanceof ActorException ? "the greeter is gone" : "the greeter failed");
-            assertThat(test.get(answer)).isEqualTo("the greeter is gone");
-        }
+        Greeter greeter = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
+        space.stop(greeter);
+        Promise<String> answer = greeter.greet("Ada")
+                .exceptionally(error -> error instanceof ActorException ? "the greeter is gone" : "the greeter failed");
+        assertThat(test.get(answer)).isEqualTo("the greeter is gone");
     }
 
     @Test
     void actorStoppedException_saysWhetherTheRequestWasBegun() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            Greeter first = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
-            Greeter second = space.spawn(Greeter.class, () -> name -> Promise.of("Good morning, " + name));
-            space.stop(first);
-            Promise<String> answer = first.greet("Ada")
-                    .exceptionallyCompose(error -> error instanceof ActorStoppedException stopped && !stopped.wasBegun()
-                            ? second.greet("Ada")
-                            : Promise.failed(error));
-            assertThat(test.get(answer)).isEqualTo("Good morning, Ada");
-        }
+        Greeter first = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
+        Greeter second = space.spawn(Greeter.class, () -> name -> Promise.of("Good morning, " + name));
+        space.stop(first);
+        Promise<String> answer = first.greet("Ada")
+                .exceptionallyCompose(error -> error instanceof ActorStoppedException stopped && !stopped.wasBegun()
+                        ? second.greet("Ada")
+                        : Promise.failed(error));
+        assertThat(test.get(answer)).isEqualTo("Good morning, Ada");
     }
 
     @Test
     void mailboxFullException_isTheErrorOfARequestWithoutRoom() {
-        try (var test = new TestSpace()) {
-            ActorSettings one = ActorSettings.named("greeter").withMailbox(1, Overflow.REJECT);
-            Greeter greeter = test.space().spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name), one);
-            greeter.greet("Ada");
-            Promise<String> answer = greeter.greet("Bob")
-                    .exceptionally(error -> error instanceof MailboxFullException ? "later" : "never");
-            assertThat(test.get(answer)).isEqualTo("later");
-        }
+        ActorSettings one = ActorSettings.named("greeter").withMailbox(1, Overflow.REJECT);
+        Greeter greeter = test.space().spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name), one);
+        greeter.greet("Ada");
+        Promise<String> answer =
+                greeter.greet("Bob").exceptionally(error -> error instanceof MailboxFullException ? "later" : "never");
+        assertThat(test.get(answer)).isEqualTo("later");
     }
 
     interface Greeting {
@@ -500,26 +419,20 @@ class JavadocSamplesTest {
 
     @Test
     void actorTypeException_namesTheMethod() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            assertThatThrownBy(() -> {
-                        space.spawn(Greeting.class, () -> name -> "Hello, " + name); // throws
-                    })
-                    .isInstanceOf(ActorTypeException.class)
-                    .hasMessageContaining("Greeting.greet(String)");
-        }
+        assertThatThrownBy(() -> {
+                    space.spawn(Greeting.class, () -> name -> "Hello, " + name); // throws
+                })
+                .isInstanceOf(ActorTypeException.class)
+                .hasMessageContaining("Greeting.greet(String)");
     }
 
     @Test
     void clock_isThatOfTheTimers() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            Clock clock = space.clock();
-            long startNanos = clock.nanos();
-            space.delay(Duration.ofSeconds(2))
-                    .thenRun(() -> log.add("after " + Duration.ofNanos(clock.nanos() - startNanos)));
-            test.advance(Duration.ofSeconds(2));
-            assertThat(log).containsExactly("after PT2S");
-        }
+        Clock clock = space.clock();
+        long startNanos = clock.nanos();
+        space.delay(Duration.ofSeconds(2))
+                .thenRun(() -> log.add("after " + Duration.ofNanos(clock.nanos() - startNanos)));
+        test.advance(Duration.ofSeconds(2));
+        assertThat(log).containsExactly("after PT2S");
     }
 }

@@ -5,13 +5,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.InTestSpace;
 import io.troupe.actor.Leftovers;
 import io.troupe.actor.MailboxBound;
 import io.troupe.actor.SpaceMetrics;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.Supervision;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.testkit.TestSpace;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
@@ -27,7 +27,7 @@ import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 
 /** The sections "Failure, room, and blocking work", "Several spaces", "How it is doing" and "The end". */
-class SpacesGuideTest {
+class SpacesGuideTest extends InTestSpace {
     private final BlockingQueue<Object> shown = new LinkedBlockingQueue<>();
 
     interface Camera {
@@ -53,11 +53,11 @@ class SpacesGuideTest {
     }
 
     private void draw(String text) {
-        shown.add("drew " + text);
+        show("drew " + text);
     }
 
     private void askForAnother() {
-        shown.add("another, please");
+        show("another, please");
     }
 
     private Object next() throws InterruptedException {
@@ -140,50 +140,30 @@ class SpacesGuideTest {
 
     @Test
     void metrics_countWhatWasLost() {
-        try (var test = new TestSpace()) {
-            ActorSpace space = test.space();
-            Camera camera = test.spawn(Camera.class, UsbCamera::new);
-            camera.drop();
-            test.crank();
-            space.stop(camera);
-            test.crank();
-            camera.drop();
-            test.crank();
-            SpaceMetrics metrics = space.metrics();
-            long waiting = metrics.waiting(); // the result of the last probe: call it periodically
-            Duration latency = metrics.latency();
-            long lost = metrics.errors() + metrics.deadLetters();
-            assertThat(lost).isEqualTo(2);
-            assertThat(waiting).isZero();
-            assertThat(latency).isGreaterThanOrEqualTo(Duration.ZERO);
-            assertThat(test.takeProblems())
-                    .extracting(problem -> problem.error().getMessage())
-                    .containsExactly("broken");
-            assertThat(test.takeDeadLetters()).hasSize(1);
-        }
-    }
-
-    interface Thermostat {
-        void set(double degrees);
-
-        Promise<Double> read();
-    }
-
-    private record Fixed(double degrees) implements Thermostat {
-        @Override
-        public void set(double wanted) {}
-
-        @Override
-        public Promise<Double> read() {
-            return Promise.of(degrees);
-        }
+        ActorSpace space = test.space();
+        Camera camera = test.spawn(Camera.class, UsbCamera::new);
+        camera.drop();
+        test.crank();
+        space.stop(camera);
+        test.crank();
+        camera.drop();
+        test.crank();
+        SpaceMetrics metrics = space.metrics();
+        long waiting = metrics.waiting(); // the result of the last probe: call it periodically
+        Duration latency = metrics.latency();
+        long lost = metrics.errors() + metrics.deadLetters();
+        assertThat(lost).isEqualTo(2);
+        assertThat(waiting).isZero();
+        assertThat(latency).isGreaterThanOrEqualTo(Duration.ZERO);
+        assertThat(takeErrors()).containsExactly("broken");
+        assertThat(test.takeDeadLetters()).hasSize(1);
     }
 
     @Test
     void close_reportsWhatWasLeftUndone() throws Exception {
         var space = ActorSpace.create(
                 SpaceSettings.named("short-lived").withOnDeadLetter(this::show).withHandCrank());
-        Thermostat heater = space.spawn(Thermostat.class, () -> new Fixed(20));
+        Heating.Thermostat heater = space.spawn(Heating.Thermostat.class, Heating.Heater::new);
         Promise<?> never = space.delay(Duration.ofHours(1));
         space.crank();
         space.execute(() -> {

@@ -5,9 +5,12 @@ import static org.junit.jupiter.api.Assertions.assertTimeoutPreemptively;
 
 import io.troupe.actor.model.Act.Kind;
 import java.time.Duration;
+import java.util.List;
 import java.util.Random;
 import java.util.TreeSet;
+import java.util.function.Predicate;
 import java.util.stream.LongStream;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /**
@@ -39,15 +42,11 @@ class ActorModelTest {
 
     private void check(long number) {
         var program = Programs.random(number);
-        if (Difference.of(program) != null) {
-            var smallest = Shrinker.shrink(program, candidate -> Difference.of(candidate) != null);
-            throw new AssertionError("seed %d, %d acts, shrunken to %d:%n%s%s"
-                    .formatted(
-                            number,
-                            Act.count(program),
-                            Act.count(smallest),
-                            Act.print(smallest, "  "),
-                            Difference.of(smallest)));
+        if (difference(program) != null) {
+            var smallest = shrink(program, candidate -> difference(candidate) != null);
+            String sizes =
+                    "seed %d, %d acts, shrunken to %d:%n".formatted(number, Act.count(program), Act.count(smallest));
+            throw new AssertionError(sizes + Act.print(smallest, "  ") + difference(smallest));
         }
     }
 
@@ -84,12 +83,64 @@ class ActorModelTest {
                 .filter(each -> Act.count(each) > 50)
                 .findFirst()
                 .orElseThrow();
-        var smallest = Shrinker.shrink(
-                program,
-                candidate -> candidate.stream().anyMatch(each -> each.kind() == Kind.SPAWN && each.target() == 2));
-        assertThat(smallest).hasSize(1);
-        assertThat(smallest.getFirst().kind()).isEqualTo(Kind.SPAWN);
-        assertThat(smallest.getFirst().target()).isEqualTo(2);
-        assertThat(smallest.getFirst().script()).isEmpty();
+        Predicate<Act> wanted = each -> each.kind() == Kind.SPAWN && each.target() == 2;
+        assertThat(shrink(program, candidate -> candidate.stream().anyMatch(wanted)))
+                .singleElement()
+                .matches(wanted)
+                .returns(List.of(), Act::script);
+    }
+
+    /** The first difference, or null if all events are equal. */
+    private static @Nullable String difference(List<Act> program) {
+        var expected = ModelRun.of(program).events();
+        var shown = LibraryRun.of(program).events();
+        if (expected.equals(shown)) {
+            return null;
+        }
+        int same = firstDifference(expected, shown);
+        var before = String.join("\n  ", expected.subList(Math.max(0, same - 12), same));
+        return "after %d equal events, the last of which are%n  %s%nthe model expects%n  %s%nand the library shows%n  %s"
+                .formatted(same, before, at(expected, same), at(shown, same));
+    }
+
+    private static int firstDifference(List<String> one, List<String> other) {
+        int at = 0;
+        while (at < one.size() && at < other.size() && one.get(at).equals(other.get(at))) {
+            at++;
+        }
+        return at;
+    }
+
+    private static String at(List<String> events, int index) {
+        return index < events.size() ? events.get(index) : "nothing more";
+    }
+
+    /** Reduces a failing program by removing parts while it still fails: first halves, finally single acts. */
+    private static List<Act> shrink(List<Act> program, Predicate<List<Act>> fails) {
+        var smallest = program;
+        int part = Math.max(1, Act.count(program) / 2);
+        while (true) {
+            var smaller = withoutParts(smallest, part, fails);
+            boolean progress = Act.count(smaller) < Act.count(smallest);
+            smallest = smaller;
+            if (part == 1 && !progress) {
+                return smallest;
+            }
+            part = progress ? part : Math.max(1, part / 2);
+        }
+    }
+
+    private static List<Act> withoutParts(List<Act> program, int part, Predicate<List<Act>> fails) {
+        var smallest = program;
+        int from = 0;
+        while (from < Act.count(smallest)) {
+            var candidate = Act.without(smallest, from, from + part);
+            if (fails.test(candidate)) {
+                smallest = candidate;
+            } else {
+                from += part;
+            }
+        }
+        return smallest;
     }
 }

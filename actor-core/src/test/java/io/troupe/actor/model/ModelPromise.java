@@ -2,51 +2,20 @@ package io.troupe.actor.model;
 
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** A promise of the model: an outcome, as text, and a list of listeners. */
 final class ModelPromise {
-    /** A listener. */
-    interface Listener {
-        void tell();
-
-        /** True if it no longer needs the outcome. */
-        boolean isIdle();
-
-        /** True if it runs in the space. */
-        boolean isAtHome();
-
-        /** Like {@link #tell}, behind listeners that were notified from outside. */
-        void tellBehind();
-
-        /** True if it runs in a separate turn. */
-        boolean hasTurn();
-    }
-
-    private record Follower(ModelPromise leader, ModelPromise promise) implements Listener {
-        @Override
-        public void tell() {
-            promise.settle(String.valueOf(leader.outcome));
-        }
-
-        @Override
-        public boolean isIdle() {
-            return promise.isDone();
-        }
-
-        @Override
-        public boolean isAtHome() {
-            return false; // it runs on the thread that settles its source
-        }
-
-        @Override
-        public void tellBehind() {
-            tell();
-        }
-
-        @Override
-        public boolean hasTurn() {
-            return false;
+    /**
+     * A listener, which needs the outcome until its own result is settled.
+     *
+     * @param hasTurn true if it runs in a separate turn, false if it runs on the thread that settles its source
+     * @param tell true = behind the listeners that were notified from outside
+     */
+    record Listener(ModelPromise result, boolean hasTurn, Consumer<Boolean> tell) {
+        boolean isAtHome() {
+            return hasTurn && result.atHome;
         }
     }
 
@@ -56,8 +25,11 @@ final class ModelPromise {
     final boolean madeOutside;
     final boolean isRequest;
     private final List<Listener> listeners = new ArrayList<>();
-    private @Nullable String outcome;
-    private boolean heard;
+
+    @Nullable
+    String outcome;
+
+    boolean heard;
     private boolean telling;
     private boolean fromAfar;
     private int onTheirWay;
@@ -84,17 +56,8 @@ final class ModelPromise {
         return new ModelPromise(space, true, space.inside, true);
     }
 
-    @Nullable
-    String outcome() {
-        return outcome;
-    }
-
     boolean isDone() {
         return outcome != null;
-    }
-
-    boolean isHandled() {
-        return heard;
     }
 
     static boolean isError(String outcome) {
@@ -110,14 +73,14 @@ final class ModelPromise {
             return false;
         }
         if (local && !space.inside) {
-            space.enqueue(ModelTask.callback(() -> settle(end)));
+            space.enqueue(ModelSpace.Task.callback(() -> settle(end)));
             return true;
         }
         outcome = end;
         if (!listeners.isEmpty()) {
             heard = true;
         } else if (atHome && isError(end) && !end.equals("!CancellationException")) {
-            space.rejections.rejected(this);
+            space.rejected(this);
         }
         tellAll();
         return true;
@@ -131,14 +94,14 @@ final class ModelPromise {
             var told = List.copyOf(listeners);
             listeners.clear();
             onTheirWay += (int) told.stream().filter(Listener::hasTurn).count();
-            told.forEach(Listener::tell);
+            told.forEach(each -> each.tell.accept(false));
         } while (!listeners.isEmpty());
         telling = false;
     }
 
     void register(Listener listener) {
         if (local && !space.inside) {
-            space.enqueue(ModelTask.callback(() -> registerHere(listener)));
+            space.enqueue(ModelSpace.Task.callback(() -> registerHere(listener)));
         } else {
             registerHere(listener);
         }
@@ -150,7 +113,7 @@ final class ModelPromise {
             tellLate(listener);
             return;
         }
-        while (!isDone() && !listeners.isEmpty() && listeners.getLast().isIdle()) {
+        while (!isDone() && !listeners.isEmpty() && listeners.getLast().result.isDone()) {
             listeners.removeLast();
         }
         listeners.add(listener);
@@ -159,14 +122,10 @@ final class ModelPromise {
     /** Listeners notified from outside may still be in the inbox: a late listener must not overtake them. */
     private void tellLate(Listener listener) {
         boolean behind = fromAfar && onTheirWay > 0;
-        if (listener.hasTurn()) {
+        if (listener.hasTurn) {
             onTheirWay++;
         }
-        if (behind) {
-            listener.tellBehind();
-        } else {
-            listener.tell();
-        }
+        listener.tell.accept(behind);
     }
 
     /** A listener begins its turn. */
@@ -181,7 +140,7 @@ final class ModelPromise {
             other.heard = true;
             settle(String.valueOf(other.outcome));
         } else {
-            other.register(new Follower(other, this));
+            other.register(new Listener(this, false, behind -> settle(String.valueOf(other.outcome))));
         }
     }
 }

@@ -1,18 +1,31 @@
 package io.troupe.actor.model;
 
-import io.troupe.actor.model.ModelActor.Instance;
-import io.troupe.actor.model.ModelMailbox.Call;
+import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.Supervision.Directive;
+import io.troupe.actor.model.Act.Answer;
+import io.troupe.actor.model.Act.Cast;
+import io.troupe.actor.model.Act.Kind;
+import io.troupe.actor.model.ModelSpace.Task;
+import io.troupe.actor.model.ModelSpace.Timer;
+import java.util.ArrayList;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
+import java.util.TreeMap;
+import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
 /** Runs a program on the model. */
 final class ModelRun {
-    final ModelSpace space = new ModelSpace();
-    final ModelPromises promises = new ModelPromises(this);
-    private final ModelStreams streams = new ModelStreams(this);
-    private final Map<Integer, ModelTimers.Timer> timers = new HashMap<>();
+    private final ModelSpace space = new ModelSpace();
+    private final Map<Integer, ModelPromise> promises = new TreeMap<>();
+    private final Set<Integer> byHand = new HashSet<>();
+    private final Map<ModelPromise, Timer> delays = new HashMap<>();
+    private final Map<Integer, ModelStream> handles = new HashMap<>();
+    private final Map<Integer, ModelStream> readers = new HashMap<>();
+    private final Map<Integer, Timer> timers = new HashMap<>();
     private final Map<Integer, ModelActor> actors = new HashMap<>();
     private final Map<Integer, Integer> instances = new HashMap<>();
 
@@ -22,15 +35,12 @@ final class ModelRun {
         var run = new ModelRun();
         run.play(program, null);
         run.space.crank();
-        run.promises.tell();
+        run.promises.forEach((id, promise) ->
+                run.space.history.add("promise " + id + " " + (promise.isDone() ? promise.outcome : "pending")));
         return run.space.history;
     }
 
-    int nextInstance(int actor) {
-        return instances.merge(actor, 1, Integer::sum);
-    }
-
-    void play(List<Act> acts, @Nullable Instance self) {
+    private void play(List<Act> acts, @Nullable Instance self) {
         for (Act act : acts) {
             if (!space.history.isFull()) {
                 play(act, self);
@@ -41,16 +51,21 @@ final class ModelRun {
     private void play(Act act, @Nullable Instance self) {
         switch (act.kind()) {
             case CRANK -> space.crank();
-            case ADVANCE -> space.timers.now += act.number();
+            case ADVANCE -> space.now += act.number();
             case READER -> {}
             case THROW -> throw new History.Boom(act.id());
             case CLOSE -> space.close();
             case EXECUTE, ON_IDLE, SPAWN -> begin(act);
-            case DELAY -> promises.delay(act);
-            case STOP, WATCH, TELL, ASK, OPEN, FORWARD -> actor(act, self);
-            case STOP_SELF, AFTER, EVERY, CANCEL_TIMER -> playAsActor(act, self);
-            case NEXT, FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> streams.play(act);
-            default -> promises.play(act, self);
+            case DEFER -> defer(act.id());
+            case DELAY -> delay(act);
+            case STOP, WATCH, TELL, ASK, OPEN, FORWARD -> send(act, self);
+            case STOP_SELF, AFTER, EVERY, CANCEL_TIMER -> {
+                if (self != null) {
+                    playAsActor(act, self);
+                }
+            }
+            case NEXT, FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> playOnStream(act);
+            default -> playOnPromise(act, self);
         }
     }
 
@@ -62,11 +77,11 @@ final class ModelRun {
         }
         switch (act.kind()) {
             case EXECUTE -> space.execute(() -> space.guarded(() -> task("executes " + act.id(), act)));
-            case ON_IDLE -> space.execute(() -> space.whenIdle(() -> task("is idle for " + act.id(), act)));
+            case ON_IDLE -> space.execute(() -> space.idle.add(() -> task("is idle for " + act.id(), act)));
             default -> {
-                var fresh = new ModelActor(this, act);
+                var fresh = new ModelActor(act);
                 actors.put(act.target(), fresh);
-                space.enqueue(ModelTask.entry(fresh::begin, fresh::stop));
+                space.enqueue(Task.entry(fresh::begin, fresh::stop));
             }
         }
     }
@@ -76,55 +91,231 @@ final class ModelRun {
         play(act.script(), null);
     }
 
-    private void actor(Act act, @Nullable Instance self) {
+    private static String name(@Nullable Instance self) {
+        return self == null ? "nobody" : self.name;
+    }
+
+    // ---- actors
+
+    /** A request that has begun; if its result was settled outside, the outcome may still be queued. */
+    record OpenRequest(ModelPromise request, ModelPromise answer) {
+        void reject() {
+            if (!answer.isDone()) {
+                request.settle("!ActorStoppedException");
+            }
+        }
+    }
+
+    /** One instance, from its start to its end. */
+    static final class Instance {
+        final ModelActor actor;
+        final String name;
+        final List<Timer> timers = new ArrayList<>();
+        final List<OpenRequest> openRequests = new ArrayList<>();
+        boolean over;
+
+        Instance(ModelActor actor, String name) {
+            this.actor = actor;
+            this.name = name;
+        }
+    }
+
+    /**
+     * A queued call.
+     *
+     * @param answer of a request
+     * @param callback among its arguments
+     * @param handler what the actor does with it
+     */
+    record Call(
+            int id, @Nullable ModelPromise answer, @Nullable ModelStream callback, Consumer<Instance> handler) {
+        void failCallback(String error) {
+            if (callback != null) {
+                callback.abandon(error);
+            }
+        }
+    }
+
+    /** An actor of the model: its mailbox, its instances and its failures. */
+    final class ModelActor {
+        private final Act born;
+        private final Cast cast;
+        private final String name;
+        private final List<Call> mailbox = new ArrayList<>();
+        private final List<Long> failures = new ArrayList<>();
+        private final ModelPromise ended = ModelPromise.shared(space, true);
+        private @Nullable Instance instance;
+        private boolean begun;
+        private boolean stopped;
+
+        ModelActor(Act born) {
+            this.born = born;
+            this.cast = Cast.of(born.number());
+            this.name = "A" + born.target();
+        }
+
+        private boolean dropsOldest() {
+            return cast.capacity() > 0 && cast.overflow() == Overflow.DROP_OLDEST;
+        }
+
+        void send(Call call) {
+            if (cast.capacity() == 0 || mailbox.size() < cast.capacity()) {
+                mailbox.add(call);
+                space.enqueue(Task.call(() -> deliver(call)));
+            } else if (dropsOldest()) {
+                mailbox.add(call); // delivered for the entry of another call
+                turnAway(mailbox.removeFirst(), "MailboxFullException", "full");
+            } else {
+                turnAway(call, "MailboxFullException", "full");
+            }
+        }
+
+        private void deliver(Call queued) {
+            begin();
+            Call call = dropsOldest() ? mailbox.removeFirst() : queued;
+            mailbox.removeIf(each -> each == call);
+            Instance now = instance;
+            if (call.answer != null && call.answer.isDone()) {
+                call.failCallback("CancellationException");
+            } else if (now == null) {
+                turnAway(call, "ActorStoppedException", space.stopping ? "closed" : "stopped");
+            } else {
+                guarded(now, () -> call.handler.accept(now));
+            }
+        }
+
+        /** Rejects a call: notifies its sender and its callback. */
+        private void turnAway(Call call, String error, String reason) {
+            if (call.answer != null) {
+                call.answer.settle("!" + error);
+            } else {
+                space.history.add("dead letter " + call.id + " to " + name + ": " + reason);
+            }
+            call.failCallback(error);
+        }
+
+        /** Each watcher has a separate promise. */
+        ModelPromise watch() {
+            var own = ModelPromise.shared(space, true);
+            own.follow(ended);
+            return own;
+        }
+
+        /** Runs an action; an exception is a failure. */
+        void guarded(Instance who, Runnable action) {
+            space.as(who, () -> {
+                try {
+                    action.run();
+                } catch (History.Boom boom) {
+                    failed(String.valueOf(boom.getMessage()));
+                }
+            });
+        }
+
+        private void failed(String error) {
+            space.history.add((cast.ownHandler() ? "own handler: failed " : "failed ") + name + " " + error);
+            if (stopped) {
+                return;
+            }
+            long now = space.now;
+            failures.removeIf(each -> each <= now - cast.windowTicks());
+            failures.add(now);
+            if (cast.limit() >= 0 && failures.size() > cast.limit() || cast.directive() == Directive.STOP) {
+                space.ends.add(this::stop);
+            } else if (cast.directive() == Directive.RESTART) {
+                space.ends.add(this::restart);
+            }
+        }
+
+        /**
+         * Starts the actor in the turn of its spawn or of an earlier call, whichever comes first; starts nothing after
+         * the space has stopped.
+         */
+        void begin() {
+            if (!begun && !stopped && !space.stopping) {
+                begun = true;
+                start();
+            }
+        }
+
+        private void start() {
+            space.living.add(this);
+            int number = instances.merge(born.target(), 1, Integer::sum);
+            var fresh = new Instance(this, name + "#" + number);
+            if (number == cast.failingInstance()) {
+                failed("Boom" + born.id());
+                stop();
+                return;
+            }
+            instance = fresh;
+            space.history.add(fresh.name + " starts");
+            guarded(fresh, () -> play(born.script(), fresh));
+        }
+
+        void stop() {
+            if (!stopped) {
+                stopped = true;
+                space.living.remove(this);
+                endInstance();
+                ended.settle("=null");
+            }
+        }
+
+        private void endInstance() {
+            if (instance != null) {
+                space.history.add(instance.name + " ends");
+                instance.over = true;
+                instance.timers.forEach(Timer::cancel);
+                instance.openRequests.forEach(OpenRequest::reject);
+                instance = null;
+            }
+        }
+
+        private void restart() {
+            if (!stopped) {
+                endInstance();
+                start();
+            }
+        }
+    }
+
+    private void send(Act act, @Nullable Instance self) {
         ModelActor actor = actors.get(act.target());
         if (actor == null) {
             return;
         }
         switch (act.kind()) {
-            case STOP -> space.enqueue(ModelTask.entry(actor::stop, actor::stop));
+            case STOP -> space.enqueue(Task.entry(actor::stop, actor::stop));
             case WATCH -> promises.put(act.id(), actor.watch());
-            case TELL ->
-                actor.send(new Call(act.id(), null, null, instance -> {
-                    space.history.add(instance.name + " is told " + act.id());
-                    play(act.script(), instance);
-                }));
+            case TELL -> tell(act, actor, "is told", null);
             case ASK -> ask(act, actor, "is asked", null);
             case OPEN -> {
-                var callback = streams.reader(act, self);
+                var callback = reader(act, self);
                 if (act.isRequest()) {
                     ask(act, actor, "streams for", callback);
                 } else {
-                    sendStream(act, actor, callback);
+                    tell(act, actor, "streams", callback);
                 }
             }
             default -> {
-                ModelStream handle = streams.handle(act.id());
+                ModelStream handle = handles.get(act.id());
                 if (handle != null) {
-                    sendStream(act, actor, handle);
+                    tell(act, actor, "streams", handle);
                 }
             }
         }
     }
 
-    private void sendStream(Act act, ModelActor actor, ModelStream stream) {
-        actor.send(new Call(act.id(), null, stream, instance -> {
-            space.history.add(instance.name + " streams " + act.id());
-            streams.arrive(act.id(), stream);
-            play(act.script(), instance);
-        }));
+    private void tell(Act act, ModelActor actor, String how, @Nullable ModelStream callback) {
+        actor.send(new Call(act.id(), null, callback, instance -> arrive(instance, act, how, callback)));
     }
 
     private void ask(Act act, ModelActor actor, String how, @Nullable ModelStream callback) {
         var request = ModelPromise.request(space);
         actor.send(new Call(act.id(), request, callback, instance -> {
-            space.history.add(instance.name + " " + how + " " + act.id());
-            if (callback != null) {
-                streams.arrive(act.id(), callback);
-            }
             try {
-                play(act.script(), instance);
-                promises.answer(act, request, instance);
+                arrive(instance, act, how, callback);
+                answer(act, request, instance);
             } catch (History.Boom boom) {
                 request.settle("!" + boom.getMessage());
             }
@@ -132,12 +323,17 @@ final class ModelRun {
         promises.put(act.id(), request);
     }
 
-    private void playAsActor(Act act, @Nullable Instance self) {
-        if (self == null) {
-            return;
+    private void arrive(Instance instance, Act act, String how, @Nullable ModelStream callback) {
+        space.history.add(instance.name + " " + how + " " + act.id());
+        if (callback != null) {
+            handles.put(act.id(), callback);
         }
+        play(act.script(), instance);
+    }
+
+    private void playAsActor(Act act, Instance self) {
         switch (act.kind()) {
-            case STOP_SELF -> space.afterTurn(self.actor::stop);
+            case STOP_SELF -> space.ends.add(self.actor::stop);
             case AFTER -> setTimer(act, self, 0);
             case EVERY -> setTimer(act, self, act.number());
             default -> {
@@ -150,26 +346,193 @@ final class ModelRun {
     }
 
     private void setTimer(Act act, Instance self, int period) {
-        var timer = new ModelTimers.Timer[1];
-        timer[0] = space.timers.set(
-                act.number(),
-                period,
-                () -> {
-                    if (self.over) {
-                        timer[0].cancel();
-                        return;
-                    }
-                    self.actor.guarded(self, () -> {
-                        space.history.add("timer " + act.id() + " of " + self.name);
-                        play(act.script(), self);
-                    });
-                },
-                () -> {});
-        timers.put(act.id(), timer[0]);
-        self.timers.add(timer[0]);
+        Runnable tick = () -> self.actor.guarded(self, () -> {
+            space.history.add("timer " + act.id() + " of " + self.name);
+            play(act.script(), self);
+        });
+        var timer = new Timer(tick, () -> {}, space.now + act.number(), period);
+        space.begin(timer);
+        timers.put(act.id(), timer);
+        self.timers.add(timer);
     }
 
-    static String name(@Nullable Instance self) {
-        return self == null ? "nobody" : self.name;
+    private void answer(Act act, ModelPromise request, Instance actor) {
+        switch (act.kind() == Kind.OPEN ? Answer.VALUE : Answer.of(act.number())) {
+            case VALUE -> request.settle("=" + act.id());
+            case FAILED -> request.settle("!Boom" + act.id());
+            case NULL -> request.settle("!ActorException");
+            case LATER -> answerLater(request, defer(act.id() + 1), actor);
+            case OTHER -> {
+                ModelPromise other = promises.get(act.promised());
+                if (other == null) {
+                    request.settle("=" + act.id());
+                } else {
+                    answerLater(request, other, actor);
+                }
+            }
+        }
+    }
+
+    /**
+     * Follows a promise. Unless that is the promise of another request, it belongs to the instance: if the instance
+     * ends first, the request is rejected.
+     */
+    private static void answerLater(ModelPromise request, ModelPromise answer, Instance actor) {
+        if (!answer.isDone() && !answer.isRequest) {
+            actor.openRequests.add(new OpenRequest(request, answer));
+        }
+        request.follow(answer);
+    }
+
+    // ---- promises
+
+    private ModelPromise defer(int id) {
+        var promise = ModelPromise.shared(space, space.inside);
+        promises.put(id, promise);
+        byHand.add(id);
+        return promise;
+    }
+
+    private void playOnPromise(Act act, @Nullable Instance self) {
+        ModelPromise promise = promises.get(act.target());
+        if (promise == null) {
+            return;
+        }
+        String told = act.kind() + " " + act.id() + ": ";
+        switch (act.kind()) {
+            case RESOLVE, REJECT -> {
+                if (byHand.contains(act.target())) {
+                    String outcome = act.kind() == Kind.RESOLVE ? "=" + act.id() : "!Boom" + act.id();
+                    space.history.add(told + promise.settle(outcome));
+                }
+            }
+            case CANCEL -> space.history.add(told + cancel(promise));
+            default -> promises.put(act.id(), listen(promise, act, self));
+        }
+    }
+
+    /** Cancels a promise. A cancelled delay cancels its timer; if cancelled outside, when the space processes that. */
+    private boolean cancel(ModelPromise promise) {
+        boolean done = promise.settle("!CancellationException");
+        Timer delay = delays.get(promise);
+        if (done && delay != null) {
+            if (space.inside) {
+                delay.cancel();
+            } else {
+                space.enqueue(Task.entry(delay::cancel, () -> {}));
+            }
+        }
+        return done;
+    }
+
+    private void delay(Act act) {
+        var promise = ModelPromise.shared(space, true);
+        Runnable drop = () -> promise.settle("!CancellationException");
+        var timer = new Timer(() -> promise.settle("=null"), drop, space.now + act.number(), 0);
+        promises.put(act.id(), promise);
+        delays.put(promise, timer);
+        if (!space.inside) {
+            space.enqueue(Task.entry(() -> space.begin(timer), drop));
+        } else if (space.closed) {
+            drop.run();
+        } else {
+            space.begin(timer);
+        }
+    }
+
+    /** Registers a listener that plays a script, and returns the promise of its result. */
+    private ModelPromise listen(ModelPromise source, Act act, @Nullable Instance self) {
+        var result = ModelPromise.local(space, space.inside || source.atHome);
+        var owner = space.inside ? space.current : null;
+        Runnable turn = () -> {
+            source.arrived();
+            if (!result.isDone()) {
+                hear(String.valueOf(source.outcome), result, act, self, owner);
+            }
+        };
+        source.register(new ModelPromise.Listener(result, true, behind -> notify(result, turn, behind)));
+        return result;
+    }
+
+    /**
+     * The source is settled: from now on the listener is in its callback queue. A listener without a space is queued in
+     * the space of the thread that settles the source, if there is one.
+     */
+    private void notify(ModelPromise result, Runnable turn, boolean behind) {
+        if (behind && result.atHome) {
+            space.enqueueBehind(Task.callback(turn));
+        } else if (result.atHome || space.inside) {
+            space.enqueue(Task.callback(turn));
+        } else {
+            space.runDetached(turn);
+        }
+    }
+
+    private void hear(String outcome, ModelPromise result, Act act, @Nullable Instance self, @Nullable Instance owner) {
+        boolean error = ModelPromise.isError(outcome);
+        boolean thenOnly = act.kind() == Kind.THEN || act.kind() == Kind.COMPOSE;
+        if (owner != null && owner.over) {
+            result.settle(error ? outcome : "!CancellationException");
+        } else if (error ? thenOnly : act.kind() == Kind.RESCUE) {
+            result.settle(outcome);
+        } else {
+            space.as(owner, () -> {
+                try {
+                    space.history.add("listener " + act.id() + " of " + name(self) + " hears " + outcome);
+                    play(act.script(), self);
+                } catch (History.Boom boom) {
+                    result.settle("!" + boom.getMessage());
+                    return;
+                }
+                ModelPromise leader = promises.get(act.number());
+                if (act.kind() == Kind.COMPOSE && leader != null) {
+                    result.follow(leader);
+                } else {
+                    result.settle(act.kind() == Kind.WHEN ? outcome : "=" + act.id());
+                }
+            });
+        }
+    }
+
+    // ---- callbacks
+
+    private ModelStream reader(Act act, @Nullable Instance self) {
+        String who = "stream " + act.id() + " of " + name(self);
+        Runnable onNext = () -> play(act.reader().script(), self);
+        var stream = new ModelStream(space, act.isCancellable(), who, onNext);
+        if (act.isCancellable()) {
+            readers.put(act.id(), stream);
+        }
+        return stream;
+    }
+
+    private void playOnStream(Act act) {
+        if (act.kind() == Kind.CANCEL_STREAM) {
+            ModelStream reader = readers.get(act.target());
+            if (reader != null) {
+                reader.cancel();
+            }
+            return;
+        }
+        ModelStream handle = handles.get(act.target());
+        if (handle == null) {
+            return;
+        }
+        if (act.kind() == Kind.LOOK_AT_STREAM) {
+            space.history.add("stream " + act.target() + " cancelled: " + handle.isCancelled());
+            return;
+        }
+        int times = act.kind() == Kind.NEXT ? act.number() : 1;
+        for (int i = 0; i < times; i++) {
+            if (handle.ended) {
+                space.history.add("stream " + act.target() + " refuses " + act.id());
+                return;
+            }
+            switch (act.kind()) {
+                case NEXT -> handle.next(i);
+                case FINISH -> handle.finish();
+                default -> handle.fail("Boom" + act.id());
+            }
+        }
     }
 }

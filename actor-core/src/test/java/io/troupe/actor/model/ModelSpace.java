@@ -1,6 +1,7 @@
 package io.troupe.actor.model;
 
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.IdentityHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -8,30 +9,54 @@ import java.util.Map;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
-/** The queues of a space, as lists, and the order in which they are drained. */
+/** The queues of a space, as lists, and the order in which they are drained; its timers, and lost rejections. */
 final class ModelSpace {
     private static final int QUOTA = 256;
+    private static final int GRACE_TICKS = 2_000;
+
+    /**
+     * A queued entry.
+     *
+     * @param message true if it is a message, false if it is a callback
+     * @param ifClosed what runs instead after the space has stopped
+     */
+    record Task(boolean message, Runnable action, Runnable ifClosed) {
+        static Task callback(Runnable action) {
+            return new Task(false, action, action);
+        }
+
+        static Task call(Runnable action) {
+            return new Task(true, action, action);
+        }
+
+        /** A task of the space itself, not a call of an actor. */
+        static Task entry(Runnable action, Runnable ifClosed) {
+            return new Task(true, action, ifClosed);
+        }
+    }
 
     final History history = new History();
-    final ModelTimers timers = new ModelTimers();
-    final ModelRejections rejections = new ModelRejections(this);
-    final Set<ModelActor> living = new LinkedHashSet<>();
-    private final List<ModelTask> inbox = new ArrayList<>();
-    private final List<ModelTask> callbackInbox = new ArrayList<>();
-    private final List<ModelTask> callbacks = new ArrayList<>();
-    private final List<ModelTask> messages = new ArrayList<>();
-    private final Map<ModelTask, ModelTask> lastCallbackBefore = new IdentityHashMap<>();
+    final Set<ModelRun.ModelActor> living = new LinkedHashSet<>();
+    private final List<Timer> timers = new ArrayList<>();
+    private final List<ModelPromise> lost = new ArrayList<>();
+    private final List<ModelPromise> held = new ArrayList<>();
+    private final List<Task> inbox = new ArrayList<>();
+    private final List<Task> callbackInbox = new ArrayList<>();
+    private final List<Task> callbacks = new ArrayList<>();
+    private final List<Task> messages = new ArrayList<>();
+    private final Map<Task, Task> lastCallbackBefore = new IdentityHashMap<>();
     private int owed = QUOTA;
-    private final List<Runnable> ends = new ArrayList<>();
-    private final List<Runnable> idle = new ArrayList<>();
+    final List<Runnable> ends = new ArrayList<>(); // run when the current turn is over, before anything else
+    final List<Runnable> idle = new ArrayList<>();
     private final List<Runnable> detached = new ArrayList<>();
     boolean inside;
     boolean closing;
     boolean stopping;
     boolean closed;
-    ModelActor.@Nullable Instance current;
+    ModelRun.@Nullable Instance current;
+    long now;
 
-    void enqueue(ModelTask task) {
+    void enqueue(Task task) {
         if (inside) {
             (task.message() ? messages : callbacks).add(task);
             return;
@@ -40,17 +65,17 @@ final class ModelSpace {
         if (closed) {
             inside = true;
             refuseAll();
-            rejections.report();
+            reportRejections();
             inside = false;
         }
     }
 
-    private void addFromOutside(ModelTask task) {
+    private void addFromOutside(Task task) {
         (task.message() ? inbox : callbackInbox).add(task);
     }
 
     /** Queues a callback behind those of other threads, even if called inside. */
-    void enqueueBehind(ModelTask task) {
+    void enqueueBehind(Task task) {
         if (inside) {
             addFromOutside(task);
         } else {
@@ -60,24 +85,15 @@ final class ModelSpace {
 
     /** A task of the user, without an alternative for a closed space. */
     void execute(Runnable action) {
-        enqueue(ModelTask.entry(action, this::refuseTask));
+        enqueue(Task.entry(action, this::refuseTask));
     }
 
     private void refuseTask() {
         history.add("dead letter a task to space: closed");
     }
 
-    /** When the current turn is over, before anything else. */
-    void afterTurn(Runnable action) {
-        ends.add(action);
-    }
-
-    void whenIdle(Runnable action) {
-        idle.add(action);
-    }
-
     /** Runs an action on behalf of an instance, or of no actor. */
-    void as(ModelActor.@Nullable Instance who, Runnable action) {
+    void as(ModelRun.@Nullable Instance who, Runnable action) {
         var before = current;
         current = who;
         action.run();
@@ -109,8 +125,8 @@ final class ModelSpace {
         boolean working = !closed;
         while (working && !stopping) {
             working = pass();
-            rejections.report();
-            if (somethingWaits() || timers.isDue()) {
+            reportRejections();
+            if (somethingWaits() || !timersDueBy(now).isEmpty()) {
                 working = true;
             } else if (!stopping) {
                 working |= runIdle();
@@ -136,14 +152,14 @@ final class ModelSpace {
     private boolean pass() {
         boolean worked = drainInbox(true);
         worked |= drainQueues();
-        return !stopping && timers.runDue(this::turn) || worked;
+        return !stopping && runTimers() || worked;
     }
 
     private boolean drainInbox(boolean withCallbacks) {
         boolean worked = takeCallbacks();
         for (int i = 0; i < QUOTA && !stopping && !inbox.isEmpty(); i++) {
             takeCallbacks();
-            ModelTask lastBefore = callbacks.isEmpty() ? null : callbacks.getLast();
+            Task lastBefore = callbacks.isEmpty() ? null : callbacks.getLast();
             while (withCallbacks && owed > 1 && !callbacks.isEmpty() && !stopping) {
                 owed--;
                 turn(callbacks.removeFirst().action());
@@ -152,7 +168,7 @@ final class ModelSpace {
             if (stopping) {
                 break;
             }
-            ModelTask message = inbox.removeFirst();
+            Task message = inbox.removeFirst();
             worked = true;
             if (callbacks.isEmpty() && messages.isEmpty()) {
                 owed = QUOTA;
@@ -212,8 +228,8 @@ final class ModelSpace {
         return worked;
     }
 
-    private int callbacksBefore(ModelTask message) {
-        ModelTask last = lastCallbackBefore.get(message);
+    private int callbacksBefore(Task message) {
+        Task last = lastCallbackBefore.get(message);
         for (int index = 0; index < callbacks.size(); index++) {
             if (callbacks.get(index) == last) {
                 return index + 1;
@@ -234,7 +250,7 @@ final class ModelSpace {
         if (!closing) {
             closing = true;
             Runnable stop = () -> stopping = true;
-            enqueue(ModelTask.entry(stop, stop));
+            enqueue(Task.entry(stop, stop));
         }
         if (!inside) {
             crank();
@@ -242,21 +258,106 @@ final class ModelSpace {
     }
 
     private void shut() {
-        List.copyOf(living).forEach(ModelActor::stop);
-        timers.clear();
+        List.copyOf(living).forEach(ModelRun.ModelActor::stop);
+        var dropped = timersDueBy(Long.MAX_VALUE);
+        dropped.forEach(Timer::cancel);
+        dropped.forEach(each -> each.ifClosed.run());
         closed = true;
         idle.forEach(each -> refuseTask());
         idle.clear();
         refuseAll();
-        rejections.reportAll();
+        lost.addAll(held);
+        held.clear();
+        reportRejections();
     }
 
     private void refuseAll() {
         while (somethingWaits()) {
             var inside = callbacks.isEmpty() ? messages : callbacks;
             var outside = callbackInbox.isEmpty() ? inbox : callbackInbox;
-            ModelTask task = (inside.isEmpty() ? outside : inside).removeFirst();
-            turn(task.ifClosed() == null ? task.action() : task.ifClosed());
+            Task task = (inside.isEmpty() ? outside : inside).removeFirst();
+            turn(task.ifClosed());
+        }
+    }
+
+    // ---- timers; time is counted in half milliseconds
+
+    static final class Timer {
+        private final Runnable task;
+        private final Runnable ifClosed;
+        private final int period;
+        private long deadline;
+        private boolean waiting = true;
+
+        Timer(Runnable task, Runnable ifClosed, long deadline, int period) {
+            this.task = task;
+            this.ifClosed = ifClosed;
+            this.deadline = deadline;
+            this.period = period;
+        }
+
+        boolean cancel() {
+            boolean inTime = waiting;
+            waiting = false;
+            return inTime;
+        }
+    }
+
+    void begin(Timer timer) {
+        timer.deadline = Math.max(now, timer.deadline);
+        timers.add(timer);
+    }
+
+    /** By deadline, and then in the order in which they were set. */
+    private List<Timer> timersDueBy(long until) {
+        return timers.stream()
+                .filter(each -> each.waiting && each.deadline <= until)
+                .sorted(Comparator.comparingLong(each -> each.deadline))
+                .toList();
+    }
+
+    /** Runs each due timer once. */
+    private boolean runTimers() {
+        var due = timersDueBy(now);
+        for (var timer : due) {
+            if (timer.waiting) {
+                timer.waiting = timer.period > 0;
+                timer.deadline += timer.period;
+                turn(timer.task);
+            }
+        }
+        return !due.isEmpty();
+    }
+
+    // ---- rejections without a listener
+
+    /** One whose caller is outside is kept for a second before it is reported. */
+    void rejected(ModelPromise promise) {
+        boolean stopped = String.valueOf(promise.outcome).contains("ActorStopped");
+        if (closed && (promise.madeOutside || stopped) || inside && stopping && stopped) {
+            return;
+        }
+        if (!inside) {
+            enqueue(Task.entry(() -> rejected(promise), () -> rejected(promise)));
+        } else if (promise.madeOutside) {
+            held.add(promise);
+            Runnable lose = () -> {
+                held.remove(promise);
+                lost.add(promise);
+            };
+            begin(new Timer(lose, () -> {}, now + GRACE_TICKS, 0));
+        } else {
+            lost.add(promise);
+        }
+    }
+
+    private void reportRejections() {
+        var reported = List.copyOf(lost);
+        lost.clear();
+        for (var promise : reported) {
+            if (!promise.heard) {
+                history.add("unheard " + String.valueOf(promise.outcome).substring(1));
+            }
         }
     }
 }

@@ -8,10 +8,10 @@ final class ModelStream {
     private final ModelSpace space;
     private final boolean cancellable;
     private final String who;
-    private final ModelActor.@Nullable Instance owner;
+    private final ModelRun.@Nullable Instance owner;
     private final Runnable onNext;
     private final ArrayDeque<Runnable> line = new ArrayDeque<>();
-    private boolean ended;
+    boolean ended;
     private boolean over;
     private boolean readerGone;
 
@@ -21,10 +21,6 @@ final class ModelStream {
         this.who = who;
         this.owner = space.current;
         this.onNext = onNext;
-    }
-
-    boolean hasEnded() {
-        return ended;
     }
 
     boolean isCancelled() {
@@ -78,7 +74,7 @@ final class ModelStream {
         if (!isCancelled()) {
             // in the order in which they were sent, independent of the order of turns
             line.add(() -> deliver(delivery));
-            space.enqueue(ModelTask.callback(() -> line.removeFirst().run()));
+            space.enqueue(ModelSpace.Task.callback(() -> line.removeFirst().run()));
         }
     }
 

@@ -3,6 +3,7 @@ package io.troupe.actor.model;
 import io.troupe.actor.model.Act.Answer;
 import io.troupe.actor.model.Act.Kind;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.EnumSet;
 import java.util.List;
 import java.util.Random;
@@ -13,6 +14,7 @@ final class Programs {
     private static final int ACTORS = 3;
     private static final int DEPTH = 4;
     private static final Act CRANK = Act.of(Kind.CRANK, 0, 0, 0);
+    private static final Act CLOSE = Act.of(Kind.CLOSE, 0, 0, 0);
     private static final Set<Kind> OUTSIDE_ONLY = EnumSet.of(Kind.CRANK, Kind.ADVANCE);
     private static final Set<Kind> INSIDE_ONLY =
             EnumSet.of(Kind.THROW, Kind.STOP_SELF, Kind.AFTER, Kind.EVERY, Kind.CANCEL_TIMER);
@@ -22,9 +24,32 @@ final class Programs {
     private static final List<Integer> DELAYS = List.of(0, 1, 2, 3, 20, 20, 100, 1_100);
     private static final Set<Kind> NONE = EnumSet.noneOf(Kind.class);
 
+    /**
+     * Whether and when a program closes its space, and which kinds of acts it leaves out. A callback whose reader
+     * belongs to no actor receives no results after its space is closed, but in the model it does. So no such callback
+     * is open then.
+     */
+    private enum Ending {
+        NEVER(NONE, NONE),
+        /** When all acts are done. */
+        AT_THE_END(NONE, EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.FINISH, Kind.FAIL), CRANK, CLOSE),
+        /** At any act. */
+        ANY_TIME(EnumSet.of(Kind.OPEN), EnumSet.of(Kind.OPEN), CLOSE);
+
+        private final Set<Kind> notByNobody; // the kinds of acts that are not done outside an actor
+        private final Set<Kind> notInListeners;
+        private final List<Act> lastActs;
+
+        Ending(Set<Kind> notByNobody, Set<Kind> notInListeners, Act... lastActs) {
+            this.notByNobody = notByNobody;
+            this.notInListeners = notInListeners;
+            this.lastActs = List.of(lastActs);
+        }
+    }
+
     private final Random random;
     private final Ending ending;
-    private final Deck deck;
+    private final List<Kind> deck = new ArrayList<>();
     private final List<Integer> promises = new ArrayList<>(List.of(0));
     private final List<Integer> deferreds = new ArrayList<>(List.of(0));
     private final List<Integer> streams = new ArrayList<>(List.of(0));
@@ -34,7 +59,23 @@ final class Programs {
     private Programs(long seed) {
         random = new Random(seed);
         ending = Ending.values()[random.nextInt(3)];
-        deck = new Deck(random, ending);
+        for (Kind kind : Kind.values()) {
+            if (kind != Kind.READER && (kind != Kind.CLOSE || ending == Ending.ANY_TIME)) {
+                deck.addAll(Collections.nCopies(frequency(kind, random.nextInt(7)), kind));
+            }
+        }
+    }
+
+    /** Some kinds are frequent and some do not occur, so that rare ones meet. */
+    private int frequency(Kind kind, int number) {
+        int often = Math.max(0, number - 2);
+        return switch (kind) {
+            case ADVANCE, THROW -> 2 + random.nextInt(3);
+            case TELL, ASK -> 6;
+            case CLOSE -> often / 4; // nothing follows it
+            case STOP, STOP_SELF -> often / 3; // little happens to a stopped actor
+            default -> often;
+        };
     }
 
     static List<Act> random(long seed) {
@@ -51,9 +92,9 @@ final class Programs {
         }
         int length = 4 + random.nextInt(36);
         for (int i = 0; i < length; i++) {
-            acts.add(random.nextInt(5) == 0 ? CRANK : act(0, INSIDE_ONLY, ending.notByNobody()));
+            acts.add(random.nextInt(5) == 0 ? CRANK : act(0, INSIDE_ONLY, ending.notByNobody));
         }
-        acts.addAll(ending.lastActs());
+        acts.addAll(ending.lastActs);
         return List.copyOf(acts);
     }
 
@@ -83,9 +124,9 @@ final class Programs {
     }
 
     private Act act(int depth, Set<Kind> banned, Set<Kind> notHere) {
-        Kind kind = deck.draw();
+        Kind kind = deck.get(random.nextInt(deck.size()));
         while (banned.contains(kind) || notHere.contains(kind)) {
-            kind = random.nextBoolean() ? Kind.TELL : deck.draw();
+            kind = random.nextBoolean() ? Kind.TELL : deck.get(random.nextInt(deck.size()));
         }
         var below = union(OUTSIDE_ONLY, banned);
         below.removeAll(INSIDE_ONLY);
@@ -105,7 +146,7 @@ final class Programs {
             case THEN, HANDLE, WHEN, RESCUE, COMPOSE -> {
                 int target = oneOf(promises);
                 int other = oneOf(promises);
-                var script = script(depth + 1, below, ending.notInListeners());
+                var script = script(depth + 1, below, ending.notInListeners);
                 yield new Act(kind, made(promises, false), target, other, script);
             }
             case OPEN -> open(depth, below);
@@ -120,14 +161,14 @@ final class Programs {
             case EXECUTE, ON_IDLE -> {
                 below.addAll(union(INSIDE_ONLY, OUTSIDE_ONLY));
                 below.remove(Kind.THROW);
-                yield new Act(kind, id, 0, 0, script(depth + 1, below, ending.notByNobody()));
+                yield new Act(kind, id, 0, 0, script(depth + 1, below, ending.notByNobody));
             }
             case READER -> throw new IllegalStateException("a reader is no act of its own");
         };
     }
 
     private Act spawn(int actor, int depth) {
-        int variant = random.nextInt(3) == 0 ? random.nextInt(5) : random.nextInt(Cast.VARIANTS);
+        int variant = random.nextInt(3) == 0 ? random.nextInt(5) : random.nextInt(Act.Cast.VARIANTS);
         var banned = union(EnumSet.of(Kind.SPAWN, Kind.THROW), OUTSIDE_ONLY);
         return new Act(Kind.SPAWN, ++lastId, actor, variant, script(depth + 2, banned));
     }

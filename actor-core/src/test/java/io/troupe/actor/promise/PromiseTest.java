@@ -3,11 +3,14 @@ package io.troupe.actor.promise;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.InTestSpace;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.NoSuchElementException;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeoutException;
@@ -16,12 +19,12 @@ import java.util.function.Consumer;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Test;
 
-/** Promises outside every space, where listeners run on the settling thread. */
-class PromiseTest {
+/** Promises outside every space, where listeners run on the settling thread; and long chains of promises. */
+class PromiseTest extends InTestSpace {
     private static final Duration AT_ONCE = Duration.ZERO;
+    private static final Duration SECOND = Duration.ofSeconds(1);
 
     private final Deferred<String> deferred = new Deferred<>();
-    private final List<String> log = new ArrayList<>();
 
     @Test
     void promise_asText_includesItsOutcome() {
@@ -38,15 +41,14 @@ class PromiseTest {
     }
 
     @Test
-    void listeners_runInTheOrderOfRegistration() {
+    void listeners_runInTheOrderOfRegistration_alsoLateOnes() {
         for (int i = 0; i < 5; i++) {
             int number = i;
-            deferred.then(value -> {
-                log.add(value + number);
-            });
+            deferred.then(value -> log.add(value + number));
         }
         deferred.resolve("x");
-        assertThat(log).containsExactly("x0", "x1", "x2", "x3", "x4");
+        deferred.thenAccept(log::add);
+        assertThat(log).containsExactly("x0", "x1", "x2", "x3", "x4", "x");
     }
 
     @Test
@@ -56,13 +58,6 @@ class PromiseTest {
         assertThat(deferred.reject(new IOException())).isFalse();
         assertThat(deferred.cancel()).isFalse();
         assertThat(deferred.get(AT_ONCE)).isEqualTo("first");
-    }
-
-    @Test
-    void listenerRegisteredLate_runsToo() {
-        deferred.resolve("early");
-        deferred.thenAccept(log::add);
-        assertThat(log).containsExactly("early");
     }
 
     @Test
@@ -96,9 +91,11 @@ class PromiseTest {
                 deferred.thenApply(String::length).thenApply(n -> "n" + n).exceptionally(Throwable::getMessage);
         Promise<String> replaced =
                 deferred.exceptionallyCompose(error -> Promise.of("instead of " + error.getMessage()));
+        deferred.then((result, error) -> log.add(result + "/" + error.getMessage())); // as the paper has it
         deferred.reject(boom);
         assertThat(rescued.get(AT_ONCE)).isEqualTo("boom");
         assertThat(replaced.get(AT_ONCE)).isEqualTo("instead of boom");
+        assertThat(log).containsExactly("null/boom");
         assertThat(deferred.error()).isSameAs(boom);
         assertThatThrownBy(() -> deferred.get(AT_ONCE)).isSameAs(boom);
     }
@@ -125,13 +122,6 @@ class PromiseTest {
     }
 
     @Test
-    void paperThen_takesResultAndError() {
-        deferred.then((result, error) -> log.add(result + "/" + error.getMessage()));
-        deferred.reject(new IOException("gone"));
-        assertThat(log).containsExactly("null/gone");
-    }
-
-    @Test
     void cancel_rejectsWithCancellation() {
         assertThat(deferred.cancel()).isTrue();
         assertThat(deferred.isCancelled()).isTrue();
@@ -148,9 +138,10 @@ class PromiseTest {
         deferred.resolve("a");
         assertThat(all.get(AT_ONCE)).containsExactly("a", "b");
         assertThat(Promise.all(List.of()).get(AT_ONCE)).isEmpty();
-        assertThat(Promise.all(List.of(deferred, Promise.failed(new IOException("no"))))
-                        .error())
-                .hasMessage("no");
+        Promise<String> failed = Promise.failed(new IOException("no"));
+        assertThat(Promise.all(List.of(deferred, failed)).error()).hasMessage("no");
+        var never = new Deferred<String>(test.space());
+        assertThat(test.error(failed.thenCombine(never, String::concat))).hasMessage("no");
     }
 
     @Test
@@ -172,6 +163,8 @@ class PromiseTest {
         Promise<String> none = Promise.any(List.of(failed, Promise.failed(new IOException("neither"))));
         assertThat(none.error()).hasMessageContaining("none of 2");
         assertThat(none.error().getSuppressed()).hasSize(2);
+        assertThat(Promise.any(List.of()).error()).isInstanceOf(NoSuchElementException.class);
+        assertThat(Promise.race(List.of()).error()).hasMessage("race of no promises");
     }
 
     @Test
@@ -190,27 +183,17 @@ class PromiseTest {
     }
 
     @Test
-    void longChains_ofFollowers_doNotOverflowTheStack() {
-        Deferred<String> last = deferred;
-        for (int i = 0; i < 100_000; i++) {
-            var next = new Deferred<String>();
-            next.resolveFrom(last);
-            last = next;
-        }
-        var end = last;
-        end.thenAccept(log::add);
-        deferred.resolve("through");
-        assertThat(log).containsExactly("through");
-        assertThat(end.getNow()).isEqualTo("through");
-    }
-
-    @Test
-    void longChains_ofSettledPromises_doNotOverflowTheStack() throws Exception {
-        Promise<Integer> chain = Promise.of(0);
-        for (int i = 0; i < 100_000; i++) {
-            chain = chain.thenApply(n -> n + 1);
-        }
-        assertThat(chain.get(AT_ONCE)).isEqualTo(100_000);
+    void get_inAListenerOutsideEverySpace_throwsAndNamesTheAlternative() {
+        Promise<Integer> outer = Promise.of(1).thenApply(one -> {
+            try {
+                return Promise.of(2).thenApply(two -> one + two).get(Duration.ofSeconds(2));
+            } catch (Exception failed) {
+                throw new IllegalStateException(failed);
+            }
+        });
+        assertThat(outer.error())
+                .hasRootCauseInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("get() in a listener");
     }
 
     /** Calls a method with null where an argument is required. */
@@ -244,5 +227,90 @@ class PromiseTest {
         refuses("promises", () -> Promise.race(null));
         refuses("other", () -> new Deferred<Integer>().resolveFrom(null));
         refuses("error", () -> new Deferred<Integer>().reject(null));
+    }
+
+    // ---- long chains
+
+    private static Promise<Integer> chain(Promise<Integer> first, int length) {
+        Promise<Integer> last = first;
+        for (int link = 0; link < length; link++) {
+            last = last.thenApply(value -> value + 1);
+        }
+        return last;
+    }
+
+    @Test
+    void longChain_isSettledAndRejected_inASpaceAndOutside() {
+        for (ActorSpace home : Arrays.asList(test.space(), null)) {
+            var fulfilled = new Deferred<Integer>(home);
+            Promise<Integer> value = chain(fulfilled, 100_000);
+            fulfilled.resolve(0);
+            var rejected = new Deferred<Integer>(home);
+            Promise<Integer> error = chain(rejected, 100_000);
+            rejected.reject(new IllegalStateException("broken"));
+            test.crank();
+            assertThat(value.getNow()).isEqualTo(100_000);
+            assertThat(test.error(error)).hasMessage("broken");
+        }
+        assertThat(chain(Promise.of(0), 100_000).getNow()).isEqualTo(100_000);
+    }
+
+    @Test
+    void longChains_ofFollowersOrOfAll_doNotOverflowTheStack() {
+        Deferred<String> last = deferred;
+        Promise<?> all = deferred;
+        for (int i = 0; i < 100_000; i++) {
+            var next = new Deferred<String>();
+            next.resolveFrom(last);
+            last = next;
+            all = Promise.all(List.of(all));
+        }
+        last.thenAccept(log::add);
+        deferred.resolve("through");
+        assertThat(log).containsExactly("through");
+        assertThat(last.getNow()).isEqualTo("through");
+        assertThat(all.isDone()).isTrue();
+    }
+
+    @Test
+    void promiseBehindManyStages_canBeLimitedCancelledAndNamed_andItsTextIsShort() {
+        var source = new Deferred<Integer>(test.space());
+        var limited = new ArrayList<Promise<Integer>>();
+        test.run(() -> limited.add(chain(source, 50_000).orTimeout(SECOND)));
+        Promise<Integer> cancelled = chain(source, 50_000);
+        limited.getFirst().exceptionally(error -> 0);
+        test.advance(SECOND);
+        assertThat(limited.getFirst().error())
+                .isInstanceOf(TimeoutException.class)
+                .satisfies(error -> assertThat(error.getMessage()).hasSizeLessThan(400));
+        assertThat(cancelled.cancel()).isTrue();
+        assertThat(cancelled.isCancelled()).isTrue();
+        assertThat(cancelled.error().getMessage()).hasSizeLessThan(400);
+        source.resolve(0);
+        test.crank();
+    }
+
+    @Test
+    void manyTimeLimits_onTopOfEachOther_areSettledAndNamed() {
+        var source = new Deferred<Integer>(test.space());
+        Promise<Integer> last = source;
+        for (int limit = 0; limit < 20_000; limit++) {
+            last = last.orTimeout(Duration.ofSeconds(30 + limit));
+        }
+        test.advance(Duration.ofSeconds(30));
+        assertThat(test.error(last)).hasMessageContaining("within PT30S from promise");
+        assertThat(last.toString()).hasSizeLessThan(400);
+    }
+
+    @Test
+    void text_ofAChain_namesWhatItWaitsFor_andHowFarThatIs() {
+        var source = new Deferred<Integer>(test.space());
+        assertThat(chain(source, 2)).hasToString("promise after promise after promise");
+        assertThat(chain(source.orTimeout(Duration.ofSeconds(5)), 1).orTimeout(Duration.ofSeconds(7)))
+                .hasToString("promise after promise within PT5S within PT7S");
+        assertThat(chain(source, 50)).asString().endsWith("promise after 42 others after promise");
+        assertThat(chain(source, 500)).asString().endsWith("promise after more than 92 others");
+        source.resolve(0);
+        test.crank();
     }
 }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.time.Clock;
 import java.util.EnumMap;
-import java.util.Map;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -22,6 +21,31 @@ import org.junit.jupiter.api.Test;
 class ActorSoakTest {
     private static final int ROUNDS_OF_EACH = 2;
 
+    /** The subject of a round. */
+    enum Scenario {
+        PROMISES(PromiseRaces::listeners),
+        CALLS_AND_CLOSE(round -> new CallRaces(round, "closed").close()),
+        CALLS_AND_RESTART(round -> new CallRaces(round, "restarting").restart()),
+        BOUNDED_MAILBOXES(round -> new CallRaces(round, "bounded").bounds()),
+        ASKS_AFTER_SILENCE(round -> new ChainRaces(round).silence()),
+        CHAINS_AND_BODIES(round -> new ChainRaces(round).chains()),
+        TOPICS_AND_STREAMS(StreamRaces::play),
+        TIME_LIMITS(PromiseRaces::timeLimits),
+        END_OF_THE_STACK(ErrorRaces::endOfTheStack),
+        FATAL_ERRORS(ErrorRaces::fatalErrors);
+
+        /** Runs a round. */
+        interface Play {
+            void accept(Round round) throws Exception;
+        }
+
+        private final Play play;
+
+        Scenario(Play play) {
+            this.play = play;
+        }
+    }
+
     @Test
     void randomRounds_addUp_andLeaveNoThread() {
         Long only = Long.getLong("soak.seed");
@@ -34,7 +58,7 @@ class ActorSoakTest {
             long seed = only != null ? only : first + i;
             rounds.merge(run(seed), 1, Integer::sum);
         }
-        report(rounds);
+        System.getLogger("soak").log(System.Logger.Level.INFO, "rounds: " + rounds);
         if (only == null) {
             assertThat(rounds).hasSize(Scenario.values().length);
         }
@@ -44,14 +68,10 @@ class ActorSoakTest {
     private static Scenario run(long seed) {
         var scenario = Scenario.values()[(int) Math.floorMod(seed, (long) Scenario.values().length)];
         try (var round = new Round(seed)) {
-            scenario.play(round);
+            scenario.play.accept(round);
         } catch (Exception | Error failure) {
             throw new AssertionError("-Dsoak.seed=" + seed + " (" + scenario + "): " + failure.getMessage(), failure);
         }
         return scenario;
-    }
-
-    private static void report(Map<Scenario, Integer> rounds) {
-        System.getLogger("soak").log(System.Logger.Level.INFO, "rounds: " + rounds);
     }
 }

@@ -7,8 +7,8 @@ import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Supervision;
 import io.troupe.actor.promise.Promise;
+import java.time.Duration;
 import java.util.Queue;
-import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicReference;
 
@@ -17,27 +17,29 @@ final class ChainRaces {
     private static final int THREADS = 3;
     private static final int DEEPEST = 6;
 
-    private ChainRaces() {}
+    private final Queue<Promise<?>> promises = new ConcurrentLinkedQueue<>();
+    private final AtomicReference<Link> toFirst = new AtomicReference<>();
+    private final AtomicReference<Link> toSecond = new AtomicReference<>();
+    private final Round round;
+    private final ActorSpace first;
+    private final ActorSpace second;
 
-    interface Link {
+    ChainRaces(Round round) {
+        this.round = round;
+        this.first = round.space("first");
+        this.second = round.space("second");
+    }
+
+    class Link extends Actor {
+        private final AtomicReference<Link> next;
+
+        Link(AtomicReference<Link> next) {
+            this.next = next;
+        }
+
         /**
          * The depth, counted by the actors of the chain; each digit of {@code manner} selects how one of them answers.
          */
-        Promise<Integer> count(int depth, int manner);
-
-        void end();
-    }
-
-    private static final class Linked extends Actor implements Link {
-        private final AtomicReference<Link> next;
-        private final Queue<Promise<?>> promises;
-
-        Linked(AtomicReference<Link> next, Queue<Promise<?>> promises) {
-            this.next = next;
-            this.promises = promises;
-        }
-
-        @Override
         public Promise<Integer> count(int depth, int manner) {
             if (depth == 0) {
                 return Promise.of(0);
@@ -52,47 +54,40 @@ final class ChainRaces {
         }
 
         private int nested(int depth, int manner) {
-            Promise<Integer> inner =
-                    seen(space().sequential(() -> ask(depth, manner).await()));
-            return inner.await();
+            Promise<Integer> inner = space().sequential(() -> ask(depth, manner).await());
+            return seen(inner).await();
         }
 
         private Promise<Integer> ask(int depth, int manner) {
             return seen(next.get().count(depth - 1, manner >>> 2));
         }
 
-        private <P extends Promise<?>> P seen(P promise) {
-            promises.add(promise);
-            return promise;
-        }
-
-        @Override
         public void end() {
             throw new IllegalStateException("on purpose");
         }
     }
 
-    static void chains(Round round) throws Exception {
-        var promises = new ConcurrentLinkedQueue<Promise<?>>();
-        var first = round.space("first");
-        var second = round.space("second");
-        var toFirst = new AtomicReference<Link>();
-        var toSecond = new AtomicReference<Link>();
-        var settings = ActorSettings.DEFAULT.withSupervision(
-                round.random.nextBoolean()
-                        ? Supervision.STOP
-                        : Supervision.restart(1_000, java.time.Duration.ofHours(1)));
-        toFirst.set(first.spawn(Link.class, () -> new Linked(toSecond, promises), settings));
-        toSecond.set(second.spawn(Link.class, () -> new Linked(toFirst, promises), settings));
+    private <P extends Promise<?>> P seen(P promise) {
+        promises.add(promise);
+        return promise;
+    }
+
+    private void spawn(ActorSettings settings) {
+        toFirst.set(first.spawn(Link.class, () -> new Link(toSecond), settings));
+        toSecond.set(second.spawn(Link.class, () -> new Link(toFirst), settings));
+    }
+
+    void chains() throws Exception {
+        spawn(ActorSettings.DEFAULT.withSupervision(
+                round.random.nextBoolean() ? Supervision.STOP : Supervision.restart(1_000, Duration.ofHours(1))));
         int disturbance = round.random.nextInt(4);
         boolean cancels = round.random.nextBoolean();
-        round.start(THREADS, (number, random) -> {
+        round.run(THREADS, (number, random) -> {
             for (int i = 0; i < 20; i++) {
                 int depth = random.nextInt(DEEPEST + 1);
                 var link = random.nextBoolean() ? toFirst.get() : toSecond.get();
-                var counted = link.count(depth, random.nextInt());
-                promises.add(counted);
-                promises.add(counted.thenAccept(value -> {
+                var counted = seen(link.count(depth, random.nextInt()));
+                seen(counted.thenAccept(value -> {
                     if (value != depth) {
                         round.wrong.add(value + " instead of " + depth);
                     }
@@ -102,11 +97,10 @@ final class ChainRaces {
                     counted.cancel();
                 }
                 if (number == 0 && i == 10) {
-                    disturb(disturbance, first, second, toFirst.get());
+                    disturb(disturbance);
                 }
             }
         });
-        round.join();
         boolean undisturbed = disturbance == 0 && !cancels;
         if (undisturbed) {
             for (var promise : promises) {
@@ -123,44 +117,33 @@ final class ChainRaces {
         }
     }
 
-    private static void disturb(int how, ActorSpace first, ActorSpace second, Link link) {
+    private void disturb(int how) {
         switch (how) {
-            case 1 -> link.end();
-            case 2 -> first.stop(link);
+            case 1 -> toFirst.get().end();
+            case 2 -> first.stop(toFirst.get());
             case 3 -> second.execute(first::close);
             default -> {}
         }
     }
 
     /** A request reaches a space that is asleep, and one that is about to sleep. */
-    static void silence(Round round) throws Exception {
-        var near = round.space("near");
-        var far = round.space("far");
-        var echo = new AtomicReference<Link>();
-        var relay = new AtomicReference<Link>();
-        var promises = new ConcurrentLinkedQueue<Promise<?>>();
-        echo.set(far.spawn(Link.class, () -> new Linked(relay, promises)));
-        relay.set(near.spawn(Link.class, () -> new Linked(echo, promises)));
-        round.start(2, (number, random) -> {
+    void silence() throws Exception {
+        spawn(ActorSettings.DEFAULT);
+        round.run(2, (number, random) -> {
             for (int i = 0; i < 60; i++) {
-                awaitSilence(random);
-                var link = random.nextBoolean() ? relay.get() : echo.get();
+                for (int pauses = random.nextInt(4); pauses > 0; pauses--) {
+                    Round.pause(random);
+                }
+                var link = random.nextBoolean() ? toFirst.get() : toSecond.get();
                 int depth = random.nextInt(3);
                 var answer = link.count(depth, random.nextInt());
                 assertThat(Round.get(random.nextBoolean() ? answer : answer.thenApply(value -> value)))
                         .isEqualTo(depth);
             }
         });
-        round.join();
         round.end();
         assertThat(promises).allMatch(Promise::isDone);
-        assertThat(round.leftovers(near).isEmpty()).isTrue();
+        assertThat(round.leftovers(first).isEmpty()).isTrue();
         assertThat(round.errors).isEmpty();
-    }
-
-    private static void awaitSilence(SplittableRandom random) {
-        for (int i = random.nextInt(4); i > 0; i--) {
-            Round.pause(random);
-        }
     }
 }

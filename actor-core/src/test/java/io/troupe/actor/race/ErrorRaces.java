@@ -4,13 +4,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSettings;
-import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Supervision;
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.Collections;
 import java.util.HashSet;
 import java.util.IdentityHashMap;
+import java.util.List;
 import java.util.Set;
 import java.util.SplittableRandom;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -54,9 +54,10 @@ final class ErrorRaces {
             this.call = call;
         }
 
-        private void recurse() {
+        @Override
+        public void run() {
             try {
-                recurse();
+                run();
             } catch (StackOverflowError end) {
                 if (!returned) {
                     tries++;
@@ -65,19 +66,13 @@ final class ErrorRaces {
                 }
             }
         }
-
-        @Override
-        public void run() {
-            recurse();
-        }
     }
 
     static void endOfTheStack(Round round) throws Exception {
         var space = round.space("deep");
         var second = round.space("asks");
         Counter counter = space.spawn(Counter.class, Counting::new);
-        for (var warm : new ActorSpace[] {space, second
-        }) { // a class that is first used where the stack is exhausted is never linked
+        for (var warm : List.of(space, second)) { // a class first used where the stack is exhausted is never linked
             warm.execute(counter::add);
             assertThat(Round.get(warm.sequential(() -> counter.count().await())))
                     .isPositive();
@@ -87,7 +82,7 @@ final class ErrorRaces {
         var least = new AtomicInteger(before);
         var most = new AtomicInteger(before);
         var asked = new ConcurrentLinkedQueue<Promise<Integer>>();
-        round.start(3, (number, random) -> {
+        round.run(3, (number, random) -> {
             if (number == 0) {
                 for (int i = 0; i < DEEP_CALLS; i++) {
                     var deep = new Deep(counter::add);
@@ -99,22 +94,21 @@ final class ErrorRaces {
                     most.addAndGet(deep.tries);
                     Round.pause(random);
                 }
-            } else {
-                for (int i = 0; i < CALLS; i++) {
-                    if (number == 1) {
-                        counter.add();
-                    } else {
-                        second.execute(counter::add);
-                    }
-                    asked.add(counter.count());
-                    least.incrementAndGet();
-                    most.incrementAndGet();
-                    Round.pause(random);
+                return;
+            }
+            for (int i = 0; i < CALLS; i++) {
+                if (number == 1) {
+                    counter.add();
+                } else {
+                    second.execute(counter::add);
                 }
+                asked.add(counter.count());
+                least.incrementAndGet();
+                most.incrementAndGet();
+                Round.pause(random);
             }
         });
-        round.join();
-        Round.get(second.sequential(() -> true));
+        Round.drain(List.of(second));
         for (var each : asked) {
             assertThat(Round.settled(each).error()).isNull();
         }
@@ -124,45 +118,23 @@ final class ErrorRaces {
         assertThat(round.errors).isEmpty();
     }
 
-    /** What throws the error. */
-    private enum By {
-        MESSAGE,
-        TIMER,
-        REQUEST,
-        LISTENER
-    }
-
-    interface Breaking {
-        void breakMessage(Error error);
-
-        void breakTimer(Error error);
-
-        Promise<Integer> breakRequest(Error error);
-
-        void overflow();
-    }
-
-    private static final class Broken extends Actor implements Breaking {
+    static class Broken extends Actor {
         private int depth;
 
-        @Override
         public void breakMessage(Error error) {
             throw error;
         }
 
-        @Override
         public void breakTimer(Error error) {
             after(Duration.ZERO, () -> {
                 throw error;
             });
         }
 
-        @Override
         public Promise<Integer> breakRequest(Error error) {
             throw error;
         }
 
-        @Override
         public void overflow() {
             depth++;
             overflow();
@@ -180,40 +152,38 @@ final class ErrorRaces {
     static void fatalErrors(Round round) throws Exception {
         var space = round.space("broken");
         boolean restarts = round.random.nextBoolean();
-        Breaking broken = space.spawn(
-                Breaking.class,
-                Broken::new,
-                ActorSettings.DEFAULT.withSupervision(
-                        restarts ? Supervision.restart(1_000_000, Duration.ofHours(1)) : Supervision.RESUME));
+        var supervision = restarts ? Supervision.restart(1_000_000, Duration.ofHours(1)) : Supervision.RESUME;
+        var settings = ActorSettings.DEFAULT.withSupervision(supervision);
+        Broken broken = space.spawn(Broken.class, Broken::new, settings);
         Counter steady = space.spawn(Counter.class, Counting::new);
         var thrown = new ConcurrentLinkedQueue<Error>();
         var asked = new ConcurrentLinkedQueue<Promise<?>>();
         var overflows = new AtomicInteger();
-        round.start(3, (number, random) -> {
+        round.run(3, (number, random) -> {
             for (int i = 0; i < CALLS; i++) {
                 if (number == 0) {
                     steady.add();
                     continue;
                 }
                 var error = error(random);
-                switch (By.values()[random.nextInt(4)]) {
-                    case MESSAGE -> {
+                switch (random.nextInt(4)) {
+                    case 0 -> {
                         thrown.add(error);
                         broken.breakMessage(error);
                     }
-                    case TIMER -> {
+                    case 1 -> {
                         if (!restarts) { // a restart cancels timers
                             thrown.add(error);
                             broken.breakTimer(error);
                         }
                     }
-                    case REQUEST -> asked.add(broken.breakRequest(error).handle((value, with) -> with));
-                    case LISTENER ->
-                        asked.add(steady.count()
-                                .thenAccept(value -> {
-                                    throw error;
-                                })
-                                .handle((value, with) -> with));
+                    case 2 -> asked.add(broken.breakRequest(error).handle((value, with) -> with));
+                    default -> {
+                        var failing = steady.count().thenAccept(value -> {
+                            throw error;
+                        });
+                        asked.add(failing.handle((value, with) -> with));
+                    }
                 }
                 if (random.nextInt(20) == 0) {
                     overflows.incrementAndGet();
@@ -221,7 +191,6 @@ final class ErrorRaces {
                 }
             }
         });
-        round.join();
         for (var each : asked) {
             assertThat(Round.settled(each).getNow()).isInstanceOf(Error.class);
         }
@@ -232,9 +201,9 @@ final class ErrorRaces {
         reported.addAll(round.errors);
         assertThat(reported).as("each error is reported once").hasSameSizeAs(round.errors);
         assertThat(reported).as("errors of messages and timers").containsAll(thrown);
-        long real = round.errors.stream()
-                .filter(error -> error instanceof StackOverflowError && error.getMessage() == null)
-                .count();
-        assertThat(real).as("stacks that ended").isEqualTo(overflows.get());
+        assertThat(round.errors)
+                .as("stacks that ended")
+                .filteredOn(error -> error instanceof StackOverflowError && error.getMessage() == null)
+                .hasSize(overflows.get());
     }
 }

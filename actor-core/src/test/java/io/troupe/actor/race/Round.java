@@ -21,6 +21,7 @@ import java.util.concurrent.CyclicBarrier;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
 import java.util.function.Consumer;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,10 +36,9 @@ final class Round implements AutoCloseable {
     final Queue<Throwable> errors = new ConcurrentLinkedQueue<>();
     final Queue<String> wrong = new ConcurrentLinkedQueue<>();
     private final String prefix;
-    private final long helpersBefore = helpers(); // idle ones of other tests end only after a while
+    private final int helpersBefore = alive("troupe-helper").size(); // idle ones of other tests end only after a while
     private final List<ActorSpace> spaces = new ArrayList<>();
     private final Map<ActorSpace, Leftovers> leftovers = new LinkedHashMap<>();
-    private final List<Thread> threads = new ArrayList<>();
     private boolean ended;
 
     Round(long seed) {
@@ -65,9 +65,10 @@ final class Round implements AutoCloseable {
         return space;
     }
 
-    /** Starts all threads at the same time. */
-    void start(int count, Body body) {
+    /** Runs a body on several threads, which start at the same time, and waits for their end. */
+    void run(int count, Body body) throws InterruptedException {
         var together = new CyclicBarrier(count);
+        var threads = new ArrayList<Thread>();
         for (int i = 0; i < count; i++) {
             int number = i;
             var own = random.split();
@@ -80,17 +81,19 @@ final class Round implements AutoCloseable {
                 }
             }));
         }
+        for (var thread : threads) {
+            assertThat(thread.join(LONG))
+                    .as(() -> "thread %s ends: %s".formatted(thread.getName(), List.of(thread.getStackTrace())))
+                    .isTrue();
+        }
+        assertThat(wrong).isEmpty();
     }
 
-    void join() throws InterruptedException {
-        for (var thread : threads) {
-            if (!thread.join(LONG)) {
-                throw new AssertionError(
-                        "thread " + thread.getName() + " does not end: " + List.of(thread.getStackTrace()));
-            }
+    /** Waits until the spaces have run what was queued before. */
+    static void drain(List<ActorSpace> spaces) throws Exception {
+        for (var space : spaces) {
+            assertThat(get(space.sequential(() -> true))).isTrue();
         }
-        threads.clear();
-        assertThat(wrong).isEmpty();
     }
 
     /** A random pause or none, so that threads meet at different points. */
@@ -98,11 +101,7 @@ final class Round implements AutoCloseable {
         switch (random.nextInt(4)) {
             case 0 -> Thread.yield();
             case 1 -> LockSupport.parkNanos(random.nextInt(200_000));
-            case 2 -> {
-                for (int i = random.nextInt(500); i > 0; i--) {
-                    Thread.onSpinWait();
-                }
-            }
+            case 2 -> IntStream.range(0, random.nextInt(500)).forEach(i -> Thread.onSpinWait());
             default -> {}
         }
     }
@@ -143,16 +142,14 @@ final class Round implements AutoCloseable {
         for (var space : spaces) {
             leftovers.put(space, space.close(LONG));
         }
-        for (var thread : ofSpaces()) {
+        for (var thread : alive(prefix)) {
             until(
                     thread + " has ended or does something else",
                     () -> !thread.isAlive() || !thread.getName().startsWith(prefix));
         }
-        for (var space : spaces) {
-            check(space, leftovers.get(space));
-        }
-        assertThat(ofSpaces()).isEmpty();
-        assertThat(helpers()).as("helper threads").isLessThan(helpersBefore + HELPERS);
+        leftovers.forEach(Round::check);
+        assertThat(alive(prefix)).isEmpty();
+        assertThat(alive("troupe-helper")).as("helper threads").hasSizeLessThan(helpersBefore + HELPERS);
         assertThat(wrong).isEmpty();
     }
 
@@ -161,27 +158,19 @@ final class Round implements AutoCloseable {
     }
 
     private static void check(ActorSpace space, Leftovers left) {
+        int calls = left.messages() + left.requests() + left.openRequests();
         assertThat(space.whenClosed().isDone()).isTrue();
         assertThat(space.metrics().actors()).as("actors of " + space).isZero();
         assertThat(space.metrics().timers()).as("timers of " + space).isZero();
         assertThatThrownBy(() -> space.spawn(Runnable.class, () -> () -> {})).isInstanceOf(ActorStoppedException.class);
         assertThat(space.close(LONG)).isEqualTo(left);
-        assertThat(left.examples())
-                .as(left.toString())
-                .hasSize(Math.min(20, left.messages() + left.requests() + left.openRequests()));
+        assertThat(left.examples()).as(left.toString()).hasSize(Math.min(20, calls));
     }
 
-    private List<Thread> ofSpaces() {
-        return alive().filter(thread -> thread.getName().startsWith(prefix)).toList();
-    }
-
-    private static long helpers() {
-        return alive().filter(thread -> thread.getName().equals("troupe-helper"))
-                .count();
-    }
-
-    private static java.util.stream.Stream<Thread> alive() {
-        return Thread.getAllStackTraces().keySet().stream();
+    private static List<Thread> alive(String prefix) {
+        return Thread.getAllStackTraces().keySet().stream()
+                .filter(thread -> thread.getName().startsWith(prefix))
+                .toList();
     }
 
     /** Closes what a failed scenario has left open. */

@@ -7,6 +7,7 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.Topic;
 import io.troupe.actor.promise.Deferred;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.SplittableRandom;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -21,38 +22,23 @@ final class StreamRaces {
 
     record Value(int publisher, int number) {}
 
+    /** Passes its callbacks on to the test. */
     interface Source {
-        /** Lets all threads of the round send to the callback. */
-        void hold(Callback<Value> callback);
-
-        void send(int publisher, int count, Callback<Value> callback);
+        void open(Callback<Value> callback);
     }
 
-    private static final class Sending implements Source {
-        private final Deferred<Callback<Value>> held;
-
-        Sending(Deferred<Callback<Value>> held) {
-            this.held = held;
+    private static void send(Callback<Value> callback) {
+        for (int number = 0; number < VALUES; number++) {
+            callback.next(new Value(0, number));
         }
-
-        @Override
-        public void hold(Callback<Value> callback) {
-            held.resolve(callback);
-        }
-
-        @Override
-        public void send(int publisher, int count, Callback<Value> callback) {
-            for (int number = 0; number < count; number++) {
-                callback.next(new Value(publisher, number));
-            }
-            callback.finish();
-        }
+        callback.finish();
     }
 
     /** What one subscriber received; on its space. */
     private static final class Got {
         final List<Value> values = new ArrayList<>();
         final AtomicInteger ends = new AtomicInteger();
+        private @Nullable Integer whenCancelled;
         final Callback.Stream<Value> stream = new Callback.Stream<>(values::add, end -> ends.incrementAndGet());
 
         void check(int publishers) {
@@ -61,9 +47,36 @@ final class StreamRaces {
             assertThat(ends.get()).as("ends").isEqualTo(1);
         }
 
-        void checkOrder() {
+        void subscribe(Topic<Value> topic, ActorSpace space) throws Exception {
+            var subscribed = new Deferred<Boolean>();
+            space.execute(() -> {
+                topic.subscribe(stream);
+                subscribed.resolve(true);
+            });
+            Round.get(subscribed);
+        }
+
+        /** Subscribes in a space and cancels there: afterwards it receives nothing. */
+        static Got comeAndGo(Topic<Value> topic, ActorSpace space, SplittableRandom random) throws Exception {
+            var got = new Got();
+            got.subscribe(topic, space);
+            Round.pause(random);
+            space.execute(() -> {
+                got.stream.cancel();
+                got.whenCancelled = got.values.size();
+            });
+            return got;
+        }
+
+        void checkCancelled() {
+            assertThat(whenCancelled).as("values when it was cancelled").isEqualTo(values.size());
+            assertThat(ends.get()).isEqualTo(1);
+            checkOrder();
+        }
+
+        private void checkOrder() {
             var last = new int[PUBLISHERS];
-            java.util.Arrays.fill(last, -1);
+            Arrays.fill(last, -1);
             for (var value : values) {
                 int before = last[value.publisher];
                 assertThat(before < 0 || value.number == before + 1)
@@ -78,33 +91,31 @@ final class StreamRaces {
         var home = round.space("home");
         var other = round.space("other");
         var holding = new Deferred<Callback<Value>>();
-        Source source = home.spawn(Source.class, () -> new Sending(holding));
+        Source holder = home.spawn(Source.class, () -> holding::resolve); // all threads of the round send to it
+        Source sender = home.spawn(Source.class, () -> StreamRaces::send);
         var topic = Topic.<Value>of(home, "values");
         var outside = new Got();
         topic.subscribe(outside.stream);
         var inside = new Got();
-        Round.get(other.sequential(() -> {
-            topic.subscribe(inside.stream);
-            return true;
-        }));
+        inside.subscribe(topic, other);
         var shared = new Got();
         if (round.random.nextBoolean()) {
-            source.hold(shared.stream);
+            holder.open(shared.stream);
         } else {
-            other.execute(() -> source.hold(shared.stream));
+            other.execute(() -> holder.open(shared.stream));
         }
         Callback<Value> held = Round.get(holding);
         var single = new Got();
-        source.send(0, VALUES, single.stream);
+        sender.open(single.stream);
         var singleInside = new Got();
-        other.execute(() -> source.send(0, VALUES, singleInside.stream));
-        var coming = new ArrayList<Temporary>();
+        other.execute(() -> sender.open(singleInside.stream));
+        var coming = new ArrayList<Got>();
         var spaces = List.of(home, other);
         boolean fromSpaces = round.random.nextBoolean();
-        round.start(PUBLISHERS + 1, (number, random) -> {
+        round.run(PUBLISHERS + 1, (number, random) -> {
             if (number == PUBLISHERS) {
                 for (int i = 0; i < 30; i++) {
-                    coming.add(Temporary.comeAndGo(topic, spaces.get(i % 2), random));
+                    coming.add(Got.comeAndGo(topic, spaces.get(i % 2), random));
                 }
             } else if (fromSpaces && number < 2) { // and the third from outside
                 spaces.get(number).execute(() -> publish(number, topic, held, random));
@@ -112,10 +123,7 @@ final class StreamRaces {
                 publish(number, topic, held, random);
             }
         });
-        round.join();
-        for (var space : spaces) {
-            assertThat(Round.get(space.sequential(() -> true))).isTrue();
-        }
+        Round.drain(spaces);
         assertThat(topic.subscribers()).isEqualTo(2);
         assertThat(topic.finish()).isTrue();
         held.finish();
@@ -123,15 +131,10 @@ final class StreamRaces {
             Round.until("a stream has ended", () -> got.ends.get() == 1);
         }
         round.end();
-        outside.check(PUBLISHERS);
-        inside.check(PUBLISHERS);
-        shared.check(PUBLISHERS);
-        single.check(1);
-        singleInside.check(1);
+        List.of(outside, inside, shared).forEach(got -> got.check(PUBLISHERS));
+        List.of(single, singleInside).forEach(got -> got.check(1));
         assertThat(inside.values).as("the order of both subscribers").isEqualTo(outside.values);
-        for (var each : coming) {
-            each.check();
-        }
+        coming.forEach(Got::checkCancelled);
         assertThat(round.errors).isEmpty();
     }
 
@@ -143,34 +146,6 @@ final class StreamRaces {
             if (i % 32 == 0) {
                 Round.pause(random);
             }
-        }
-    }
-
-    /** Subscribes in a space and cancels there: afterwards it receives nothing. */
-    private static final class Temporary {
-        private final Got got = new Got();
-        private @Nullable Integer whenCancelled;
-
-        static Temporary comeAndGo(Topic<Value> topic, ActorSpace space, SplittableRandom random) throws Exception {
-            var temporary = new Temporary();
-            var subscribed = new Deferred<Boolean>();
-            space.execute(() -> {
-                topic.subscribe(temporary.got.stream);
-                subscribed.resolve(true);
-            });
-            Round.get(subscribed);
-            Round.pause(random);
-            space.execute(() -> {
-                temporary.got.stream.cancel();
-                temporary.whenCancelled = temporary.got.values.size();
-            });
-            return temporary;
-        }
-
-        void check() {
-            assertThat(whenCancelled).as("values when it was cancelled").isEqualTo(got.values.size());
-            assertThat(got.ends.get()).isEqualTo(1);
-            got.checkOrder();
         }
     }
 }

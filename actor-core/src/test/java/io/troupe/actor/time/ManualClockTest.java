@@ -1,5 +1,7 @@
 package io.troupe.actor.time;
 
+import static io.troupe.actor.Concurrently.LONG;
+import static io.troupe.actor.Concurrently.onThreads;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
@@ -7,55 +9,45 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
 import java.time.Duration;
-import java.util.ArrayList;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 class ManualClockTest {
     private final ManualClock clock = new ManualClock();
-    private final int[] moves = new int[1];
 
     @Test
-    void advanceTo_whatIsOver_isRejected() {
+    void advance_toWhatIsOver_orByANegativeDuration_isRejected() {
         clock.advanceTo(20);
         assertThatThrownBy(() -> clock.advanceTo(10)).hasMessageContaining("a clock does not go back: from 20 ns");
+        assertThatThrownBy(() -> clock.advance(Duration.ofNanos(-1)))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("does not go back");
         assertThat(clock.nanos()).isEqualTo(20);
     }
 
     @Test
     void advanceToAtLeast_movesForwardOnly_andNotifiesOfMovesOnly() {
-        clock.onMove(() -> moves[0]++);
+        var moves = new AtomicInteger();
+        clock.onMove(moves::incrementAndGet);
         clock.advanceToAtLeast(20);
         clock.advanceToAtLeast(10);
         clock.advanceToAtLeast(20);
         assertThat(clock.nanos()).isEqualTo(20);
-        assertThat(moves[0]).isEqualTo(1);
-    }
-
-    @Test
-    void advance_byANegativeDuration_isRejected() {
-        assertThatThrownBy(() -> clock.advance(Duration.ofNanos(-1)))
-                .isInstanceOf(IllegalArgumentException.class)
-                .hasMessageContaining("does not go back");
+        assertThat(moves).hasValue(1);
     }
 
     @Test
     @Tag("threads")
     @Timeout(60)
-    void advance_bySeveralThreadsAtOnce_countsEachMove() throws Exception {
+    void advance_bySeveralThreadsAtOnce_countsEachMove() {
         int moversMoves = 50_000;
-        var movers = new ArrayList<Thread>();
-        for (int mover = 0; mover < 4; mover++) {
-            movers.add(Thread.ofPlatform().start(() -> {
-                for (int move = 0; move < moversMoves; move++) {
-                    clock.advance(Duration.ofNanos(1));
-                }
-            }));
-        }
-        for (Thread mover : movers) {
-            mover.join();
-        }
+        onThreads(4, mover -> {
+            for (int move = 0; move < moversMoves; move++) {
+                clock.advance(Duration.ofNanos(1));
+            }
+        });
         assertThat(clock.nanos()).isEqualTo(4L * moversMoves);
     }
 
@@ -69,11 +61,11 @@ class ManualClockTest {
             Promise<?> short2 = other.delay(Duration.ofMillis(10));
             Promise<?> longer = other.delay(Duration.ofMillis(11));
             clock.advance(Duration.ofMillis(10));
-            short1.get(Duration.ofSeconds(50));
-            short2.get(Duration.ofSeconds(50));
+            short1.get(LONG);
+            short2.get(LONG);
             assertThat(longer.isDone()).isFalse();
             clock.advance(Duration.ofMillis(1));
-            longer.get(Duration.ofSeconds(50));
+            longer.get(LONG);
         }
     }
 }

@@ -3,9 +3,7 @@ package io.troupe.checks.architecture;
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import io.troupe.checks.Repository;
-import java.net.URISyntaxException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.function.Predicate;
 
 /**
@@ -27,30 +25,15 @@ final class Classes {
     }
 
     private static JavaClasses read(Predicate<String> wanted) {
+        var here = Classes.class.getProtectionDomain().getCodeSource().getLocation();
+        var compiledByMaven = here.getPath().replaceAll("/$", "").endsWith("/target/test-classes");
         var folders = Repository.modules().stream()
                 .filter(module -> wanted.test(module.getFileName().toString()))
-                .map(module -> module.resolve(outputFolder()))
+                .map(module -> module.resolve(compiledByMaven ? "target/classes" : "build/classes/java/main"))
                 .filter(Files::isDirectory)
                 .toList();
         return new ClassFileImporter()
                 .withImportOption(location -> !location.contains("jmh_generated"))
                 .importPaths(folders);
-    }
-
-    private static String outputFolder() {
-        return compiledByMaven() ? "target/classes" : "build/classes/java/main";
-    }
-
-    private static boolean compiledByMaven() {
-        try {
-            var ownFolder = Path.of(Classes.class
-                    .getProtectionDomain()
-                    .getCodeSource()
-                    .getLocation()
-                    .toURI());
-            return ownFolder.endsWith("target/test-classes");
-        } catch (URISyntaxException impossible) {
-            throw new IllegalStateException(impossible);
-        }
     }
 }

@@ -2,83 +2,49 @@ package io.troupe.checks.architecture;
 
 import static com.tngtech.archunit.lang.syntax.ArchRuleDefinition.noClasses;
 
-import java.util.List;
+import com.tngtech.archunit.core.domain.JavaClasses;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** The libraries that each module and package may use. */
 class LibrariesTest {
-    @Test
-    void jbox2d_staysInThePhysicsRoom_andWhereItIsAPeer() {
-        library("org.jbox2d..", "io.troupe.sim.physics", "io.troupe.bench.worlds");
+    @ParameterizedTest
+    @CsvSource({
+        "org.jbox2d..,             io.troupe.sim.physics io.troupe.bench.worlds",
+        "org.dyn4j..,              io.troupe.bench.worlds",
+        "org.objectweb.asm..,      io.troupe.actor",
+        "org.objenesis..,          io.troupe.actor",
+        "org.ojalgo..,             io.troupe.petri.structure",
+        "org.eclipse.elk..,        io.troupe.petri.drawing",
+        "org.eclipse.emf..,        io.troupe.petri.drawing",
+        "org.eclipse.xtext..,      io.troupe.petri.drawing",
+        "com.google.common..,      io.troupe.petri.drawing",
+        "org.jctools..,            io.troupe.bench..",
+        "io.vertx..,               io.troupe.bench..",
+        "org.apache.pekko..,       io.troupe.bench..",
+        "org.nustaq..,             io.troupe.bench..",
+        "picocli..,                io.troupe.demo.. io.troupe.bench..",
+        "org.openjdk.jmh..,        io.troupe.bench..",
+        "org.openjdk.jcstress..,   none"
+    })
+    void library_staysInItsRooms(String library, String rooms) {
+        check(library, Classes.MAIN, rooms.split(" "));
     }
 
     @Test
-    void dyn4j_staysWhereItIsAPeer() {
-        library("org.dyn4j..", "io.troupe.bench.worlds");
+    void jmh_staysOutOfTheStressModule() {
+        check("org.openjdk.jmh..", Classes.STRESS, "none");
     }
 
-    @Test
-    void asm_staysInTheActorRoom() {
-        library("org.objectweb.asm..", "io.troupe.actor");
-    }
-
-    @Test
-    void objenesis_staysInTheActorRoom() {
-        library("org.objenesis..", "io.troupe.actor");
-    }
-
-    @Test
-    void ojalgo_staysInTheStructureRoom() {
-        library("org.ojalgo..", "io.troupe.petri.structure");
-    }
-
-    @Test
-    void elkAndWhatItBrings_stayInTheDrawingRoom() {
-        for (String library :
-                List.of("org.eclipse.elk..", "org.eclipse.emf..", "org.eclipse.xtext..", "com.google.common..")) {
-            library(library, "io.troupe.petri.drawing");
-        }
-    }
-
-    @Test
-    void peers_stayInTheBenchmarks() {
-        for (String peer : List.of("org.jctools..", "io.vertx..", "org.apache.pekko..", "org.nustaq..")) {
-            library(peer, "io.troupe.bench..");
-        }
-    }
-
-    @Test
-    void picocli_staysInCommandLines() {
-        library("picocli..", "io.troupe.demo..", "io.troupe.bench..");
-    }
-
-    @Test
-    void jmh_staysInTheBenchmarks() {
-        library("org.openjdk.jmh..", "io.troupe.bench..");
-        noClasses()
-                .should()
-                .dependOnClassesThat()
-                .resideInAPackage("org.openjdk.jmh..")
-                .allowEmptyShould(true)
-                .check(Classes.STRESS);
-    }
-
-    @Test
-    void jcstress_staysInTheStressModule() {
-        noClasses()
-                .should()
-                .dependOnClassesThat()
-                .resideInAPackage("org.openjdk.jcstress..")
-                .check(Classes.MAIN);
-    }
-
-    private static void library(String library, String... rooms) {
+    private static void check(String library, JavaClasses classes, String... rooms) {
         noClasses()
                 .that()
                 .resideOutsideOfPackages(rooms)
                 .should()
                 .dependOnClassesThat()
                 .resideInAPackage(library)
-                .check(Classes.MAIN);
+                .allowEmptyShould(classes == Classes.STRESS)
+                .check(classes);
     }
 }

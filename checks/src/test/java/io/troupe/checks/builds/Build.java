@@ -1,13 +1,84 @@
 package io.troupe.checks.builds;
 
 import java.util.ArrayList;
+import java.util.Collection;
+import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
+import java.util.SequencedCollection;
 import java.util.Set;
+import java.util.SortedSet;
+import java.util.TreeSet;
 
 /** A whole build as read from its files; modules by name. */
 record Build(String tool, String group, String version, Map<String, Module> modules) {
+    /** The purpose of a dependency, in Maven's words. */
+    enum Scope {
+        COMPILE,
+        PROVIDED,
+        RUNTIME,
+        TEST,
+        PROCESSOR
+    }
+
+    /**
+     * A library or module that a module depends on. {@code coordinates} are {@code group:artifact}, as are the excluded
+     * transitive dependencies in {@code without}.
+     */
+    record Dependency(Scope scope, String coordinates, String version, SortedSet<String> without) {
+        Dependency(Scope scope, String coordinates, String version) {
+            this(scope, coordinates, version, new TreeSet<>());
+        }
+
+        Dependency excluding(Collection<String> excluded) {
+            return new Dependency(scope, coordinates, version, new TreeSet<>(excluded));
+        }
+
+        @Override
+        public String toString() {
+            var name = scope.name().toLowerCase(Locale.ROOT) + " " + coordinates + ":" + version;
+            return name + (without.isEmpty() ? "" : " without " + without);
+        }
+    }
+
+    /** A module as described by a build; {@code automaticName} is empty if its jar sets no module name. */
+    record Module(
+            String description, String release, String automaticName, SequencedCollection<Dependency> dependencies) {
+        /** The artifact id of the module in a folder: with the name of the project, since jars meet in one folder. */
+        static String artifact(String folder) {
+            return "troupe-" + folder;
+        }
+
+        /** The dependencies by their identity: a library may also be its own annotation processor. */
+        private Map<String, Dependency> byKey() {
+            var byKey = new LinkedHashMap<String, Dependency>();
+            for (var dependency : dependencies) {
+                var key = dependency.coordinates + (dependency.scope == Scope.PROCESSOR ? " (processor)" : "");
+                if (byKey.putIfAbsent(key, dependency) != null) {
+                    throw new NotUnderstood(key + " is listed twice");
+                }
+            }
+            return byKey;
+        }
+    }
+
+    /** A part of a build file that its reader does not understand, and therefore cannot compare. */
+    static final class NotUnderstood extends RuntimeException {
+        private static final long serialVersionUID = 1;
+
+        NotUnderstood(String message) {
+            super(message);
+        }
+
+        static void unless(boolean understood, String message) {
+            if (!understood) {
+                throw new NotUnderstood(message);
+            }
+        }
+    }
+
     /** All differences from the other build, each described in one line; empty if they agree. */
     List<String> differencesTo(Build other) {
         var found = new ArrayList<String>();
@@ -26,9 +97,9 @@ record Build(String tool, String group, String version, Map<String, Module> modu
     }
 
     private void compareModules(String name, Module mine, Build other, Module theirs, List<String> found) {
-        compare(name + ": description", mine.description(), other, theirs.description(), found);
-        compare(name + ": release level", mine.release(), other, theirs.release(), found);
-        compare(name + ": Automatic-Module-Name", mine.automaticName(), other, theirs.automaticName(), found);
+        compare(name + ": description", mine.description, other, theirs.description, found);
+        compare(name + ": release level", mine.release, other, theirs.release, found);
+        compare(name + ": Automatic-Module-Name", mine.automaticName, other, theirs.automaticName, found);
         var ours = mine.byKey();
         var others = theirs.byKey();
         for (String key : union(ours.keySet(), others.keySet())) {

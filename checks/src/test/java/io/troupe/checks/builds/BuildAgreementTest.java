@@ -1,73 +1,55 @@
 package io.troupe.checks.builds;
 
+import static io.troupe.checks.Repository.text;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.checks.Repository;
+import io.troupe.checks.builds.Build.Dependency;
+import io.troupe.checks.builds.Build.Module;
+import io.troupe.checks.builds.Build.Scope;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /** The Gradle and the Maven build of this repository agree. */
 class BuildAgreementTest {
-    private static final Module SAMPLE = module(new Dependency(Scope.COMPILE, "org.ow2.asm:asm", "9.9"));
+    private static final Dependency ASM = new Dependency(Scope.COMPILE, "org.ow2.asm:asm", "9.9");
+    private static final Module SAMPLE = module(ASM);
 
     @Test
-    void gradleAndMaven_agree() throws IOException {
+    void gradleAndMaven_agree_onAllModules() throws IOException {
         var gradle = GradleReader.read(Repository.root());
         var maven = PomReader.read(Repository.root());
+        var folders = Repository.modules().stream().map(Path::getFileName).map(Path::toString);
         assertThat(gradle.differencesTo(maven))
                 .as("differences between the two builds")
                 .isEmpty();
-    }
-
-    @Test
-    void modules_areAllInBothBuilds() throws IOException {
-        var folders = Repository.modules().stream().map(Path::getFileName).map(Path::toString);
-        assertThat(GradleReader.read(Repository.root()).modules().keySet())
-                .containsExactlyInAnyOrderElementsOf(folders.toList());
-    }
-
-    @Test
-    void catalog_namesNoLibraryThatNobodyUses() throws IOException {
+        assertThat(gradle.modules().keySet()).containsExactlyInAnyOrderElementsOf(folders.toList());
         assertThat(GradleReader.unusedLibraries(Repository.root()))
                 .as("libraries in libs.versions.toml that no script uses")
                 .isEmpty();
     }
 
     @Test
-    void difference_inAVersion_isNamed() {
+    void difference_inADependencyOrReleaseLevel_isNamed() {
         assertDifference(
                 module(new Dependency(Scope.COMPILE, "org.ow2.asm:asm", "9.8")),
                 "core: dependency is \"compile org.ow2.asm:asm:9.9\" in Gradle, \"compile org.ow2.asm:asm:9.8\" in Maven");
-    }
-
-    @Test
-    void difference_inAScope_isNamed() {
         assertDifference(
                 module(new Dependency(Scope.TEST, "org.ow2.asm:asm", "9.9")),
                 "core: dependency is \"compile org.ow2.asm:asm:9.9\" in Gradle, \"test org.ow2.asm:asm:9.9\" in Maven");
-    }
-
-    @Test
-    void difference_inWhatIsLeftOut_isNamed() {
-        var asm = SAMPLE.dependencies().getFirst();
         assertDifference(
-                module(asm.excluding(List.of("a:b"))),
+                module(ASM.excluding(List.of("a:b"))),
                 "core: dependency is \"compile org.ow2.asm:asm:9.9\" in Gradle, "
                         + "\"compile org.ow2.asm:asm:9.9 without [a:b]\" in Maven");
-    }
-
-    @Test
-    void dependency_inOneBuildOnly_isNamed() {
         assertDifference(module(), "core: only Gradle has compile org.ow2.asm:asm:9.9");
-    }
-
-    @Test
-    void difference_inTheReleaseLevel_isNamed() {
         assertDifference(
-                new Module("Actors", "17", "a", SAMPLE.dependencies()),
+                new Module("Actors", "17", "a", List.of(ASM)),
                 "core: release level is \"21\" in Gradle, \"17\" in Maven");
     }
 
@@ -81,11 +63,87 @@ class BuildAgreementTest {
 
     private static void assertDifference(Module maven, String message) {
         var gradle = new Build("Gradle", "g", "1", Map.of("core", SAMPLE));
-        assertThat(gradle.differencesTo(new Build("Maven", "g", "1", Map.of("core", maven))))
-                .containsExactly(message);
+        var other = new Build("Maven", "g", "1", Map.of("core", maven));
+        assertThat(gradle.differencesTo(other)).containsExactly(message);
     }
 
     private static Module module(Dependency... dependencies) {
         return new Module("Actors", "21", "a", List.of(dependencies));
+    }
+
+    // ---- lines of the build files that users rely on, and whose loss no other test would notice
+
+    /** Those of {@code filter}, {@code doFirst}, {@code worlds} and {@code home} were found with a real Gradle. */
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', textBlock = """
+            stress/pom.xml          | io.troupe.actor.laws.LawsMain         | the main that counts the laws runs them
+            stress/build.gradle.kts | io.troupe.actor.laws.LawsMain         | the main that counts the laws runs them
+            build.gradle.kts        | providers.gradleProperty("jdk")       | JavaExec tasks run on the requested JDK
+            docs/examples/consumer/build.gradle.kts | providers.gradleProperty("jdk") | as above
+            build.gradle.kts        | tasks.withType<JavaExec>().configureEach { javaLauncher.convention(launcher) } | \
+            as above
+            build.gradle.kts        | archivesName.set("troupe-${project.name}") | Gradle would use the folder
+            build.gradle.kts        | artifactId = "troupe-${project.name}" | Gradle would use the folder
+            jmh/pom.xml             | org.openjdk.jmh.Main ${args} -foe true | JMH exits with 0 when its forks fail
+            jmh/build.gradle.kts    | listOf("-foe", "true")                | JMH exits with 0 when its forks fail
+            stress/build.gradle.kts | filter { it.exists() } | jcstress takes a missing folder for an error
+            demo/build.gradle.kts   | doFirst { (this as JavaExec).standardInput = System.`in` } | \
+            input of the command line
+            demo/build.gradle.kts   | "worlds"                              | the worlds, beside the scripts
+            demo/build.gradle.kts   | troupe.home                           | the scripts name the folder of the worlds
+            build.gradle.kts        | tasks.withType<Jar>().configureEach { metaInf { from(licence) } } | in every jar
+            README.md               | compile exec:exec -pl demo -am        | the main job ends in the phase compile
+            """)
+    void buildFile_keepsTheLineThatUsersNeed(String file, String line, String reason) throws IOException {
+        assertThat(text(file)).as(reason).contains(line);
+    }
+
+    /** jcstress itself exits with 0 if no test ran, or if each ended in an error. */
+    @Test
+    void laws_areNotRunByTheMainOfJcstress() throws IOException {
+        assertThat(text("stress/pom.xml") + text("stress/build.gradle.kts"))
+                .doesNotContain("org.openjdk.jcstress.Main");
+    }
+
+    /** Maven's default entry names the JDK that runs Maven, so that the same sources would give different jars. */
+    @ParameterizedTest
+    @ValueSource(strings = {"maven-jar-plugin", "maven-source-plugin", "maven-javadoc-plugin"})
+    void manifests_haveNoEntryOfTheJdkThatRunsMaven(String plugin) throws IOException {
+        var managed = text("pom.xml").split("<pluginManagement>")[1].split("</pluginManagement>")[0];
+        assertThat(managed.split("<artifactId>" + plugin + "</artifactId>")[1].split("</plugin>")[0])
+                .contains("<addDefaultEntries>false</addDefaultEntries>");
+        assertThat(managed)
+                .as("from 3.4.0 on the jar plugin names that JDK in any case")
+                .contains("<artifactId>maven-jar-plugin</artifactId><version>3.3.0</version>");
+    }
+
+    /** The start script needs a class path, and other users need the copied libraries. */
+    @Test
+    void filesOfTheStartScript_areWrittenByTheMainJob() throws IOException {
+        var plugin = text("demo/pom.xml").split("<artifactId>maven-dependency-plugin</artifactId>")[1];
+        assertThat(plugin.split("</plugin>")[0].replaceAll("\\s+", ""))
+                .contains("<phase>compile</phase><goals><goal>build-classpath</goal></goals>")
+                .contains("<phase>compile</phase><goals><goal>copy-dependencies</goal></goals>");
+    }
+
+    @Test
+    void artifacts_haveTheNameOfTheProject() {
+        assertThat(Build.Module.artifact("services")).isEqualTo("troupe-services");
+    }
+
+    @Test
+    void everyJarOfMaven_holdsTheLicence() throws IOException {
+        assertThat(text("pom.xml").split("<include>LICENSE</include>", -1))
+                .as("classes and sources by one resource, Javadoc by another")
+                .hasSize(3);
+    }
+
+    @Test
+    void wrapperJar_isComparedWithGradlesOwnInCi() throws IOException {
+        var workflow = text(".github/workflows/build.yml");
+        assertThat(workflow.indexOf("gradle/actions/wrapper-validation@"))
+                .as("before ./gradlew runs")
+                .isPositive()
+                .isLessThan(workflow.indexOf("./gradlew"));
     }
 }

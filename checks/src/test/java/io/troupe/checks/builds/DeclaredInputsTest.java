@@ -8,7 +8,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -59,11 +58,11 @@ class DeclaredInputsTest {
     private static List<String> undeclared(Path module) throws IOException {
         List<Path> inputs = inputs(module);
         List<String> undeclared = new ArrayList<>();
-        for (Path source : sources(module.resolve("src/test/java"))) {
-            for (MatchResult match :
-                    PATH.matcher(Files.readString(source)).results().toList()) {
-                var path =
-                        module.resolve(String.join("/", quoted(match.group(1)))).normalize();
+        for (Path source : Repository.files(module.resolve("src/test/java"), ".java")) {
+            var paths = PATH.matcher(Files.readString(source));
+            while (paths.find()) {
+                var name = String.join("/", quoted(paths.group(1)));
+                var path = module.resolve(name).normalize();
                 boolean isRead = Files.exists(path) && path.startsWith(module.getParent()) && !path.equals(module);
                 if (isRead && inputs.stream().noneMatch(path::startsWith)) {
                     undeclared.add(module.getFileName() + ": " + source.getFileName() + " reads "
@@ -75,9 +74,8 @@ class DeclaredInputsTest {
     }
 
     private static List<Path> inputs(Path module) throws IOException {
-        return Files.readString(module.resolve("build.gradle.kts"))
-                .lines()
-                .filter(line -> line.contains("inputs."))
+        var lines = Files.readString(module.resolve("build.gradle.kts")).lines();
+        return lines.filter(line -> line.contains("inputs."))
                 .flatMap(line -> quoted(line).stream())
                 .map(name -> module.resolve(name).normalize())
                 .toList();
@@ -85,14 +83,5 @@ class DeclaredInputsTest {
 
     private static List<String> quoted(String text) {
         return QUOTED.matcher(text).results().map(match -> match.group(1)).toList();
-    }
-
-    private static List<Path> sources(Path folder) throws IOException {
-        if (!Files.isDirectory(folder)) {
-            return List.of();
-        }
-        try (var files = Files.walk(folder)) {
-            return files.filter(file -> file.toString().endsWith(".java")).toList();
-        }
     }
 }

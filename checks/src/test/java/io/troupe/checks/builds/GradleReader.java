@@ -1,11 +1,16 @@
 package io.troupe.checks.builds;
 
-import io.troupe.checks.builds.KotlinScript.Statement;
+import io.troupe.checks.builds.Build.Dependency;
+import io.troupe.checks.builds.Build.Module;
+import io.troupe.checks.builds.Build.NotUnderstood;
+import io.troupe.checks.builds.Build.Scope;
+import io.troupe.checks.builds.GradleReader.KotlinScript.Statement;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -17,8 +22,8 @@ import java.util.regex.Pattern;
 /**
  * The Gradle build, read from its scripts without running Gradle.
  *
- * <p><b>Errors.</b> It understands the few forms that our scripts use. Anything else is a {@link BuildFileException};
- * so is a skipped part that mentions a subject on which the two builds must agree.
+ * <p><b>Errors.</b> It understands the few forms that our scripts use. Anything else is a {@link NotUnderstood}; so is
+ * a skipped part that mentions a subject on which the two builds must agree.
  */
 final class GradleReader {
     private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
@@ -45,38 +50,27 @@ final class GradleReader {
     private final VersionCatalog catalog;
     private final List<Dependency> forAll = new ArrayList<>();
     private final Set<String> published = new TreeSet<>();
+    private final Map<String, Module> modules = new LinkedHashMap<>();
     private String release = "";
 
-    private GradleReader(String properties, String catalog) throws IOException {
-        this.properties.load(new StringReader(properties));
-        this.catalog = new VersionCatalog(catalog);
-    }
-
-    static Build read(Path root) throws IOException {
-        return of(root).readBuild(root);
-    }
-
-    /** The libraries of the catalog that no script uses. */
-    static Set<String> unusedLibraries(Path root) throws IOException {
-        var reader = of(root);
-        reader.readBuild(root);
-        return reader.catalog.unused();
-    }
-
-    private static GradleReader of(Path root) throws IOException {
-        return new GradleReader(
-                Files.readString(root.resolve("gradle.properties")),
-                Files.readString(root.resolve("gradle/libs.versions.toml")));
-    }
-
-    private Build readBuild(Path root) throws IOException {
+    private GradleReader(Path root) throws IOException {
+        properties.load(new StringReader(Files.readString(root.resolve("gradle.properties"))));
+        catalog = new VersionCatalog(Files.readString(root.resolve("gradle/libs.versions.toml")));
         readRootScript(Files.readString(root.resolve("build.gradle.kts")));
-        Map<String, Module> modules = new LinkedHashMap<>();
         for (String name : modules(Files.readString(root.resolve("settings.gradle.kts")))) {
             var file = name + "/build.gradle.kts";
             modules.put(name, readModule(file, published.contains(name), Files.readString(root.resolve(file))));
         }
-        return new Build("Gradle", property("group"), property("version"), modules);
+    }
+
+    static Build read(Path root) throws IOException {
+        var reader = new GradleReader(root);
+        return new Build("Gradle", reader.property("group"), reader.property("version"), reader.modules);
+    }
+
+    /** The libraries of the catalog that no script uses. */
+    static Set<String> unusedLibraries(Path root) throws IOException {
+        return new GradleReader(root).catalog.unused();
     }
 
     static List<String> modules(String settings) {
@@ -87,9 +81,8 @@ final class GradleReader {
                 QUOTED.matcher(statement.head()).results().forEach(name -> modules.add(name.group(1)));
             } else if (statement.head().equals("dependencyResolutionManagement")) {
                 var body = statement.body().strip().replaceAll("\\s+", " ");
-                if (!body.equals(REPOSITORIES)) {
-                    throw new BuildFileException(file + ": expected " + REPOSITORIES + ", found " + body);
-                }
+                NotUnderstood.unless(
+                        body.equals(REPOSITORIES), file + ": expected " + REPOSITORIES + ", found " + body);
             } else if (!statement.head().equals("rootProject.name = \"troupe\"")) {
                 throw notUnderstood(file, statement);
             }
@@ -110,9 +103,7 @@ final class GradleReader {
                 throw notUnderstood(file, statement);
             }
         }
-        if (release.isEmpty()) {
-            throw new BuildFileException(file + ": no options.release.set(..) for JavaCompile");
-        }
+        NotUnderstood.unless(!release.isEmpty(), file + ": no options.release.set(..) for JavaCompile");
     }
 
     private void readShared(String file, Statement statement) {
@@ -211,14 +202,14 @@ final class GradleReader {
             case "runtimeOnly" -> Scope.RUNTIME;
             case "testImplementation", "testRuntimeOnly" -> Scope.TEST;
             case "annotationProcessor" -> Scope.PROCESSOR;
-            default -> throw new BuildFileException("configuration " + configuration + " is not understood");
+            default -> throw new NotUnderstood("configuration " + configuration + " is not understood");
         };
     }
 
     private String property(String name) {
         var value = properties.getProperty(name);
         if (value == null) {
-            throw new BuildFileException("gradle.properties: " + name + " is missing");
+            throw new NotUnderstood("gradle.properties: " + name + " is missing");
         }
         return value;
     }
@@ -226,13 +217,140 @@ final class GradleReader {
     private static void requireNothingTelling(String file, Statement statement) {
         var telling = TELLING.matcher(statement.head() + " {" + statement.body());
         if (telling.find()) {
-            throw new BuildFileException(
-                    file + ": \"" + telling.group() + "\" is not understood in: " + statement.head());
+            throw new NotUnderstood(file + ": \"" + telling.group() + "\" is not understood in: " + statement.head());
         }
     }
 
-    private static BuildFileException notUnderstood(String file, Statement statement) {
-        return new BuildFileException(
-                file + ": not understood: " + statement.head() + (statement.block() ? " {..}" : ""));
+    private static NotUnderstood notUnderstood(String file, Statement statement) {
+        return new NotUnderstood(file + ": not understood: " + statement.head() + (statement.block() ? " {..}" : ""));
+    }
+
+    /** Reads {@code gradle/libs.versions.toml}; it understands versions, and libraries with module and version. */
+    static final class VersionCatalog {
+        private static final String FILE = "libs.versions.toml: ";
+        private static final Pattern VERSION = Pattern.compile("([\\w-]+)\\s*=\\s*\"([^\"]+)\"");
+        private static final Pattern LIBRARY = Pattern.compile(
+                "([\\w-]+)\\s*=\\s*\\{\\s*module\\s*=\\s*\"([^\":]+:[^\":]+)\"\\s*,\\s*version\\.ref\\s*=\\s*\"([^\"]+)\"\\s*}");
+
+        private final Map<String, String> versions = new LinkedHashMap<>();
+        private final Map<String, Dependency> libraries = new LinkedHashMap<>();
+        private final Set<String> used = new HashSet<>();
+
+        VersionCatalog(String toml) {
+            var section = "";
+            for (String line : toml.lines().map(String::strip).toList()) {
+                if (line.startsWith("[")) {
+                    section = line;
+                } else if (!line.isEmpty() && !line.startsWith("#")) {
+                    switch (section) {
+                        case "[versions]" -> version(line);
+                        case "[libraries]" -> library(line);
+                        default -> throw new NotUnderstood(FILE + "section " + section + " is not understood");
+                    }
+                }
+            }
+        }
+
+        /**
+         * Reads one version. Gradle's "2.57!!" means exactly this version, which Maven assumes for every direct
+         * dependency.
+         */
+        private void version(String line) {
+            var match = VERSION.matcher(line);
+            if (!match.matches() || versions.put(match.group(1), match.group(2).replaceFirst("!!$", "")) != null) {
+                throw new NotUnderstood(FILE + "not understood, or given twice: " + line);
+            }
+        }
+
+        private void library(String line) {
+            var match = LIBRARY.matcher(line);
+            NotUnderstood.unless(
+                    match.matches(), FILE + "expected alias = { module = .., version.ref = .. }, found: " + line);
+            var version = versions.get(match.group(3));
+            if (version == null) {
+                throw new NotUnderstood(FILE + "no version named " + match.group(3) + ", asked for by: " + line);
+            }
+            libraries.put(accessor(match.group(1)), new Dependency(Scope.COMPILE, match.group(2), version));
+        }
+
+        /** The library that {@code libs.<accessor>} or an alias names, in the given scope. */
+        Dependency library(Scope scope, String alias) {
+            var library = libraries.get(accessor(alias));
+            if (library == null) {
+                throw new NotUnderstood(FILE + "no library " + alias + "; there are " + libraries.keySet());
+            }
+            used.add(accessor(alias));
+            return new Dependency(scope, library.coordinates(), library.version());
+        }
+
+        /** The libraries that were not requested yet. */
+        Set<String> unused() {
+            var unused = new TreeSet<>(libraries.keySet());
+            unused.removeAll(used);
+            return unused;
+        }
+
+        private static String accessor(String alias) {
+            return alias.replace('-', '.').replace('_', '.');
+        }
+    }
+
+    /**
+     * Splits a plain Gradle script into its statements. It knows comments, strings and brackets, and nothing else of
+     * Kotlin.
+     */
+    static final class KotlinScript {
+        /** {@code head { body }} if {@code block} is true, otherwise a head alone. */
+        record Statement(String head, boolean block, String body) {
+            List<Statement> inner(String file) {
+                return statements(file, body);
+            }
+        }
+
+        private static final Pattern COMMENT = Pattern.compile("//.*|(?s:/\\*.*?(?:\\*/|$))");
+        private static final Pattern STRING = Pattern.compile("\"(?:[^\"\\\\\\n]|\\\\.)*\"");
+        private static final Pattern TOKEN = Pattern.compile(COMMENT + "|\"\"\"|" + STRING + "|(?s:.)");
+
+        private KotlinScript() {}
+
+        static List<Statement> statements(String file, String script) {
+            var statements = new ArrayList<Statement>();
+            var text = new StringBuilder();
+            int depth = 0;
+            int brace = -1; // where the last block of the statement begins
+            for (var match : TOKEN.matcher(script + "\n").results().toList()) {
+                var token = match.group();
+                if (token.equals("\"\"\"")) {
+                    throw new NotUnderstood("a raw string is not understood here");
+                } else if (token.equals("\"")) {
+                    var line =
+                            script.substring(match.start()).lines().findFirst().orElse("");
+                    throw new NotUnderstood("a string is not closed: " + line);
+                } else if ("({[".contains(token)) {
+                    brace = token.equals("{") && depth == 0 ? text.length() : brace;
+                    depth++;
+                } else if (")}]".contains(token) && --depth < 0) {
+                    throw new NotUnderstood(file + ": a " + token + " that nothing opened");
+                }
+                if ((token.equals("\n") || token.equals(";")) && depth == 0) {
+                    add(statements, text.toString().stripTrailing(), brace);
+                    text.setLength(0);
+                    brace = -1;
+                } else if (!COMMENT.matcher(token).matches()) {
+                    text.append(token);
+                }
+            }
+            NotUnderstood.unless(depth == 0, file + ": a bracket is not closed");
+            return statements;
+        }
+
+        private static void add(List<Statement> statements, String text, int brace) {
+            if (brace >= 0 && text.endsWith("}")) {
+                statements.add(new Statement(
+                        text.substring(0, brace).strip(), true, text.substring(brace + 1, text.length() - 1)));
+            } else if (!text.isBlank()) {
+                statements.add(new Statement(text.strip(), false, ""));
+            }
+        }
     }
 }

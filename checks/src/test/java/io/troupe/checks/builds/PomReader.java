@@ -1,5 +1,9 @@
 package io.troupe.checks.builds;
 
+import io.troupe.checks.builds.Build.Dependency;
+import io.troupe.checks.builds.Build.Module;
+import io.troupe.checks.builds.Build.NotUnderstood;
+import io.troupe.checks.builds.Build.Scope;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Files;
@@ -21,30 +25,13 @@ import org.xml.sax.SAXException;
  * The Maven build, read from its POMs without running Maven.
  *
  * <p><b>Errors.</b> As in {@link GradleReader}: a part that it does not understand, and that Gradle would have to
- * repeat, is a {@link BuildFileException}.
+ * repeat, is a {@link NotUnderstood}.
  */
 final class PomReader {
-    private static final Set<String> UNDERSTOOD = Set.of(
-            "modelVersion",
-            "parent",
-            "groupId",
-            "artifactId",
-            "version",
-            "packaging",
-            "name",
-            "description",
-            "url",
-            "inceptionYear",
-            "licenses",
-            "developers",
-            "scm",
-            "modules",
-            "properties",
-            "dependencies",
-            "build",
-            "profiles");
-    private static final Set<String> IN_DEPENDENCY = Set.of("groupId", "artifactId", "version", "scope", "exclusions");
-    private static final Set<String> IN_PROFILE = Set.of("id", "activation", "properties");
+    private static final Set<String> UNDERSTOOD = words("modelVersion parent groupId artifactId version packaging name"
+            + " description url inceptionYear licenses developers scm modules properties dependencies build profiles");
+    private static final Set<String> IN_DEPENDENCY = words("groupId artifactId version scope exclusions");
+    private static final Set<String> IN_PROFILE = words("id activation properties");
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
     private final Map<String, String> shared = new LinkedHashMap<>();
@@ -101,11 +88,7 @@ final class PomReader {
     }
 
     private static Dependency dependency(String file, Element dependency, Map<String, String> properties) {
-        for (Element child : children(dependency)) {
-            if (!IN_DEPENDENCY.contains(child.getTagName())) {
-                throw new BuildFileException(file + ": <" + child.getTagName() + "> in a dependency is not understood");
-            }
-        }
+        requireOnly(IN_DEPENDENCY, file, dependency, " in a dependency");
         var group = interpolate(text(dependency, "groupId"), properties);
         var artifact = interpolate(text(dependency, "artifactId"), properties);
         var version = interpolate(text(dependency, "version"), properties);
@@ -122,37 +105,35 @@ final class PomReader {
             case "provided" -> Scope.PROVIDED;
             case "runtime" -> Scope.RUNTIME;
             case "test" -> Scope.TEST;
-            default -> throw new BuildFileException("scope " + text + " is not understood");
+            default -> throw new NotUnderstood("scope " + text + " is not understood");
         };
     }
 
     /** Rejects everything else that could add a dependency or change the release level. */
     private static void requireUnderstood(String file, Element project) {
-        for (Element child : children(project)) {
-            if (!UNDERSTOOD.contains(child.getTagName())) {
-                throw new BuildFileException(file + ": <" + child.getTagName() + "> is not understood");
-            }
-        }
-        for (Element profile : all(project, "profiles", "profile")) {
-            for (Element child : children(profile)) {
-                if (!IN_PROFILE.contains(child.getTagName())) {
-                    throw new BuildFileException(
-                            file + ": <" + child.getTagName() + "> in a profile is not understood");
-                }
-            }
-        }
+        requireOnly(UNDERSTOOD, file, project, "");
+        all(project, "profiles", "profile").forEach(profile -> requireOnly(IN_PROFILE, file, profile, " in a profile"));
         for (String name : List.of("release", "source", "target", "testRelease")) {
-            if (project.getElementsByTagName(name).getLength() > 0) {
-                throw new BuildFileException(
-                        file + ": <" + name + "> is not understood, the level is the property maven.compiler.release");
-            }
+            NotUnderstood.unless(
+                    project.getElementsByTagName(name).getLength() == 0,
+                    file + ": <" + name + "> is not understood, the level is the property maven.compiler.release");
         }
     }
 
-    private static void require(String file, String what, String value, String expected) {
-        if (!value.equals(expected)) {
-            throw new BuildFileException(file + ": " + what + " is " + value + ", expected " + expected);
+    private static void requireOnly(Set<String> understood, String file, Element parent, String where) {
+        for (Element child : children(parent)) {
+            NotUnderstood.unless(
+                    understood.contains(child.getTagName()),
+                    file + ": <" + child.getTagName() + ">" + where + " is not understood");
         }
+    }
+
+    private static Set<String> words(String text) {
+        return Set.of(text.split(" "));
+    }
+
+    private static void require(String file, String what, String value, String expected) {
+        NotUnderstood.unless(value.equals(expected), file + ": " + what + " is " + value + ", expected " + expected);
     }
 
     private String value(String property) {
@@ -163,7 +144,7 @@ final class PomReader {
         return PROPERTY.matcher(text).replaceAll(match -> {
             var value = properties.get(match.group(1));
             if (value == null) {
-                throw new BuildFileException("POM: no property " + match.group(1));
+                throw new NotUnderstood("POM: no property " + match.group(1));
             }
             return value;
         });
@@ -213,7 +194,7 @@ final class PomReader {
                     .parse(new InputSource(new StringReader(xml)))
                     .getDocumentElement();
         } catch (ParserConfigurationException | SAXException | IOException failure) {
-            throw new BuildFileException(file + ": " + failure.getMessage());
+            throw new NotUnderstood(file + ": " + failure.getMessage());
         }
     }
 }

@@ -4,10 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.checks.Repository;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.function.UnaryOperator;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 
@@ -19,33 +19,31 @@ class BenchmarkPagesTest {
 
     @Test
     void ratiosOfActors_areThoseOfTheFullTable() throws IOException {
-        var brief = shortTable("| workload |");
         var full = fullTable("[a-zA-Z]+");
+        var brief = shortTable("| workload |");
         assertThat(brief).hasSize(9).containsOnlyKeys(full.keySet());
         brief.forEach((workload, row) -> {
             var figures = full.getOrDefault(workload, Map.of());
             assertThat(row.remove("limit, ns")).isEqualTo(figures.get("limit").median());
             assertThat(row.remove("troupe, ns")).isEqualTo(figures.get("troupe").median());
-            assertThat(row)
-                    .as(workload)
-                    .hasSize(8)
-                    .allSatisfy((contender, ratio) ->
-                            assertThat(figures.get(contender).ratio()).isEqualTo(ratio));
+            requireRow(workload, row, 8, contender -> figures.get(contender).ratio());
         });
     }
 
     @Test
     void speedsOfWorlds_areThoseOfTheFullTable() throws IOException {
-        var brief = shortTable("| robots | troupe |");
         var full = fullTable("[\\d,]+");
+        var brief = shortTable("| robots | troupe |");
         assertThat(brief).hasSize(6).containsOnlyKeys(full.keySet());
-        brief.forEach((robots, row) -> assertThat(row)
-                .as(robots)
-                .hasSize(6)
-                .allSatisfy((contender, speed) -> assertThat(full.getOrDefault(robots, Map.of())
-                                .get(contender)
-                                .median())
-                        .isEqualTo(speed)));
+        brief.forEach((robots, row) -> {
+            var figures = full.getOrDefault(robots, Map.of());
+            requireRow(robots, row, 6, contender -> figures.get(contender).median());
+        });
+    }
+
+    private static void requireRow(String as, Map<String, String> row, int size, UnaryOperator<String> expected) {
+        assertThat(row).as(as).hasSize(size);
+        row.forEach((contender, figure) -> assertThat(figure).as(as).isEqualTo(expected.apply(contender)));
     }
 
     private record Figure(String median, String ratio) {}
@@ -88,6 +86,6 @@ class BenchmarkPagesTest {
     }
 
     private static List<String> lines(String page) throws IOException {
-        return Files.readAllLines(Repository.root().resolve(page));
+        return Repository.text(page).lines().toList();
     }
 }

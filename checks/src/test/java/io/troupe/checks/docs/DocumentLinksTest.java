@@ -48,7 +48,7 @@ class DocumentLinksTest {
     /** The walks of this page lead through the code step by step. */
     @Test
     void architecture_linksToManySources_ofAllPublishedModules() throws IOException {
-        var sources = links(Files.readString(Repository.root().resolve("docs/architecture.md"))).stream()
+        var sources = links(Repository.text("docs/architecture.md")).stream()
                 .filter(link -> link.endsWith(".java"))
                 .toList();
         assertThat(sources).hasSizeGreaterThan(25);
@@ -59,17 +59,16 @@ class DocumentLinksTest {
     /** The drawing names every module of the build, and every package of the libraries. */
     @Test
     void drawingOfTheRooms_namesAllModulesAndPackages() throws IOException {
-        String drawing = Files.readString(Repository.root().resolve("docs/figures/rooms.svg"));
+        String drawing = Repository.text("docs/figures/rooms.svg");
         assertThat(Repository.modules())
                 .hasSizeGreaterThan(8)
                 .allSatisfy(module -> assertThat(drawing).containsPattern("[>\\s]" + module.getFileName() + "[,<]"));
         var packages = Repository.javaSources().stream()
-                .filter(source -> source.endsWith("package-info.java"))
-                .map(source -> source.getParent().toString().replace('\\', '/'))
-                .filter(source -> source.contains("/src/main/java/"))
+                .map(source -> source.toString().replace('\\', '/'))
+                .filter(source -> source.endsWith("/package-info.java") && source.contains("/src/main/java/"))
                 .filter(source -> !source.matches(".*/(?:demo|jmh|stress|structures)/.*"))
-                .map(source -> source.substring(source.indexOf("/java/") + "/java/".length())
-                        .replace('/', '.'))
+                .map(source ->
+                        source.replaceAll(".*/java/|/package-info.java", "").replace('/', '.'))
                 .toList();
         assertThat(packages)
                 .hasSizeGreaterThan(20)
@@ -99,15 +98,10 @@ class DocumentLinksTest {
                 [a](B.java) [b](A.java#L3) [c](../other.md#no) [d](../other.md#twice-2) [e](#there) [f](../../x.md)
                 <img src="no.svg">
                 """);
+        var broken = List.of(
+                "B.java", "A.java#L3", "../other.md#no", "../other.md#twice-2", "#there", "../../x.md", "no.svg");
         assertThat(brokenLinks(folder, page))
-                .containsExactly(
-                        "docs/page.md: B.java",
-                        "docs/page.md: A.java#L3",
-                        "docs/page.md: ../other.md#no",
-                        "docs/page.md: ../other.md#twice-2",
-                        "docs/page.md: #there",
-                        "docs/page.md: ../../x.md",
-                        "docs/page.md: no.svg");
+                .isEqualTo(broken.stream().map("docs/page.md: "::concat).toList());
     }
 
     private static List<String> brokenLinks(Path root, Path page) throws IOException {
@@ -127,9 +121,8 @@ class DocumentLinksTest {
     /** The links and pictures of a page that are no addresses, in order. */
     private static List<String> links(String markdown) {
         String prose = CODE.matcher(FENCE.matcher(markdown).replaceAll("")).replaceAll("");
-        return LINK.matcher(prose)
-                .results()
-                .map(match -> match.group(1) == null ? match.group(2) : match.group(1))
+        var links = LINK.matcher(prose).results();
+        return links.map(match -> match.group(1) == null ? match.group(2) : match.group(1))
                 .filter(link -> !ADDRESS.matcher(link).matches())
                 .toList();
     }

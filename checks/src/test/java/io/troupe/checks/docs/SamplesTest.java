@@ -1,16 +1,20 @@
 package io.troupe.checks.docs;
 
+import static java.util.stream.Collectors.toSet;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.checks.Repository;
-import io.troupe.checks.api.PublicTypes;
+import io.troupe.checks.docs.SamplesTest.Samples.Sample;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
+import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -36,68 +40,40 @@ class SamplesTest {
                 "view/README.md"
             })
     void samples_occurInCompiledSources(String page) throws IOException {
-        var samples = Samples.of(page, Files.readString(Repository.root().resolve(page)));
-        assertThat(samples).extracting(Samples.Sample::language).contains("java");
-        var sources = essences();
-        var missing = new TreeMap<String, Set<String>>();
-        for (var sample : samples) {
-            var pieces = Samples.missing(sample, sources);
-            if (!pieces.isEmpty()) {
-                missing.put(sample.toString(), pieces);
-            }
-        }
-        assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
+        var samples = Samples.of(page, Repository.text(page));
+        assertThat(samples).extracting(Sample::language).contains("java");
+        requireInSources(samples);
     }
 
     @Test
     void samplesInJavadoc_occurInCompiledSources() throws IOException {
-        var sources = essences();
-        var missing = new TreeMap<String, Set<String>>();
-        int count = 0;
+        List<Sample> all = new ArrayList<>();
         for (Path source : Repository.javaSources()) {
             if (source.toString().contains("/src/main/")) {
                 String text = Files.readString(source);
                 var samples = Samples.ofJavadoc(source.getFileName().toString(), text);
-                int all = text.split("\\* \\{@snippet ", -1).length - 1;
-                int others = text.split("\\* \\{@snippet lang = \"text\":", -1).length - 1;
-                assertThat(samples).as("Java samples of " + source).hasSize(all - others);
-                for (var sample : samples) {
-                    assertThat(sample.text()).as(sample.toString()).isNotBlank();
-                    count++;
-                    var pieces = Samples.missing(sample, sources);
-                    if (!pieces.isEmpty()) {
-                        missing.put(sample.toString(), pieces);
-                    }
-                }
+                int snippets = text.split("\\* \\{@snippet ", -1).length;
+                int others = text.split("\\* \\{@snippet lang = \"text\":", -1).length;
+                assertThat(samples).as("Java samples of " + source).hasSize(snippets - others);
+                all.addAll(samples);
             }
         }
-        assertThat(count).as("samples").isGreaterThan(20);
-        assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
+        assertThat(all).hasSizeGreaterThan(20).noneMatch(sample -> sample.text().isBlank());
+        requireInSources(all);
     }
 
-    @ParameterizedTest
-    @ValueSource(strings = {"actor-core", "actor-service"})
-    void types_haveASample_orSayHowUsersMeetThem(String module) throws IOException {
-        Path folder = Repository.root().resolve(module).resolve("src/main/java");
-        assertThat(PublicTypes.in(folder))
-                .filteredOn(type -> !type.isForTheLibraryOnly())
-                .hasSizeGreaterThan(20)
-                .allSatisfy(type ->
-                        assertThat(type.javadoc()).as(type.name()).containsAnyOf("{@snippet", "Users meet it as "));
-    }
-
-    /** The client and its interfaces that work; the package documentation gives the reason for the others. */
-    @Test
-    void workingTypesOfThePlayerClient_haveASample() throws IOException {
-        var types = PublicTypes.in(Repository.root().resolve("playerlike-sim/src/main/java/io/troupe/player"));
-        for (String working :
-                List.of("PlayerClient", "Position2D", "Sonar", "Laser", "Blobfinder", "Ranger", "Simulation")) {
-            String name = "io.troupe.player." + (working.equals("PlayerClient") ? working : working + "Interface");
-            assertThat(types)
-                    .filteredOn(type -> type.name().equals(name))
-                    .singleElement()
-                    .satisfies(type -> assertThat(type.javadoc()).as(name).contains("{@snippet"));
+    private static void requireInSources(List<Sample> samples) throws IOException {
+        Map<String, String> essences = new TreeMap<>();
+        for (Path source : Repository.javaSources()) {
+            essences.put(source.toString(), Samples.essence(Files.readString(source)));
         }
+        for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on Troupe, of the README
+            essences.put(script, Samples.essence(Repository.text("docs/examples/consumer/" + script)));
+        }
+        Map<String, Set<String>> missing = new TreeMap<>();
+        samples.forEach(sample -> missing.put(sample.toString(), Samples.missing(sample, essences)));
+        missing.values().removeIf(Set::isEmpty);
+        assertThat(missing).as("samples of which no Java source has all pieces").isEmpty();
     }
 
     @Test
@@ -132,16 +108,16 @@ class SamplesTest {
     void sample_isFoundAsTheFormatterWritesIt_andByItsPieces() {
         var sample = sample("void set(int x) { this.x = x; }  // one\n\nlamp.set(1);\n");
         var formatted = "@Override public void set(int x) {\n    this.x = x; // why\n}\n lamp\n    .set(1);";
-        assertThat(Samples.missing(sample, Map.of("A.java", Samples.essence(formatted))))
+        assertThat(Samples.missing(sample, Map.of("A", Samples.essence(formatted))))
                 .isEmpty();
     }
 
     @Test
     void sample_thatDiffersOrIsSpreadOverTwoSources_isMissing() {
         var sample = sample("lamp.set(1);\n\nlamp.on();\n");
-        assertThat(Samples.missing(sample, Map.of("A.java", "lamp.set(2);lamp.on();")))
+        assertThat(Samples.missing(sample, Map.of("A", "lamp.set(2);lamp.on();")))
                 .containsExactly("lamp.set(1);");
-        assertThat(Samples.missing(sample, Map.of("A.java", "lamp.set(1);", "B.java", "lamp.on();")))
+        assertThat(Samples.missing(sample, Map.of("A", "lamp.set(1);", "B", "lamp.on();")))
                 .hasSize(1);
         assertThat(Samples.missing(sample, Map.of())).hasSize(2);
     }
@@ -152,27 +128,101 @@ class SamplesTest {
         assertThat(Samples.essence("get(\"http://x\")")).isEqualTo("get(\"http://x\")");
     }
 
-    private static Samples.Sample sample(String java) {
+    private static Sample sample(String java) {
         return Samples.of("page.md", "# Title\n\n```java\n" + java + "```\n").getFirst();
-    }
-
-    private static Map<String, String> essences() throws IOException {
-        Map<String, String> essences = new TreeMap<>();
-        for (Path source : Repository.javaSources()) {
-            essences.put(source.toString(), Samples.essence(Files.readString(source)));
-        }
-        for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on Troupe, of the README
-            Path source = Repository.root().resolve("docs/examples/consumer").resolve(script);
-            essences.put(source.toString(), Samples.essence(Files.readString(source)));
-        }
-        return essences;
     }
 
     @Test
     void sources_areThoseOfAllModules() {
-        List<String> names = Repository.javaSources().stream()
-                .map(source -> source.getFileName().toString())
-                .toList();
-        assertThat(names).contains("ActorSpace.java", "ActorsGuideTest.java", "Main.java");
+        assertThat(Repository.javaSources())
+                .extracting(source -> source.getFileName().toString())
+                .contains("ActorSpace.java", "ActorsGuideTest.java", "Main.java");
+    }
+
+    /**
+     * The samples of a Markdown page or of Javadoc, and their comparison with sources.
+     *
+     * <p><b>Role.</b> A sample is split at empty lines, and each piece must occur in one and the same source. The
+     * comparison ignores what the formatter decides and what no compiler reads: white space, {@code //} comments,
+     * {@code @Override}.
+     */
+    static final class Samples {
+        private static final Pattern FENCE = Pattern.compile("(?ms)^```(\\w*)\\n(.*?)^```$");
+        private static final Pattern COMMENT = Pattern.compile("(?m)(?<![:\"])//.*$");
+        private static final Pattern JAVADOC = Pattern.compile("(?ms)^ */\\*\\*.*?\\*/");
+        private static final Pattern SNIPPET = Pattern.compile("(?m)^ *\\* \\{@snippet :\\n");
+        private static final Pattern STAR = Pattern.compile("(?m)^ *\\* ?");
+        private static final Pattern SPACE = Pattern.compile("\\s+");
+        private static final Pattern SPACE_BESIDE_A_SIGN = Pattern.compile(" (?=\\W)|(?<=\\W) ");
+
+        private Samples() {}
+
+        /** A fenced block. */
+        record Sample(String page, int line, String language, String text) {
+            List<String> pieces() {
+                return language.equals("java")
+                        ? List.of(text.strip().split("\\n\\s*\\n"))
+                        : text.strip().lines().toList();
+            }
+
+            @Override
+            public String toString() {
+                return page + ":" + line;
+            }
+        }
+
+        static List<Sample> of(String page, String markdown) {
+            List<Sample> samples = new ArrayList<>();
+            var fences = FENCE.matcher(markdown);
+            while (fences.find()) {
+                int line = (int) markdown.substring(0, fences.start()).lines().count() + 1;
+                samples.add(new Sample(page, line, fences.group(1), fences.group(2)));
+            }
+            return samples;
+        }
+
+        /** The Java samples in the Javadoc of a source: its inline {@code @snippet} tags, as they are printed. */
+        static List<Sample> ofJavadoc(String source, String java) {
+            List<Sample> samples = new ArrayList<>();
+            var snippets = SNIPPET.matcher(java);
+            while (snippets.find()) {
+                int line = (int) java.substring(0, snippets.start()).lines().count() + 1;
+                String code = java.substring(snippets.end(), endOfSnippet(java, snippets.end()));
+                samples.add(new Sample(source, line, "java", STAR.matcher(code).replaceAll("")));
+            }
+            return samples;
+        }
+
+        /** The index of the brace that closes an inline tag, whose content has balanced braces. */
+        private static int endOfSnippet(String java, int start) {
+            int end = start;
+            for (int depth = 1; depth > 0; end++) {
+                depth += java.charAt(end) == '{' ? 1 : java.charAt(end) == '}' ? -1 : 0;
+            }
+            return end - 1;
+        }
+
+        /** The text without what the comparison ignores. */
+        static String essence(String java) {
+            String code = COMMENT.matcher(JAVADOC.matcher(java).replaceAll(""))
+                    .replaceAll("")
+                    .replace("@Override", "");
+            String spaced = SPACE.matcher(code).replaceAll(" ").strip();
+            return SPACE_BESIDE_A_SIGN.matcher(spaced).replaceAll("");
+        }
+
+        /**
+         * The errors of a sample: empty if one of the sources contains it.
+         *
+         * @param sources essences by path
+         */
+        static Set<String> missing(Sample sample, Map<String, String> sources) {
+            return sources.values().stream()
+                    .map(essence -> sample.pieces().stream()
+                            .filter(piece -> !essence.contains(essence(piece)))
+                            .collect(toSet()))
+                    .min(Comparator.comparingInt(Set::size))
+                    .orElse(Set.copyOf(sample.pieces()));
+        }
     }
 }

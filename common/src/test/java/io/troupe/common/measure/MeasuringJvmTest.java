@@ -70,6 +70,12 @@ class MeasuringJvmTest {
         assertThat(log()).content().contains("printed while the handler is created", "printed during a request");
     }
 
+    private static void assertFails(MeasuringJvm jvm, String request, String message) {
+        assertThatThrownBy(() -> jvm.ask(request))
+                .isInstanceOf(IOException.class)
+                .hasMessage(message);
+    }
+
     @Test
     void requestThatFails_isReportedWithItsReason_andTheNextOneIsAnswered() throws IOException {
         try (var jvm = child().withLimit(Duration.ofSeconds(50)).start()) {
@@ -81,46 +87,30 @@ class MeasuringJvmTest {
     }
 
     @Test
-    void jvmThatEnds_isReportedWithItsStatus() throws IOException {
+    void jvmThatEnds_orCannotBegin_isReportedWithItsStatusAtTheRequest() throws IOException {
         try (var jvm = child().withProcessors(2).start()) {
-            assertThatThrownBy(() -> jvm.ask("exit"))
-                    .isInstanceOf(IOException.class)
-                    .hasMessage("exit: the JVM that measures (told 2 cores) has ended: exit status 1, see " + log());
+            assertFails(
+                    jvm, "exit", "exit: the JVM that measures (told 2 cores) has ended: exit status 1, see " + log());
         }
         assertThat(log()).content().contains("AssertionError: an error ends the child");
-    }
-
-    @Test
-    void jvmThatCannotBegin_isReportedAtItsFirstRequest() throws IOException {
         try (var jvm = child("broken").start()) {
-            assertThatThrownBy(() -> jvm.ask("once"))
-                    .isInstanceOf(IOException.class)
-                    .hasMessage("once: the JVM that measures has ended: exit status 1, see " + log());
+            assertFails(jvm, "once", "once: the JVM that measures has ended: exit status 1, see " + log());
         }
         assertThat(log()).content().contains("it cannot begin");
     }
 
-    @Test
-    void jvmThatHangs_isReportedAfterItsLimit_andEndsOnClose() throws IOException {
-        var jvm = child().withLimit(Duration.ofMillis(1)).start();
-        assertThatThrownBy(() -> jvm.ask("hang"))
-                .isInstanceOf(IOException.class)
-                .hasMessage("hang: the JVM that measures did not answer in 0 s, see " + log());
-        jvm.close();
-        assertThatThrownBy(() -> jvm.ask("again")).isInstanceOf(IOException.class);
-    }
-
     /** A late answer would be taken for the answer to the next request. */
     @Test
-    void jvmThatAnswersTooLate_isKilled() throws Exception {
-        try (var jvm = child().withLimit(Duration.ofMillis(1)).start()) {
-            List<ProcessHandle> children = ProcessHandle.current().children().toList();
-            assertThat(children).isNotEmpty();
-            assertThatThrownBy(() -> jvm.ask("hang")).isInstanceOf(IOException.class);
-            for (ProcessHandle child : children) {
-                child.onExit().get();
-            }
+    void jvmThatHangs_isReportedAndKilledAfterItsLimit_andAnswersNothingAfterClose() throws Exception {
+        var jvm = child().withLimit(Duration.ofMillis(1)).start();
+        List<ProcessHandle> children = ProcessHandle.current().children().toList();
+        assertThat(children).isNotEmpty();
+        assertFails(jvm, "hang", "hang: the JVM that measures did not answer in 0 s, see " + log());
+        for (ProcessHandle child : children) {
+            child.onExit().get();
         }
+        jvm.close();
+        assertThatThrownBy(() -> jvm.ask("again")).isInstanceOf(IOException.class);
     }
 
     @Test
@@ -137,16 +127,18 @@ class MeasuringJvmTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 5})
     void processors_areThoseOfTheSettings(int processors) throws IOException {
-        try (var jvm = child().withProcessors(processors).start()) {
+        var settings = child().withProcessors(processors);
+        try (var jvm = settings.start()) {
             assertThat(jvm.ask("once")).containsExactly("once"); // refused if the child reports another number
         }
-        try (var jvm = child().withProcessors(processors)
-                .withOptions("-XX:ActiveProcessorCount=" + (processors + 1))
-                .start()) {
-            assertThatThrownBy(() -> jvm.ask("once"))
-                    .isInstanceOf(IOException.class)
-                    .hasMessage("the JVM that measures says it has " + (processors + 1) + " processors, expected "
-                            + processors + " as it was told, see " + log());
+        int others = processors + 1;
+        try (var jvm =
+                settings.withOptions("-XX:ActiveProcessorCount=" + others).start()) {
+            assertFails(
+                    jvm,
+                    "once",
+                    "the JVM that measures says it has " + others + " processors, expected " + processors
+                            + " as it was told, see " + log());
         }
     }
 }

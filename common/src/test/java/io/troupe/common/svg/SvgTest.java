@@ -1,11 +1,14 @@
 package io.troupe.common.svg;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import java.io.ByteArrayInputStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.DoubleStream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -37,7 +40,7 @@ class SvgTest {
         var svg = Svg.document(10, 10, "Helvetica, 'DejaVu Sans'", 12, odd).text(1, 1, "", odd);
         var root = DocumentBuilderFactory.newInstance()
                 .newDocumentBuilder()
-                .parse(new java.io.ByteArrayInputStream(svg.end().getBytes(java.nio.charset.StandardCharsets.UTF_8)))
+                .parse(new ByteArrayInputStream(svg.end().getBytes(UTF_8)))
                 .getDocumentElement();
         assertThat(root.getAttribute("aria-label")).isEqualTo(odd);
         assertThat(root.getTextContent().strip()).startsWith(odd).endsWith(odd);
@@ -55,18 +58,10 @@ class SvgTest {
 
     @Test
     void numbers_haveNoTrailingZeros_andNoNegativeZero() {
-        assertThat(List.of(
-                        Svg.number(100, 1),
-                        Svg.number(0.04, 1),
-                        Svg.number(-0.04, 1),
-                        Svg.number(1.006, 2),
-                        Svg.number(-2.5, 2)))
-                .containsExactly("100", "0", "0", "1.01", "-2.5");
-    }
-
-    @Test
-    void steps_areOneTwoOrFive() {
-        assertThat(List.of(0.3, 1.0, 1.1, 3.0, 7.0, 20.0).stream().map(Svg::roundStep))
+        var ones = DoubleStream.of(100, 0.04, -0.04).mapToObj(number -> Svg.number(number, 1));
+        assertThat(ones).containsExactly("100", "0", "0");
+        assertThat(List.of(Svg.number(1.006, 2), Svg.number(-2.5, 2))).containsExactly("1.01", "-2.5");
+        assertThat(DoubleStream.of(0.3, 1.0, 1.1, 3.0, 7.0, 20.0).map(Svg::roundStep))
                 .containsExactly(0.5, 1.0, 2.0, 5.0, 10.0, 20.0);
     }
 

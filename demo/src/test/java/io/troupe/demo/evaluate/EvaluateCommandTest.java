@@ -1,25 +1,46 @@
 package io.troupe.demo.evaluate;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.actor.time.ManualClock;
+import io.troupe.common.measure.ProgressLine;
+import io.troupe.demo.CommandLineBench;
+import io.troupe.demo.evaluate.Measurement.Kind;
+import io.troupe.demo.evaluate.Measurement.Quantity;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.State;
+import io.troupe.sim.Simulation;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
+import java.io.PrintStream;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-/** The whole command with small parameters, including its child JVMs. */
+/**
+ * The whole command with small parameters, the JVMs that measure for it and how they measure, their world and the
+ * progress.
+ */
 @Timeout(300)
-class EvaluateCommandTest {
-    private static final String WORLD = Path.of("worlds", "paper-arena.cfg").toString();
+class EvaluateCommandTest extends CommandLineBench {
+    private static final Path PAPER_ARENA = Path.of("worlds", "paper-arena.cfg");
+    private static final String EVALUATE = "evaluate --world worlds/paper-arena.cfg ";
     /** Quantities that depend on the machine; all others depend only on the seed. */
     private static final Set<String> COMPUTED =
             Set.of("cycle", "cycle_p99", "turn", "processor", "delay", "delay_p99", "switch");
@@ -27,66 +48,38 @@ class EvaluateCommandTest {
     /** A late world catches up by at most this much, so the last readings may arrive early relative to the first. */
     private static final double CATCH_UP_MS = 250;
 
-    @TempDir
-    private Path directory;
-
-    private final StringWriter out = new StringWriter();
-
-    private int evaluate(String... arguments) {
-        var all = new ArrayList<>(List.of("--world", WORLD));
-        all.addAll(List.of(arguments));
-        return new CommandLine(new EvaluateCommand())
-                .setOut(new PrintWriter(out))
-                .setErr(new PrintWriter(out))
-                .setExecutionExceptionHandler((thrown, command, parsed) -> {
-                    thrown.printStackTrace(command.getErr());
-                    return 1;
-                })
-                .execute(all.toArray(String[]::new));
-    }
-
-    private List<String[]> rows(Path csv) throws IOException {
-        List<String> lines = Files.readAllLines(csv);
+    private List<String[]> rows(String folder) throws IOException {
+        List<String> lines = Files.readAllLines(directory.resolve(folder).resolve("evaluation.csv"));
         assertThat(lines.getFirst()).isEqualTo("part,mode,cores_told,repetition,subject,quantity,unit,value");
         return lines.stream().skip(1).map(line -> line.split(",", -1)).toList();
     }
 
-    private List<List<String>> decidedByTheSeed(Path csv) throws IOException {
-        return rows(csv).stream()
+    private List<List<String>> decidedByTheSeed(String folder) throws IOException {
+        return rows(folder).stream()
                 .filter(row -> !COMPUTED.contains(row[5]))
                 .map(Arrays::asList)
                 .toList();
     }
 
-    private Path small(String name) {
-        Path to = directory.resolve(name);
-        assertThat(evaluate(
-                        "--loops",
-                        "20",
-                        "--cores",
-                        "2",
-                        "--repetitions",
-                        "2",
-                        "--warm-up",
-                        "0",
-                        "--seconds",
-                        "40",
-                        "--reconnect",
-                        "--out",
-                        to.toString()))
-                .as(out.toString())
-                .isZero();
-        return to.resolve("evaluation.csv");
+    private String small(String folder) {
+        return printed(EVALUATE + "--loops 20 --cores 2 --repetitions 2 --warm-up 0 --seconds 40 --reconnect --out DIR/"
+                + folder);
     }
 
     @Test
     void evaluate_measuresEveryMode_andWhatTheSeedDecidesIsTheSameAgain() throws IOException {
-        Path csv = small("first");
-        assertThat(rows(csv)).allSatisfy(row -> {
+        assertThat(small("first"))
+                .contains(
+                        "20 loops of each service, in simulated time with a cycle of 100 ms",
+                        "holds           3.4, Figure 15: \"The total time taken is equal to a sum",
+                        "DOES NOT HOLD   4: \"Space Wanderer service takes very less time",
+                        "below it with a new connection for each service");
+        assertThat(rows("first")).allSatisfy(row -> {
             assertThat(row).hasSize(8);
             assertThat(Double.parseDouble(row[7])).isNotNegative();
         });
-        assertThat(decidedByTheSeed(csv))
+        var decided = decidedByTheSeed("first");
+        assertThat(decided)
                 .contains(
                         List.of("loops", "sync", "2", "1", "both", "time", "ms", "4000.0"),
                         List.of("loops", "callback", "2", "1", "both", "time", "ms", "2000.0"),
@@ -94,39 +87,19 @@ class EvaluateCommandTest {
                         List.of("loops", "sync", "2", "1", "spaceWanderer", "interval", "ms", "200.0"),
                         List.of("loops", "promise", "2", "1", "both", "sent", "1", "0.0"),
                         List.of("alone", "promise", "2", "1", "wallFollower", "time", "ms", "2000.0"));
-        assertThat(out.toString())
-                .contains(
-                        "20 loops of each service, in simulated time with a cycle of 100 ms",
-                        "holds           3.4, Figure 15: \"The total time taken is equal to a sum",
-                        "DOES NOT HOLD   4: \"Space Wanderer service takes very less time",
-                        "below it with a new connection for each service");
         for (int figure : new int[] {15, 18, 21, 22, 23}) {
-            assertThat(csv.resolveSibling("evaluation-" + figure + ".svg")).isNotEmptyFile();
-            assertThat(csv.resolveSibling("evaluation-" + figure + ".png")).isNotEmptyFile();
+            assertWritten("first/evaluation-" + figure + ".svg", "first/evaluation-" + figure + ".png");
         }
-        assertThat(decidedByTheSeed(small("second"))).isEqualTo(decidedByTheSeed(csv));
+        small("second");
+        assertThat(decidedByTheSeed("second")).isEqualTo(decided);
     }
 
     @Test
     void realTime_isMeasuredOverTcp_byTheClockOnTheWall() throws IOException {
-        assertThat(evaluate(
-                        "--realtime",
-                        "--loops",
-                        "8",
-                        "--modes",
-                        "promise,sync",
-                        "--cores",
-                        "2",
-                        "--warm-up",
-                        "0",
-                        "--seconds",
-                        "0.5",
-                        "--out",
-                        directory.toString()))
-                .as(out.toString())
-                .isZero();
-        assertThat(out.toString()).contains("8 loops of each service, over TCP, in real time");
-        var times = rows(directory.resolve("evaluation.csv")).stream()
+        assertThat(printed(EVALUATE
+                        + "--realtime --loops 8 --modes promise,sync --cores 2 --warm-up 0 --seconds 0.5 --out DIR"))
+                .contains("8 loops of each service, over TCP, in real time");
+        var times = rows("").stream()
                 .filter(row -> row[0].equals("loops") && row[5].equals("time"))
                 .toList();
         assertThat(times)
@@ -142,56 +115,307 @@ class EvaluateCommandTest {
     @Test
     void runWithoutAChangeOfState_saysSo_andWhatCannotBeWrittenCostsNoResult() throws IOException {
         Files.createDirectories(directory.resolve("evaluation.csv")); // a directory in place of the file
-        assertThat(evaluate(
-                        "--loops",
-                        "4",
-                        "--modes",
-                        "promise",
-                        "--cores",
-                        "1",
-                        "--repetitions",
-                        "1",
-                        "--warm-up",
-                        "0",
-                        "--seconds",
-                        "0.5",
-                        "--out",
-                        directory.toString()))
-                .isEqualTo(1);
+        String promise = "--loops 4 --modes promise --cores 1 --repetitions 1 --warm-up 0 --seconds 0.5 --out DIR";
+        assertThat(troupe(EVALUATE + promise)).isEqualTo(1);
         assertThat(out.toString())
-                .contains("0 changes, 0 messages\n", "The paper, and what we find", "no state has changed")
-                .contains("evaluation.csv");
-        assertThat(directory.resolve("evaluation.log")).doesNotExist();
+                .contains("0 changes, 0 messages\n", "The paper, and what we find", "no state has changed");
+        assertThat(err.toString()).contains("evaluation.csv");
+        assertMissing("evaluation.log");
     }
 
     @Test
-    void directoryThatIsNone_isRefusedBeforeAnythingIsMeasured() throws IOException {
-        Path file = Files.createFile(directory.resolve("file"));
-        assertThat(evaluate("--out", file.toString())).isEqualTo(2);
-        Path taken = Files.createDirectories(directory.resolve("taken"));
-        Files.createDirectories(taken.resolve("evaluation.log"));
-        assertThat(evaluate("--out", taken.toString())).isEqualTo(2);
-        assertThat(out.toString())
-                .contains(
-                        "--out is " + file + ", but " + file + " is a file, expected a directory",
-                        "--out " + taken + " is no directory that can be written to");
+    void wrongNumbersAndDirectories_areRefusedBeforeAnythingIsMeasured() throws IOException {
+        assertRefused(EVALUATE + "--loops 1", "--loops is 1, expected a number from 2 to 1000000");
+        assertRefused(EVALUATE + "--cores 2,0", "--cores is 0, expected numbers from 1 to 64");
+        assertRefused(EVALUATE + "--repetitions 0", "--repetitions is 0, expected");
+        assertRefused(EVALUATE + "--seconds -1", "--seconds is -1.0, expected");
+        assertRefused(EVALUATE + "--warm-up -1", "--warm-up is -1, expected");
+        assertRefused(EVALUATE + "--modes both", "both");
+
+        file("file", "");
+        assertRefused(EVALUATE + "--out DIR/file", "--out is DIR/file, but DIR/file is a file, expected a directory");
+        Files.createDirectories(directory.resolve("taken/evaluation.log"));
+        assertRefused(EVALUATE + "--out DIR/taken", "--out DIR/taken is no directory that can be written to");
+    }
+
+    // ---- the JVMs that measure
+
+    private static final Job ALONE = new Job(Kind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 6665);
+    private static final Job LOOPS = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
+
+    private MeasuringProcess start(int cores, Path world) throws IOException {
+        return MeasuringProcess.start(cores, world, directory.resolve("log"));
     }
 
     @Test
-    void wrongNumbers_areRefused() {
-        assertThat(evaluate("--loops", "1")).isEqualTo(2);
-        assertThat(evaluate("--cores", "2,0")).isEqualTo(2);
-        assertThat(evaluate("--repetitions", "0")).isEqualTo(2);
-        assertThat(evaluate("--seconds", "-1")).isEqualTo(2);
-        assertThat(evaluate("--warm-up", "-1")).isEqualTo(2);
-        assertThat(evaluate("--modes", "both")).isEqualTo(2);
-        assertThat(out.toString())
-                .contains(
-                        "--loops is 1, expected a number from 2 to 1000000",
-                        "--cores is 0, expected numbers from 1 to 64",
-                        "--repetitions is 0, expected",
-                        "--seconds is -1.0, expected",
-                        "--warm-up is -1, expected",
-                        "both");
+    void jobAndValue_areReadAsTheyAreWritten() {
+        assertThat(Job.parse(ALONE.line())).isEqualTo(ALONE);
+        var value = new Job.Result.Value("both", Quantity.DELAY_P99, 0.1);
+        assertThat(Job.Result.Value.parse(value.line())).isEqualTo(value);
+        assertThatThrownBy(() -> Job.parse("ALONE SYNC")).hasMessageContaining("a job of 2 fields, expected 7");
+    }
+
+    @Test
+    void jobThatFails_isToldWithItsReason_andTheNextOneIsDone() throws IOException {
+        try (var process = start(2, PAPER_ARENA)) {
+            var nobodyThere = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 1);
+            assertThatThrownBy(() -> process.measure(nobodyThere))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContainingAll("promise mode, loops: ", "127.0.0.1:1 cannot be reached");
+            assertThat(process.measure(LOOPS).values()).contains(new Job.Result.Value("both", Quantity.TIME, 200));
+        }
+    }
+
+    /** Two values, of which at most one is the number of processors of this machine. */
+    @ParameterizedTest
+    @ValueSource(ints = {1, 5})
+    void jvmThatMeasures_hasAsManyProcessorsAsItIsTold(int cores) throws IOException {
+        try (var process = start(cores, PAPER_ARENA)) {
+            assertThat(process.measure(LOOPS).values()).isNotEmpty(); // rejected if the JVM reports another number
+        }
+    }
+
+    @Test
+    void jvmThatEnds_isToldWithItsStatus() throws IOException {
+        try (var process = start(2, directory.resolve("no.world"))) {
+            assertThatThrownBy(() -> process.measure(LOOPS))
+                    .isInstanceOf(IOException.class)
+                    .hasMessageContaining("the JVM that measures (told 2 cores) has ended: exit status 1, see "
+                            + directory.resolve("log"));
+        }
+    }
+
+    // ---- their world
+
+    private static final PaperWorld WORLD = PaperWorld.read(PAPER_ARENA);
+    private static final double WORLD_SECONDS = 0.5;
+    private static final int HEADER_BYTES = 40;
+    private static final int ACCESS = 3;
+    private static final int NEXT_DATA = 4;
+    private static final int DATA_MODE = 5;
+    private static final int PULL = 2;
+
+    private static String robots(long seed) {
+        try (var simulation = Simulation.open(WORLD.scenario(), PaperWorld.settings(seed))) {
+            return simulation.tick().robots().toString();
+        }
+    }
+
+    @Test
+    void seed_movesTheStartPoses() {
+        assertThat(robots(1)).isEqualTo(robots(1)).isNotEqualTo(robots(2));
+    }
+
+    /** A request to the Player device, encoded as in Player's clients. */
+    private static byte[] request(int subtype, int... payload) {
+        int bytes = Integer.BYTES * payload.length;
+        // host, robot, interface, index, message type, subtype, time (two words), sequence number, length
+        var header = IntStream.of(0, 0, 1, 0, 3, subtype, 0, 0, 0, bytes);
+        var request = ByteBuffer.allocate(HEADER_BYTES + bytes);
+        IntStream.concat(header, IntStream.of(payload)).forEach(request::putInt);
+        return request.array();
+    }
+
+    @Test
+    void clientThatNeverAnswers_isGreetedAsByPlayer_andTheWorldGoesOnInRealTime() throws Exception {
+        var passed = new CountDownLatch(1);
+        try (var server = WORLD.serve(1, seconds -> {
+                    if (seconds >= WORLD_SECONDS) {
+                        passed.countDown();
+                    }
+                });
+                var client = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
+            client.setSoTimeout(30_000);
+            String banner = new String(client.getInputStream().readNBytes(32), StandardCharsets.US_ASCII);
+            assertThat(banner).hasSize(32).startsWith("Player v.").endsWith("\0");
+            long beganNanos = System.nanoTime();
+            var out = client.getOutputStream();
+            out.write(request(DATA_MODE, PULL)); // in lock step the world would wait for such a client
+            out.write(request(ACCESS, 0, 0, 4, 0, 1, 0, 0)); // opens position2d:0
+            out.write(request(NEXT_DATA)); // only once
+            assertThat(passed.await(40, TimeUnit.SECONDS))
+                    .as("the world has gone on to %s s without an answer", WORLD_SECONDS)
+                    .isTrue();
+            assertThat((System.nanoTime() - beganNanos) / 1e9)
+                    .as("seconds on the wall, not fewer than in the world")
+                    .isGreaterThanOrEqualTo(WORLD_SECONDS);
+        }
+    }
+
+    // ---- the progress
+
+    private final ByteArrayOutputStream terminal = new ByteArrayOutputStream();
+    private final ManualClock clock = new ManualClock();
+    private final PrintStream stream = new PrintStream(terminal, true, StandardCharsets.UTF_8);
+    private final EvaluationProgress progress = new EvaluationProgress(ProgressLine.on(stream, clock::nanos), clock);
+
+    /** The output since the previous call. */
+    private String shown() {
+        String text = terminal.toString(StandardCharsets.UTF_8);
+        terminal.reset();
+        return text.replace("\r", "").replace("\033[K", "");
+    }
+
+    private static String bar(int full) {
+        return "[" + "#".repeat(full) + ".".repeat(30 - full) + "]";
+    }
+
+    @Test
+    void progress_isTheShareOfWhatIsExpected_andTheTimeLeftFollowsFromIt() {
+        progress.expect(200);
+        progress.warmsUp(2);
+        assertThat(shown()).isEqualTo(bar(0) + "   0 %  warming up, told 2 cores"); // too early for an estimate
+        clock.advance(Duration.ofSeconds(10));
+        progress.ended(50);
+        progress.begins(ALONE, 1);
+        String doing = ALONE.title() + ", told " + "1 core";
+        assertThat(shown()).isEqualTo(bar(7) + "  25 %, 30 s left  " + doing);
+        clock.advance(Duration.ofSeconds(10));
+        progress.within(50);
+        assertThat(shown()).isEqualTo(bar(15) + "  50 %, 20 s left  " + doing);
+        progress.ended(100); // includes the progress reported during the job
+        clock.advance(Duration.ofSeconds(1)); // a terminal is updated only a few times a second
+        progress.begins(ALONE, 1);
+        assertThat(shown()).isEqualTo(bar(22) + "  75 %, 7 s left  " + doing);
+    }
+
+    @Test
+    void moreThanWasExpected_isAll_andCloseWipesTheLine() {
+        progress.expect(10);
+        progress.ended(9);
+        progress.within(5);
+        assertThat(shown()).startsWith(bar(30) + " 100 %, 0 s left");
+        progress.ended(5);
+        progress.begins(ALONE, 3);
+        assertThat(shown()).startsWith(bar(30) + " 100 %, 0 s left").endsWith("told 3 cores");
+
+        progress.close();
+        assertThat(terminal.toString(StandardCharsets.UTF_8)).isEqualTo("\r\033[K");
+    }
+
+    // ---- measuring: computing takes no time, and each command takes effect for 100 ms
+
+    private static final int FOLLOWER = 0;
+    private static final int WANDERER = 1;
+    private static final State STATE = JobRunner.oneState().first();
+
+    private long millis;
+
+    private final Meter.RobotClock time = new Meter.RobotClock() {
+        @Override
+        public long nanos() {
+            return millis * 1_000_000;
+        }
+
+        @Override
+        public long endOfCycleNanos() {
+            return (millis + 100) * 1_000_000;
+        }
+    };
+
+    /** Creates the meter at 0 s; the first robot connects after 5 s, the second after 7 s. */
+    private LoopMeter connected(Mode mode, int loops) {
+        var meter = new LoopMeter(mode, STATE, loops, time);
+        millis = 5000;
+        meter.serviceStarted(FOLLOWER, STATE.services().get(FOLLOWER));
+        millis = 7000;
+        meter.serviceStarted(WANDERER, STATE.services().get(WANDERER));
+        return meter;
+    }
+
+    private void cycles(LoopMeter meter, int robot, long... atMillis) {
+        for (long at : atMillis) {
+            millis = at;
+            meter.cycleStarted(robot, STATE.services().get(robot));
+            meter.cycleEnded(robot, STATE.services().get(robot));
+        }
+    }
+
+    private static double value(LoopMeter meter, String subject, Quantity quantity) {
+        return meter.result().values().stream()
+                .filter(each -> each.subject().equals(subject) && each.quantity() == quantity)
+                .mapToDouble(Job.Result.Value::value)
+                .sum();
+    }
+
+    private static void assertTimesMs(LoopMeter meter, double follower, double wanderer, double both) {
+        assertThat(value(meter, Measurement.FOLLOWER, Quantity.TIME)).isEqualTo(follower);
+        assertThat(value(meter, Measurement.WANDERER, Quantity.TIME)).isEqualTo(wanderer);
+        assertThat(value(meter, Measurement.BOTH, Quantity.TIME)).isEqualTo(both);
+    }
+
+    private static double intervalMs(LoopMeter meter, int robot) {
+        return value(meter, STATE.services().get(robot).name(), Quantity.INTERVAL);
+    }
+
+    @Test
+    void connecting_isNotCounted_butWaitingForTheFirstReadingIs() {
+        LoopMeter meter = connected(Mode.PROMISE, 3);
+        for (long at : new long[] {7030, 7130, 7230}) {
+            cycles(meter, FOLLOWER, at);
+            cycles(meter, WANDERER, at);
+        }
+        assertTimesMs(meter, 330, 330, 330); // from 7 s to 7.33 s
+    }
+
+    @Test
+    void servicesInTurn_shareTheTime_eachFromTheEndOfTheOthersLoop() {
+        LoopMeter meter = connected(Mode.SYNC, 3);
+        for (long at : new long[] {7030, 7230, 7430}) {
+            cycles(meter, FOLLOWER, at);
+            cycles(meter, WANDERER, at + 100);
+        }
+        assertTimesMs(meter, 330, 300, 630); // the sum, as in the paper
+        assertThat(intervalMs(meter, FOLLOWER)).isEqualTo(200);
+        assertThat(intervalMs(meter, WANDERER)).isEqualTo(200);
+    }
+
+    @Test
+    void interval_isThatOfOneServicesCycles_withTheMiddleAndTheLongest() {
+        LoopMeter meter = connected(Mode.CALLBACK, 4);
+        cycles(meter, FOLLOWER, 7000, 7100, 7200, 7500);
+        cycles(meter, WANDERER, 7500, 7550, 7600, 7650);
+        assertThat(intervalMs(meter, FOLLOWER)).isEqualTo(100);
+        // of 100, 100 and 300 ms, interpolated between the two longest
+        assertThat(value(meter, "wallFollower", Quantity.INTERVAL_P99)).isCloseTo(296, within(1e-9));
+        assertThat(intervalMs(meter, WANDERER)).isEqualTo(50);
+    }
+
+    @Test
+    void measurement_isDoneWhenBothServicesAre_andFurtherLoopsOfTheFasterOneAreNotCounted() {
+        LoopMeter meter = connected(Mode.PROMISE, 2);
+        cycles(meter, FOLLOWER, 7000, 7100, 7900, 8000);
+        assertThat(meter.isDone()).isFalse();
+        cycles(meter, WANDERER, 8000);
+        assertThat(meter.isDone()).isFalse();
+        cycles(meter, WANDERER, 8100);
+        assertThat(meter.isDone()).isTrue();
+        cycles(meter, WANDERER, 9000);
+        assertTimesMs(meter, 200, 1200, 1200);
+        assertThat(intervalMs(meter, FOLLOWER)).isEqualTo(100);
+    }
+
+    @Test
+    void trimmedMean_leavesOutTheLongestHundredth_ofFewNothing() {
+        var many = new Meter.Durations();
+        for (int i = 0; i < 198; i++) {
+            many.add(i % 2 == 0 ? 1_000 : 3_000);
+        }
+        many.add(1_000_000);
+        many.add(2_000_000);
+        assertThat(many.trimmedMean(1_000)).isEqualTo(2);
+        assertThat(many.quantile(0.5, 1_000)).isEqualTo(3);
+        var few = new Meter.Durations();
+        few.add(1);
+        few.add(6);
+        assertThat(few.trimmedMean(1)).isEqualTo(3.5);
+    }
+
+    @Test
+    void ratios_areOfTheSameRepetition() {
+        assertThat(Measurements.ratios(new double[] {2, 9}, new double[] {1, 3}))
+                .containsExactly(2, 3);
+        assertThatThrownBy(() -> Measurements.ratios(new double[2], new double[1]))
+                .hasMessage("2 numerators, expected 1 as there are denominators");
     }
 }

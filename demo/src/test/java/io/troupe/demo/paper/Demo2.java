@@ -60,46 +60,30 @@ public class Demo2 extends Actor {
 
             atomicRefSW1.set(1);
             atomicRefBF1.set(1);
-            robot1.spaceWanderer(
-                    (ch, err) -> {
-                        if (failed(err) || color2 != 16711680) {
-                            return;
-                        }
-                        if (ch != 16711680 && ch != 16753920) {
-                            color2 = (int) ch;
-                            printed.add("received color " + color2);
-                            atomicRefWF2.set(0);
-                            atomicRefSW1.set(0);
-                            atomicRefBF1.set(0);
-                            stopAll().thenRun(() -> ((Demo2) self()).live());
-                        }
-                    },
-                    0,
-                    atomicRefSW1,
-                    atomicRefBF1);
+            var references = List.of(atomicRefWF2, atomicRefSW1, atomicRefBF1);
+            robot1.spaceWanderer((ch, err) -> leave(16711680, ch, err, references), 0, atomicRefSW1, atomicRefBF1);
             robot2.wallFollower(1, atomicRefWF2);
         } else if (color2 == 65280) {
             printed.add("State 3");
             atomicRefSW1.set(1);
             atomicRefBF1.set(1);
-            robot1.spaceWanderer(this::leaveState3, 0, atomicRefSW1, atomicRefBF1);
             atomicRefSW2.set(1);
             atomicRefBF2.set(1);
-            robot2.spaceWanderer(this::leaveState3, 1, atomicRefSW2, atomicRefBF2);
+            var references = List.of(atomicRefSW1, atomicRefBF1, atomicRefSW2, atomicRefBF2);
+            robot1.spaceWanderer((ch, err) -> leave(65280, ch, err, references), 0, atomicRefSW1, atomicRefBF1);
+            robot2.spaceWanderer((ch, err) -> leave(65280, ch, err, references), 1, atomicRefSW2, atomicRefBF2);
         }
     }
 
-    private void leaveState3(Integer ch, Throwable err) {
-        if (failed(err) || color2 != 65280) {
+    /** States 2 and 3 end as state 1 does. */
+    private void leave(int state, Integer ch, Throwable err, List<AtomicReference<Integer>> references) {
+        if (failed(err) || color2 != state) {
             return;
         }
-        if (ch != 65280 && ch != 16753920) {
+        if (ch != state && ch != 16753920) {
             color2 = (int) ch;
             printed.add("received color " + color2);
-            atomicRefSW1.set(0);
-            atomicRefBF1.set(0);
-            atomicRefSW2.set(0);
-            atomicRefBF2.set(0);
+            references.forEach(reference -> reference.set(0));
             stopAll().thenRun(() -> ((Demo2) self()).live());
         }
     }

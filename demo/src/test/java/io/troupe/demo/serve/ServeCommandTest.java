@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
 import io.troupe.common.measure.ProgressLine;
+import io.troupe.demo.CommandLineBench;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
 import io.troupe.player.structures.PlayerConstants;
@@ -14,46 +15,46 @@ import io.troupe.sim.SnapshotHash;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.ScenarioReader;
-import java.io.PrintWriter;
-import java.io.StringWriter;
+import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.io.Writer;
 import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Queue;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicReference;
-import org.jspecify.annotations.Nullable;
+import java.util.concurrent.ExecutorService;
+import java.util.concurrent.Executors;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
 
+/** {@code troupe serve} and {@code troupe replay}. */
 @Tag("threads")
 @Timeout(60)
-class ServeCommandTest {
-    private static final Path WORLDS = Path.of("worlds");
+class ServeCommandTest extends CommandLineBench {
+    private final ExecutorService threads = Executors.newCachedThreadPool();
 
-    @TempDir
-    private Path directory;
-
-    private final StringWriter out = new StringWriter();
-
-    private int serve(String... arguments) {
-        return execute(new ServeCommand(), arguments);
+    @AfterEach
+    void endThreads() {
+        threads.close();
     }
 
-    private int execute(Object command, String... arguments) {
-        return new CommandLine(command)
-                .setOut(new PrintWriter(out))
-                .setErr(new PrintWriter(out))
-                .setExecutionExceptionHandler((thrown, line, parsed) -> {
-                    out.write(thrown.getMessage());
-                    return 1;
-                })
-                .execute(arguments);
+    private static Scenario scenario(String name) {
+        return ScenarioReader.read(Path.of("worlds", name));
+    }
+
+    private static InetAddress address() throws IOException {
+        return InetAddress.getByName("127.0.0.2");
+    }
+
+    private static Serving open(String world, boolean lockStep) throws IOException {
+        return Serving.open(scenario(world), WorldSettings.DEFAULT, address(), 0, lockStep);
     }
 
     /** A client on TCP: for {@code localhost} it would find the world in the same process, without a socket. */
@@ -61,66 +62,42 @@ class ServeCommandTest {
         return new PlayerClient("127.0.0.2", serving.ports().getFirst());
     }
 
+    private static PlayerClient pullingClient(Serving serving) {
+        var robot = client(serving);
+        robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
+        return robot;
+    }
+
+    /** Runs the server until all its clients, each on a separate thread, have ended. */
+    private void serve(Serving serving, Pace pace, Runnable... clients) throws InterruptedException {
+        var ended = CompletableFuture.allOf(Stream.of(clients)
+                .map(client -> CompletableFuture.runAsync(client, threads))
+                .toArray(CompletableFuture<?>[]::new));
+        var stopped = ended.whenComplete((done, failure) -> serving.stop());
+        serving.run(pace, clients.length, Long.MAX_VALUE, ProgressLine.hidden());
+        stopped.join();
+    }
+
     @Test
     void push_client_drivesAndTheRecordingReplays() throws Exception {
-        Scenario scenario = ScenarioReader.read(WORLDS.resolve("paper-arena.cfg"));
         Path file = directory.resolve("session.txt");
-        var failure = new AtomicReference<@Nullable Throwable>();
-        try (var serving =
-                Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, false)) {
+        try (var serving = open("paper-arena.cfg", false)) {
             serving.record(file);
-            Thread driver = Thread.ofPlatform().start(() -> {
-                try {
-                    drive(serving);
-                } catch (Throwable thrown) {
-                    failure.set(thrown);
-                } finally {
-                    serving.stop();
-                }
-            });
-            serving.run(new Pace.RealTime(50), 1, Long.MAX_VALUE, ProgressLine.hidden());
-            driver.join();
+            serve(serving, new Pace.RealTime(50), () -> drive(serving));
         }
-        assertThat(failure.get()).isNull();
 
         try (var reader = Files.newBufferedReader(file)) {
             Replay replay = Replay.read(reader);
-            var hash = new SnapshotHash();
-            replay.play(scenario.world(), hash::update);
+            replay.play(scenario("paper-arena.cfg").world(), new SnapshotHash()::update);
             assertThat(replay.ticks())
-                    .as(
-                            "ticks recorded while the client had 20 readings, the first of which may be older than the recording")
+                    .as("ticks recorded while the client had 20 readings, the first of which may be older than the"
+                            + " recording")
                     .isGreaterThanOrEqualTo(19);
         }
-        assertThat(Files.readString(file)).contains(" velocity 0 0.3 0.0");
-
-        assertThat(replay(
-                        file.toString(),
-                        "--world",
-                        WORLDS.resolve("paper-arena.cfg").toString()))
-                .isZero();
-        assertThat(out.toString()).contains("the same bit for bit", "robot1: ", " contacts");
-        assertThat(replay(
-                        file.toString(), "--world", WORLDS.resolve("office.cfg").toString()))
-                .isEqualTo(1);
-        assertThat(out.toString()).contains("made in another world");
-    }
-
-    @Test
-    void fileThatIsNoRecording_isStatus2() throws Exception {
-        Path file = directory.resolve("session.txt");
-        String world = WORLDS.resolve("paper-arena.cfg").toString();
-        Files.writeString(file, "troupe-recording 1\nworld x\nsettings y\n");
-        assertThat(replay(file.toString(), "--world", world)).isEqualTo(2);
-        assertThat(out.toString()).contains(file + ": line 3 of the recording: settings 'y'");
-
-        Files.write(file, new byte[] {(byte) 0xFF, (byte) 0xFE});
-        assertThat(replay(file.toString(), "--world", world)).isEqualTo(2);
-        assertThat(out.toString()).contains(file + " is not a recording: it is not text");
-    }
-
-    private int replay(String... arguments) {
-        return execute(new ReplayCommand(), arguments);
+        assertThat(written("session.txt")).contains(" velocity 0 0.3 0.0");
+        assertThat(printed("replay DIR/session.txt --world worlds/paper-arena.cfg"))
+                .contains("the same bit for bit", "robot1: ", " contacts");
+        assertFails(1, "replay DIR/session.txt --world worlds/office.cfg", "made in another world");
     }
 
     private static void drive(Serving serving) {
@@ -137,92 +114,87 @@ class ServeCommandTest {
     }
 
     @Test
-    void lockStep_pullClientsAreWaitedFor_andTimeEndsTheServer() throws Exception {
-        Scenario scenario = ScenarioReader.read(WORLDS.resolve("track.cfg"));
-        var seen = new AtomicReference<Double>();
-        try (var serving = Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, true)) {
-            Thread driver = Thread.ofPlatform().start(() -> {
-                var robot = client(serving);
-                robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
-                var wheels = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
-                for (int cycle = 0; cycle < 100; cycle++) {
+    void fileThatIsNoRecording_isStatus2() throws IOException {
+        Path file = file("session.txt", "troupe-recording 1\nworld x\nsettings y\n");
+        String replay = "replay DIR/session.txt --world worlds/paper-arena.cfg";
+        assertRefused(replay, "DIR/session.txt: line 3 of the recording: settings 'y'");
+
+        Files.write(file, new byte[] {(byte) 0xFF, (byte) 0xFE});
+        assertRefused(replay, "DIR/session.txt is not a recording: it is not text");
+    }
+
+    /** Returns the times of the last readings of clients that read so often. */
+    private ConcurrentLinkedQueue<Double> timesOfPullingClients(String world, int clients, int readings)
+            throws Exception {
+        var seen = new ConcurrentLinkedQueue<Double>();
+        try (var serving = open(world, true)) {
+            var pulling = IntStream.range(0, clients).<Runnable>mapToObj(index -> () -> {
+                var robot = pullingClient(serving);
+                var wheels = robot.requestInterfacePosition2D(index, PlayerConstants.PLAYER_OPEN_MODE);
+                for (int cycle = 0; cycle < readings; cycle++) {
                     robot.readAll();
                 }
-                seen.set(wheels.getTimestamp());
+                seen.add(wheels.getTimestamp());
                 robot.close();
-                serving.stop();
             });
-            serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, ProgressLine.hidden());
-            driver.join();
+            serve(serving, new Pace.OfAnswers(), pulling.toArray(Runnable[]::new));
         }
-        assertThat(seen.get()).isEqualTo(9.9); // one frame per readAll, the first at time 0
+        return seen;
     }
 
     @Test
-    void clients_timeBeginsWhenAllHaveBegun() throws Exception {
-        Scenario scenario = ScenarioReader.read(WORLDS.resolve("paper-arena.cfg"));
-        var seen = new ConcurrentLinkedQueue<Double>();
-        try (var serving = Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, true)) {
-            var reading = new AtomicInteger(2);
-            for (int robot = 0; robot < 2; robot++) {
-                int index = robot;
-                Thread.ofPlatform().start(() -> {
-                    try {
-                        readOnce(serving, index, seen);
-                    } finally {
-                        if (reading.decrementAndGet() == 0) {
-                            serving.stop();
-                        }
-                    }
-                });
-            }
-            serving.run(new Pace.OfAnswers(), 2, Long.MAX_VALUE, ProgressLine.hidden());
-        }
-        assertThat(seen).containsExactly(0.0, 0.0);
-    }
-
-    private static void readOnce(Serving serving, int robotIndex, Queue<Double> seenSeconds) {
-        var robot = client(serving);
-        robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
-        var wheels = robot.requestInterfacePosition2D(robotIndex, PlayerConstants.PLAYER_OPEN_MODE);
-        robot.readAll();
-        seenSeconds.add(wheels.getTimestamp());
-        robot.close();
+    void lockStep_pullClientsAreWaitedFor_andTimeBeginsWhenAllHaveBegun() throws Exception {
+        assertThat(timesOfPullingClients("track.cfg", 1, 100))
+                .as("one frame per readAll, the first at time 0")
+                .containsExactly(9.9);
+        assertThat(timesOfPullingClients("paper-arena.cfg", 2, 1)).containsExactly(0.0, 0.0);
     }
 
     @Test
-    void recordingThatCannotBeWritten_endsTheServer_andNamesTheFile() throws Exception {
+    void recordingThatCannotBeWritten_endsTheServer_andNamesTheFile() throws IOException {
         Path full = Path.of("/dev/full");
         assumeThat(full).exists();
-        Scenario scenario = ScenarioReader.read(WORLDS.resolve("track.cfg"));
-        var serving = Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, true);
-        serving.record(full);
-        Thread driver = Thread.ofPlatform().daemon().start(() -> {
-            var robot = client(serving);
-            robot.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
-            var wheels = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
-            try {
-                for (int cycle = 0; ; cycle++) {
-                    robot.readAll();
-                    wheels.setSpeed(0.01 * (cycle % 7), 0);
+        try (var serving = open("track.cfg", true)) {
+            serving.record(full);
+            Runnable driver = () -> {
+                var robot = pullingClient(serving);
+                var wheels = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+                try {
+                    for (int cycle = 0; ; cycle++) {
+                        robot.readAll();
+                        wheels.setSpeed(0.01 * (cycle % 7), 0);
+                    }
+                } catch (PlayerException serverHasGone) {
+                    // expected
                 }
-            } catch (PlayerException serverHasGone) {
-                // expected
-            }
-        });
-        try (serving) {
-            assertThatThrownBy(() -> serving.run(new Pace.OfAnswers(), 1, Long.MAX_VALUE, ProgressLine.hidden()))
+            };
+            assertThatThrownBy(() -> serve(serving, new Pace.OfAnswers(), driver))
                     .isInstanceOf(UncheckedIOException.class)
                     .hasMessageContaining("/dev/full: ");
         }
-        driver.join();
     }
 
     @Test
-    void maxClients_moreAreDisconnected() throws Exception {
-        Scenario scenario = ScenarioReader.read(WORLDS.resolve("track.cfg"));
-        try (var serving =
-                Serving.open(scenario, WorldSettings.DEFAULT, InetAddress.getByName("127.0.0.2"), 0, true, 1)) {
+    void wrongNumbers_areRefusedInOneLine() {
+        assertRefused("serve --max-clients -1", "--max-clients is -1, expected a number of at least 0");
+        assertRefused("serve --speed 0", "--speed is 0.0, expected a number above 0");
+        assertRefused("serve --crowd 0", "--crowd is 0, expected a number from 1 to 20000");
+        assertRefused("serve --clients 0", "--clients is 0, expected a number of at least 1");
+        assertRefused("serve --port 70000", "--port is 70000, expected a number from 0 to 65535");
+        assertRefused("serve --realtime --speed 2", "--realtime, --speed");
+        assertThat(troupe("serve --bind", "no such host!")).isEqualTo(2);
+        assertThat(err.toString()).contains("--bind is no such host!, expected an address of this machine");
+    }
+
+    @Test
+    void portInUse_isSaid_andMoreThanTheMostClientsAreDisconnected() throws IOException {
+        try (var taken = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
+            assertThat(troupe("serve --world worlds/track.cfg --port " + taken.getLocalPort()))
+                    .isEqualTo(1);
+            assertThat(err.toString()).contains("cannot listen on", "" + taken.getLocalPort());
+        }
+
+        try (var serving = Serving.open(scenario("track.cfg"), WorldSettings.DEFAULT, address(), 0, true, 1)) {
             var first = client(serving);
             assertThatThrownBy(() -> client(serving))
                     .isInstanceOf(PlayerException.class)
@@ -232,29 +204,35 @@ class ServeCommandTest {
         }
     }
 
-    @Test
-    void wrongNumbers_areRefusedInOneLine() {
-        assertThat(serve("--max-clients", "-1")).isEqualTo(2);
-        assertThat(out.toString()).contains("--max-clients is -1, expected a number of at least 0");
-        assertThat(serve("--speed", "0")).isEqualTo(2);
-        assertThat(out.toString()).contains("--speed is 0.0, expected a number above 0");
-        assertThat(serve("--crowd", "0")).isEqualTo(2);
-        assertThat(out.toString()).contains("--crowd is 0, expected a number from 1 to 20000");
-        assertThat(serve("--clients", "0")).isEqualTo(2);
-        assertThat(out.toString()).contains("--clients is 0, expected a number of at least 1");
-        assertThat(serve("--port", "70000")).isEqualTo(2);
-        assertThat(out.toString()).contains("--port is 70000, expected a number from 0 to 65535");
-        assertThat(serve("--bind", "no such host!")).isEqualTo(2);
-        assertThat(out.toString()).contains("--bind is no such host!, expected an address of this machine");
-        assertThat(serve("--realtime", "--speed", "2")).isEqualTo(2);
+    private static final class FullDisk extends Writer {
+        @Override
+        public void write(char[] text, int offset, int length) throws IOException {
+            throw new IOException("no space left");
+        }
+
+        @Override
+        public void flush() throws IOException {
+            write(new char[0], 0, 0);
+        }
+
+        @Override
+        public void close() throws IOException {
+            flush();
+        }
     }
 
     @Test
-    void portInUse_isSaid() throws Exception {
-        try (var taken = new java.net.ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
-            assertThat(serve("--world", WORLDS.resolve("track.cfg").toString(), "--port", "" + taken.getLocalPort()))
-                    .isEqualTo(1);
-            assertThat(out.toString()).contains("cannot listen on", "" + taken.getLocalPort());
-        }
+    @SuppressWarnings("resource") // closing it fails
+    void everyFailureOfARecording_namesTheFile() {
+        var writer = new Serving.NamedWriter(Path.of("worlds", "run.jsonl"), new FullDisk());
+        assertThat(Stream.<ThrowingCallable>of(
+                        () -> writer.append("text"),
+                        () -> writer.write("text".toCharArray()),
+                        () -> writer.write('t'),
+                        writer::flush,
+                        writer::close))
+                .allSatisfy(action -> assertThatThrownBy(action)
+                        .isInstanceOf(IOException.class)
+                        .hasMessage(Path.of("worlds", "run.jsonl") + ": no space left"));
     }
 }

@@ -2,63 +2,53 @@ package io.troupe.demo.verify;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.demo.CommandLineBench;
+import io.troupe.demo.verify.ReadingStudy.Statement;
+import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.PetriNet;
+import io.troupe.petri.PetriNetBuilder;
 import io.troupe.petri.Pnml;
+import io.troupe.petri.Verdict;
+import io.troupe.petri.wiring.WiringCheck;
+import io.troupe.petri.wiring.WiringResult;
 import java.io.IOException;
-import java.io.PrintWriter;
-import java.io.StringWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
-import picocli.CommandLine;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-class VerifyCommandTest {
-    @TempDir
-    private Path directory;
-
-    private final StringWriter out = new StringWriter();
-
-    private int verify(String... arguments) {
-        return new CommandLine(new VerifyCommand())
-                .setOut(new PrintWriter(out))
-                .setErr(new PrintWriter(out))
-                .execute(arguments);
+/** {@code troupe verify}, every statement of section 5 with our numbers, and our wiring. */
+class VerifyCommandTest extends CommandLineBench {
+    private PetriNet net(String name) {
+        return Pnml.read(directory.resolve(name + ".pnml"));
     }
 
     @Test
     void verify_printsBothSidesAndWritesNetsDrawingsAndReport() throws IOException {
-        assertThat(verify("--robots", "2", "--out", directory.toString())).isZero();
-
-        assertThat(out.toString())
+        assertThat(printed("verify --robots 2 --out DIR"))
                 .contains(
                         "holds   5.5.4: there are 44 minimal siphons\n          ours: 44 minimal siphons",
                         "DIFFERS 5.5.4: there are 44 minimal siphons\n          ours: 36 minimal siphons",
                         "2 robots: 18 dead",
                         "a colour is a promise: proved free of deadlock");
         for (var reading : Reading.values()) {
-            assertThat(Pnml.read(directory.resolve("uncorrected-" + reading + ".pnml"))
-                            .sameStructureAs(PaperNets.uncorrected(reading)))
+            assertThat(net("uncorrected-" + reading).sameStructureAs(PaperNets.uncorrected(reading)))
                     .isTrue();
-            assertThat(Pnml.read(directory.resolve("corrected-" + reading + ".pnml"))
-                            .sameStructureAs(PaperNets.corrected(reading)))
+            assertThat(net("corrected-" + reading).sameStructureAs(PaperNets.corrected(reading)))
                     .isTrue();
-            assertThat(directory.resolve("deadlock-" + reading + ".svg")).isNotEmptyFile();
-            assertThat(directory.resolve("graph-uncorrected-" + reading + ".svg"))
-                    .isNotEmptyFile();
-            assertThat(directory.resolve("graph-robot-player-" + reading + ".dot"))
-                    .isNotEmptyFile();
+            assertWritten("deadlock-" + reading + ".svg", "graph-uncorrected-" + reading + ".svg");
+            assertWritten("graph-robot-player-" + reading + ".dot");
         }
         for (var name : List.of("corrected-A.svg", "graph-robot-player-A.svg")) {
             assertThat(directory.resolve(name))
                     .as("the picture in the guide")
                     .hasSameTextualContentAs(Path.of("..", "docs", "figures", name));
         }
-        assertThat(Files.readString(directory.resolve("verify.md")))
+        assertThat(written("verify.md"))
                 .contains(
                         "| minimal siphons | 44 | 48 | 36 | 48 |",
                         "| reachable markings / edges | 1264 / 3706 | 429 / 1084 | 1104 / 3236 | 363 / 913 |",
@@ -67,17 +57,16 @@ class VerifyCommandTest {
                         "service1 waits for arbitrator.colour; arbitrator waits for service1.stop");
     }
 
+    /** Returns the exit status; only what is printed now is kept. */
+    private int verify(PetriNet net, String options) {
+        out.getBuffer().setLength(0);
+        Pnml.write(net, directory.resolve("net.pnml"));
+        return troupe("verify --net DIR/net.pnml --out DIR " + options);
+    }
+
     @Test
     void verify_ofAFile_tellsWhatIsKnownOfIt() {
-        var file = directory.resolve("mine.pnml");
-        Pnml.write(PaperNets.uncorrected(Reading.A), file);
-
-        assertThat(verify(
-                        "--net",
-                        file.toString(),
-                        "--out",
-                        directory.resolve("o").toString()))
-                .isEqualTo(1);
+        assertThat(verify(PaperNets.uncorrected(Reading.A), "")).isEqualTo(1);
 
         assertThat(out.toString())
                 .startsWith("uncorrected A: can deadlock: 6 dead markings, the nearest {P1, M1, S10, R7''} after [")
@@ -85,37 +74,20 @@ class VerifyCommandTest {
                         "1264 markings, 3706 edges, all of them",
                         "dead markings: 6, the nearest {P1, M1, S10, R7''}",
                         "live NO, reversible NO",
-                        "44 minimal siphons: 20 of them may perhaps be emptied, which decides nothing by itself");
-        var o = directory.resolve("o");
-        assertThat(out.toString())
-                .endsWith("wrote, as .dot and .svg: " + o.resolve("mine") + ", " + o.resolve("mine-deadlock") + ", "
-                        + o.resolve("mine-graph") + "\n");
-        assertThat(directory.resolve("o/mine.svg")).isNotEmptyFile();
-        assertThat(directory.resolve("o/mine-deadlock.svg")).isNotEmptyFile();
-        assertThat(directory.resolve("o/mine-graph.dot")).isNotEmptyFile();
-    }
-
-    private int verify(PetriNet net, String... options) {
-        var file = directory.resolve("net.pnml");
-        Pnml.write(net, file);
-        var arguments = new ArrayList<>(List.of("--net", file.toString(), "--out", directory.toString()));
-        arguments.addAll(List.of(options));
-        return verify(arguments.toArray(String[]::new));
+                        "44 minimal siphons: 20 of them may perhaps be emptied, which decides nothing by itself")
+                .endsWith(local("wrote, as .dot and .svg: DIR/net, DIR/net-deadlock, DIR/net-graph\n"));
+        assertWritten("net.svg", "net-deadlock.svg", "net-graph.dot");
     }
 
     @Test
     void exitStatus_tellsTheVerdict() {
-        assertThat(verify(PaperNets.corrected(Reading.A))).isZero();
+        assertThat(verify(PaperNets.corrected(Reading.A), "")).isZero();
         assertThat(out.toString()).startsWith("corrected A: proved: no reachable marking is dead (");
-        assertThat(verify(PaperNets.uncorrected(Reading.A))).isEqualTo(1);
-        assertThat(verify(PaperNets.uncorrected(Reading.A), "--time", "0.000001"))
-                .isEqualTo(3);
+        assertThat(verify(PaperNets.uncorrected(Reading.A), "--time 0.000001")).isEqualTo(3);
         assertThat(out.toString())
                 .contains("uncorrected A: not known whether it can deadlock: no dead marking among 1 by stubborn sets,"
                         + " then half of the 0.000001 s was over (--time)\n");
-        out.getBuffer().setLength(0);
-        assertThat(verify("--help")).isZero();
-        assertThat(out.toString().replaceAll("\\s+", " "))
+        assertThat(printed("verify --help").replaceAll("\\s+", " "))
                 .contains(
                         "0 done; with --net: proved",
                         "1 failed; with --net: the net can deadlock",
@@ -123,36 +95,24 @@ class VerifyCommandTest {
                         "3 with --net: not known");
     }
 
-    /** The net has a weight of 2, so that siphons decide nothing. */
     @Test
-    void netWithoutBounds_isNotKnownOnceTheMemoryIsUsedUp() {
-        var net = PetriNet.builder("growing").place("a", 2).place("many").transition("t");
-        net.arc("a", "t", 2).arc("t", "a", 2).arc("t", "many");
-
-        assertThat(verify(net.build(), "--memory", "1")).isEqualTo(3);
+    void netWithoutBounds_isNotKnownOnceTheMemoryIsUsedUp_unlessSiphonsDecideOrItCanDeadlock() {
+        var weighted = PetriNet.builder("growing").place("a", 2).place("many").transition("t");
+        weighted.arc("a", "t", 2).arc("t", "a", 2).arc("t", "many"); // a weight of 2, so that siphons decide nothing
+        assertThat(verify(weighted.build(), "--memory 1")).isEqualTo(3);
         assertThat(out.toString())
-                .contains(
-                        "growing: not known whether it can deadlock: no dead marking among ",
-                        "then the memory was used up (--memory)\n",
-                        "growing: out of memory at ");
-    }
+                .contains("growing: not known whether it can deadlock: no dead marking among ")
+                .contains("then the memory was used up (--memory)\n", "growing: out of memory at ");
 
-    @Test
-    void siphons_decideWhereTheSearchDoesNotGetThrough() {
-        var net = PetriNet.builder("growing").place("a", 1).place("many");
-        net.transition("t", List.of("a"), List.of("a", "many"));
-
-        assertThat(verify(net.build(), "--memory", "1")).isZero();
+        var growing = PetriNet.builder("growing").place("a", 1).place("many");
+        growing.transition("t", List.of("a"), List.of("a", "many"));
+        assertThat(verify(growing.build(), "--memory 1")).isZero();
         assertThat(out.toString()).startsWith("growing: proved: no reachable marking is dead (by its siphons; ");
-    }
 
-    /** The net has thousands of dead markings, each a terminal component. */
-    @Test
-    void netWithoutBounds_isToldInFewLines() {
-        var net = PetriNet.builder("ends").place("on", 1).place("off").place("many");
-        net.transition("go", List.of("on"), List.of("on", "many")).transition("end", List.of("on"), List.of("off"));
-
-        assertThat(verify(net.build(), "--memory", "4")).isEqualTo(1);
+        // thousands of dead markings, each a terminal component
+        var ends = PetriNet.builder("ends").place("on", 1).place("off").place("many");
+        ends.transition("go", List.of("on"), List.of("on", "many")).transition("end", List.of("on"), List.of("off"));
+        assertThat(verify(ends.build(), "--memory 4")).isEqualTo(1);
         assertThat(out.toString())
                 .containsPattern("ends: can deadlock: \\d{4,} dead markings so far, the nearest \\{off} after \\[end]");
         assertThat(out.toString().lines()).hasSizeLessThan(50);
@@ -169,47 +129,170 @@ class VerifyCommandTest {
             net.transition("t" + i, List.of("p" + i), List.of("p" + (i + 1) % 300));
         }
 
-        assertThat(verify(net.build(), "--time", "3600")).isZero();
+        assertThat(verify(net.build(), "--time 3600")).isZero();
         assertThat(out.toString())
                 .startsWith("ring: proved: no reachable marking is dead (300 markings by stubborn sets)\n")
-                .contains(
-                        "no .svg of the net, which has 600 places and transitions (drawn up to 400)",
-                        "wrote, as .dot: " + directory.resolve("net"));
-        assertThat(directory.resolve("net.dot")).isNotEmptyFile();
-        assertThat(directory.resolve("net.svg")).doesNotExist();
+                .contains("no .svg of the net, which has 600 places and transitions (drawn up to 400)")
+                .contains(local("wrote, as .dot: DIR/net"));
+        assertWritten("net.dot");
+        assertMissing("net.svg");
     }
 
     @Test
-    void verdict_standsAlthoughNoPictureCanBeWritten() throws IOException {
+    void verdict_standsAlthoughNoPictureCanBeWritten_andAFileOfAnotherToolIsReadWithAWarning() throws IOException {
         Files.createDirectory(directory.resolve("net.dot"));
+        assertThat(verify(PaperNets.corrected(Reading.A), "")).isZero();
+        assertThat(out.toString()).startsWith("corrected A: proved");
+        assertThat(err.toString()).startsWith("troupe: the pictures cannot be written: ");
 
-        assertThat(verify(PaperNets.corrected(Reading.A))).isZero();
-        assertThat(out.toString())
-                .startsWith("corrected A: proved")
-                .contains("troupe: the pictures cannot be written: ");
-    }
-
-    @Test
-    void fileOfAnotherTool_isReadWithAWarning() throws IOException {
-        var file = Files.writeString(
-                directory.resolve("other.pnml"), "<pnml><net id='n' type='PTNet'><transition id='t'/></net></pnml>");
-
-        assertThat(verify("--net", file.toString(), "--out", directory.toString()))
-                .isZero();
-        assertThat(out.toString()).startsWith("troupe: warning: " + file + ":1: the namespace is \"\"");
+        file("other.pnml", "<pnml><net id='n' type='PTNet'><transition id='t'/></net></pnml>");
+        err.getBuffer().setLength(0);
+        printed("verify --net DIR/other.pnml --out DIR");
+        assertThat(err.toString()).startsWith(local("troupe: warning: DIR/other.pnml:1: the namespace is \"\""));
     }
 
     @Test
     void limits_outOfRange_areRefused() {
-        assertThat(verify("--time", "0")).isEqualTo(2);
-        assertThat(out.toString()).contains("--time is 0.0, expected seconds above 0, up to 1000000");
-        assertThat(verify("--memory", "0")).isEqualTo(2);
-        assertThat(out.toString()).contains("--memory is 0, expected MiB, 1 or more");
+        assertRefused("verify --time 0", "--time is 0.0, expected seconds above 0, up to 1000000");
+        assertRefused("verify --memory 0", "--memory is 0, expected MiB, 1 or more");
+        assertRefused("verify --robots 0", "--robots is 0, expected a number from 1 to 7");
+    }
+
+    // ---- the statements of the paper
+
+    private static final ReadingStudy A = ReadingStudy.of(Reading.A, progress -> {});
+    private static final ReadingStudy B = ReadingStudy.of(Reading.B, progress -> {});
+
+    private static Statement statement(ReadingStudy study, String claim) {
+        return study.statements().stream()
+                .filter(each -> each.claim().contains(claim))
+                .reduce((one, other) -> {
+                    throw new AssertionError("two statements with " + claim);
+                })
+                .orElseThrow();
     }
 
     @Test
-    void robots_outOfRange_areRefused() {
-        assertThat(verify("--robots", "0")).isEqualTo(2);
-        assertThat(out.toString()).contains("--robots is 0, expected a number from 1 to 7");
+    void statements_allHold_butInReadingBTheNumberOfSiphons() {
+        assertThat(A.statements()).hasSize(12).allMatch(Statement::holds);
+        assertThat(B.statements())
+                .filteredOn(each -> !each.holds())
+                .singleElement()
+                .satisfies(each -> assertThat(each.ours()).startsWith("36 minimal siphons"));
+    }
+
+    @Test
+    void siphons_otherReadingsAreNamed_andThreeRoutesToTheEmptiedOnesAgree() {
+        assertThat(statement(A, "44 minimal siphons").ours()).startsWith("44 minimal siphons");
+        assertThat(UncorrectedStatements.OtherReading.all())
+                .extracting(UncorrectedStatements.OtherReading::minimalSiphons)
+                .isEqualTo(List.of(44, 44, 44, 44, 32, 40, 36));
+        for (var study : List.of(A.uncorrected(), A.corrected(), B.uncorrected(), B.corrected())) {
+            assertThat(study.emptiedByTheStateEquation())
+                    .isEqualTo(study.emptied().size());
+            assertThat(study.withoutMarkedTrap()).isEqualTo(study.emptied());
+        }
+        assertThat(A.uncorrected().emptied()).hasSize(20);
+        assertThat(B.uncorrected().emptied()).hasSize(12);
+        assertThat(A.corrected().emptied()).isEmpty();
+        assertThat(A.corrected().fewestTokens()).isEqualTo(1);
+    }
+
+    @Test
+    void deadlock_isToldInWords_andOfReadingBThePartialOneToo() {
+        var statement = statement(A, "has a deadlock");
+
+        assertThat(statement.ours()).isEqualTo("6 of 1264 reachable markings are dead");
+        assertThat(statement.details())
+                .contains("{P1, M1, S10, R7''} after 14 firings", " 7. Tp4     player stops")
+                .contains("never left again once marked together: [M1, S10], in 36 markings, first after 6 firings")
+                .noneMatch(line -> line.contains("partial deadlock"));
+        assertThat(statement(B, "has a deadlock").details())
+                .anyMatch(line -> line.startsWith("besides, a partial deadlock: 8 markings"));
+    }
+
+    @Test
+    void causes_haveTheirShortestWays() {
+        var player = statement(A, "player may stop at P4");
+        assertThat(player.ours()).contains("in 32 markings", "first after 8 firings", "in 2 of the 6 dead");
+        assertThat(player.details()).hasSize(8).last().isEqualTo(" 8. Tr4''   robot asks player to set values");
+        var service = statement(A, "after Tms2'' service may stop");
+        assertThat(service.ours()).contains("in 36 markings", "first after 21 firings", "in 3 of the 6 dead");
+        assertThat(service.details()).hasSize(21);
+    }
+
+    @Test
+    void correctedNet_mustStopOnceRobotWantsTo_andLowPriorityRemovesTheDeadlockAndTheStop() {
+        var statement = statement(A, "no other path");
+        assertThat(statement.ours())
+                .isEqualTo("R10 is marked in 69 markings, and Tstop may fire in 1 of all; from R10 every way leads to"
+                        + " it, after at most 21 other firings");
+        assertThat(statement.details()).singleElement().asString().contains("after 27 firings");
+        String withPriority =
+                "360 markings, 0 dead; stops that ever fire: none; R10 is never marked; terminal components: 1";
+        assertThat(statement(A, "lower priority").ours()).isEqualTo(withPriority);
+    }
+
+    /** Returns our numbers for a statement about the corrected net, which does not hold for a changed one. */
+    private static String refuted(PetriNetBuilder net, int statement) {
+        var judged = new CorrectedStatements(NetStudy.of(net.build())).all().get(statement);
+        assertThat(judged.holds()).isFalse();
+        return judged.ours();
+    }
+
+    private static PetriNetBuilder corrected() {
+        return A.corrected().net().toBuilder();
+    }
+
+    @Test
+    void inevitability_ofANetInWhichRobotNeedNotStop_orNeverWantsTo_doesNotHold() {
+        // Tstop is the only way on from R10; with a cycle beside it, it need never fire
+        var idle = corrected().transition("idle", List.of("R10", "M4"), List.of("R10", "M4"));
+        assertThat(refuted(idle, 0)).endsWith("not every way from R10 leads to it");
+
+        // no cycle avoids Tstop while R10 is marked, but another transition takes its token
+        refuted(corrected().transition("back", List.of("R10"), List.of("R5")), 0);
+
+        var never = corrected()
+                .remove("Tr6")
+                .transition("other", List.of("R9"), List.of("R9"))
+                .transition("Tr6", List.of("R9", "R10"), List.of("R10"));
+        assertThat(refuted(never, 0)).startsWith("R10 is marked in 0 markings");
+        refuted(never, 3);
+    }
+
+    @Test
+    void oneTimeOnly_andDeadlockFreedom_ofNetsWithoutThem_doNotHold() {
+        // still only Tstop puts tokens back on P1, but player does not need it to give proxies again
+        var again = corrected().transition("ask again", List.of("R5", "P4"), List.of("R4''", "P2''"));
+        assertThat(refuted(again, 1)).endsWith("without Tstop between: [Trp2'']");
+
+        // the statement is about the given net, not about the paper's
+        var leaving = corrected().place("gone").transition("leave", List.of("R10"), List.of("gone"));
+        assertThat(refuted(leaving, 4)).endsWith("its siphons alone do not prove it");
+    }
+
+    // ---- our components cannot deadlock
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 2, 3})
+    void withPromises_isProved(int robots) {
+        assertThat(WiringCheck.check(TroupeWiring.withPromises(robots))).isInstanceOf(WiringResult.Proved.class);
+    }
+
+    @Test
+    void withPromises_ofSixRobots_hasNoDeadMarking() {
+        assertThat(DeadlockSearch.run(TroupeWiring.withPromises(6).net()).deadlockFree())
+                .isEqualTo(Verdict.YES);
+    }
+
+    /** With a single service no colour is seen while the arbitrator changes the state for another one. */
+    @Test
+    void withDirectCalls_isProvedOfOneRobot_andDeadlocksOfTwo() {
+        assertThat(WiringCheck.check(TroupeWiring.withDirectCalls(1))).isInstanceOf(WiringResult.Proved.class);
+        var two = (WiringResult.Deadlock) WiringCheck.check(TroupeWiring.withDirectCalls(2));
+        assertThat(two.counterexample().sentence())
+                .isEqualTo("service1 waits for arbitrator.colour; arbitrator waits for service1.stop: all ask and"
+                        + " nobody answers");
     }
 }

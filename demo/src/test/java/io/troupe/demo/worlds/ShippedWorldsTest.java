@@ -8,7 +8,6 @@ import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.RangeSensorSpec;
-import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
@@ -19,6 +18,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -34,16 +34,6 @@ class ShippedWorldsTest {
 
     private static Scenario read(String name) {
         return ScenarioReader.read(file(name));
-    }
-
-    @ParameterizedTest
-    @CsvSource({"paper-arena,2,7", "office,2,8", "cave,1,5", "track,1,4"})
-    void world_withItsConfiguration_offersItsRobotsDevices(String name, int robots, int devices) {
-        Scenario scenario = read(name + ".world");
-
-        assertThat(scenario.world().robots()).hasSize(robots);
-        assertThat(scenario.devices()).hasSize(devices);
-        assertThat(scenario.devices().getFirst().interfaceName()).isEqualTo("simulation");
     }
 
     @ParameterizedTest
@@ -70,40 +60,47 @@ class ShippedWorldsTest {
     }
 
     @Test
-    void office_lasersAreWhereTheConfigurationSays() {
+    void cave_hasFewPiecesAndExactOutlines_andTheLasersOfTheOfficeAreWhereTheConfigurationSays() {
+        ObstacleSpec cave = read("cave.world").world().obstacles().getFirst();
+
+        // the rectangles cover the dark pixels, the lines surround them; the boundary adds four pieces
+        assertThat(cave.shape().polygons()).hasSizeBetween(100, 1200);
+        assertThat(cave.shape().outlines()).hasSizeBetween(5, 40);
+
         assertThat(read("office.cfg").devices())
                 .filteredOn(device -> device.interfaceName().equals("laser"))
                 .extracting(DeviceBinding::model)
                 .containsExactly("robot1");
     }
 
-    @Test
-    void cave_hasFewPiecesAndExactOutlines() {
-        ObstacleSpec cave = read("cave.world").world().obstacles().getFirst();
-
-        // the rectangles cover the dark pixels, the lines surround them; the boundary adds four pieces
-        assertThat(cave.shape().polygons()).hasSizeBetween(100, 1200);
-        assertThat(cave.shape().outlines()).hasSizeBetween(5, 40);
-    }
-
+    /** {@code -Dfigures=write} writes the image. */
     @Test
     void caveImage_isWhatItsGeneratorDraws() throws IOException {
         BufferedImage drawn = CaveImage.draw();
+        if ("write".equals(System.getProperty("figures"))) {
+            assertThat(ImageIO.write(drawn, "png", file("cave.png").toFile())).isTrue();
+        }
         BufferedImage shipped = ImageIO.read(file("cave.png").toFile());
 
         assertThat(List.of(shipped.getWidth(), shipped.getHeight()))
                 .containsExactly(drawn.getWidth(), drawn.getHeight());
-        int[] expected = drawn.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, drawn.getWidth());
-        assertThat(shipped.getRGB(0, 0, drawn.getWidth(), drawn.getHeight(), null, 0, drawn.getWidth()))
-                .containsExactly(expected);
+        assertThat(pixels(shipped)).containsExactly(pixels(drawn));
+    }
+
+    private static int[] pixels(BufferedImage image) {
+        return image.getRGB(0, 0, image.getWidth(), image.getHeight(), null, 0, image.getWidth());
     }
 
     @ParameterizedTest
-    @CsvSource({"paper-arena,7", "office,8", "cave,5", "track,4"})
-    void twinForStage4_isTheSameWorldWithRangers(String name, int devices) {
-        var warnings = new ArrayList<WorldFileWarning>();
-        WorldSpec classic = read(name + ".world").world();
+    @CsvSource({"paper-arena,2,7", "office,2,8", "cave,1,5", "track,1,4"})
+    void world_offersItsRobotsDevices_andItsTwinForStage4IsTheSameWithRangers(String name, int robots, int devices) {
+        Scenario scenario = read(name + ".world");
+        WorldSpec classic = scenario.world();
+        assertThat(classic.robots()).hasSize(robots);
+        assertThat(scenario.devices()).hasSize(devices);
+        assertThat(scenario.devices().getFirst().interfaceName()).isEqualTo("simulation");
 
+        var warnings = new ArrayList<WorldFileWarning>();
         Scenario twin = ScenarioReader.read(file("stage4/" + name + ".world"), warnings::add);
 
         assertThat(warnings).isEmpty();
@@ -112,9 +109,7 @@ class ShippedWorldsTest {
         assertThat(twin.world().obstacles())
                 .usingRecursiveFieldByFieldElementComparatorIgnoringFields("where")
                 .isEqualTo(classic.obstacles());
-        for (int i = 0; i < classic.robots().size(); i++) {
-            RobotSpec robot = twin.world().robots().get(i);
-            RobotSpec other = classic.robots().get(i);
+        assertThat(twin.world().robots()).zipSatisfy(classic.robots(), (robot, other) -> {
             assertThat(robot)
                     .usingRecursiveComparison()
                     .ignoringFields("where", "sonar", "rangers", "startOdometry", "drive")
@@ -124,24 +119,18 @@ class ShippedWorldsTest {
                     .extracting(RangeSensorSpec::mount)
                     .isEqualTo(other.sonar().mounts());
             assertThat(robot.rangers()).hasSize(1 + other.rangers().size());
-        }
+        });
     }
 
     /** Stage 4 rejects a world with an unknown type or interface. */
-    @ParameterizedTest
-    @CsvSource({
-        "paper-arena.world",
-        "office.world",
-        "cave.world",
-        "track.world",
-        "pioneer.inc",
-        "laser.inc",
-        "office.cfg"
-    })
-    void twinForStage4_hasNothingOfTheClassicDialect(String name) throws IOException {
-        String text = Files.readString(file("stage4/" + name)).replaceAll("#.*", "");
-
-        assertThat(text)
-                .doesNotContainPattern("\\blaser\\s*\\(|define \\w+ laser|scount|spose|sview|ssize|\"sonar|\"laser:");
+    @Test
+    void twinsForStage4_haveNothingOfTheClassicDialect() throws IOException {
+        String classic = "\\blaser\\s*\\(|define \\w+ laser|scount|spose|sview|ssize|\"sonar|\"laser:";
+        var worlds = List.of("paper-arena.world", "office.world", "cave.world", "track.world");
+        var others = List.of("pioneer.inc", "laser.inc", "office.cfg");
+        assertThat(Stream.of(worlds, others).flatMap(List::stream)).allSatisfy(name -> {
+            String text = Files.readString(file("stage4/" + name)).replaceAll("#.*", "");
+            assertThat(text).doesNotContainPattern(classic);
+        });
     }
 }

@@ -2,16 +2,13 @@ package io.troupe.bench.worlds;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.bench.BenchmarkCommand;
-import io.troupe.bench.WrongOption;
+import io.troupe.bench.BenchmarkTests;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 
 class CompareWorldsTest {
     private static CompareWorlds parsed(String... arguments) {
-        var command = new CompareWorlds();
-        BenchmarkCommand.of(command).parseArgs(arguments);
-        return command;
+        return BenchmarkTests.parsed(new CompareWorlds(), arguments);
     }
 
     @Test
@@ -46,11 +43,13 @@ class CompareWorldsTest {
 
     @Test
     void wrongOptions_areRefused() {
-        assertThat(WrongOption.of(new CompareWorlds(), "--robots", "1,0"))
-                .startsWith("--robots is 0, expected 1 or more");
-        assertThat(WrongOption.of(new CompareWorlds(), "--turn")).startsWith("Missing required parameter for option");
-        assertThat(WrongOption.of(new CompareWorlds(), "--only", "stage"))
-                .startsWith("--only is stage, expected one of troupe, troupe-2, jbox2d");
-        assertThat(WrongOption.of(new CompareWorlds(), "--slow")).contains("'--slow'", "Usage: CompareWorlds");
+        assertThat(errorOf("--robots", "1,0")).startsWith("--robots is 0, expected 1 or more");
+        assertThat(errorOf("--turn")).startsWith("Missing required parameter for option");
+        assertThat(errorOf("--only", "stage")).startsWith("--only is stage, expected one of troupe, troupe-2, jbox2d");
+        assertThat(errorOf("--slow")).contains("'--slow'", "Usage: CompareWorlds");
+    }
+
+    private static String errorOf(String... arguments) {
+        return BenchmarkTests.errorOf(new CompareWorlds(), arguments);
     }
 }

@@ -1,16 +1,17 @@
 package io.troupe.bench.worlds;
 
+import static io.troupe.bench.BenchmarkTests.assertDocumented;
+import static io.troupe.bench.BenchmarkTests.documentedRows;
+import static io.troupe.bench.BenchmarkTests.number;
+import static io.troupe.bench.BenchmarkTests.quartiles;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.common.measure.SampleStatistics;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.TreeMap;
-import java.util.regex.Pattern;
 import java.util.stream.DoubleStream;
 import org.junit.jupiter.api.Test;
 
@@ -43,52 +44,27 @@ class WorldsReportTest {
     }
 
     @Test
-    void drawing_hasACurveForEachContenderAndALineAtRealTime() {
+    void drawing_saysWhatItFound_withACurveForEachContender_andALineAtRealTime() {
+        String title = "Troupe simulates 2 robots 200 times as fast as real time on one thread";
         assertThat(WorldsDrawing.of(results).svg())
                 .startsWith("<svg")
                 .contains(">troupe, one thread<", ">jbox2d<", ">real time<", ">10,000<")
+                .contains("role='img' aria-label='" + title + "'", "<title>Troupe simulates 2 robots 200 times")
+                .contains(">simulated seconds per second<", ">number of robots<")
                 .doesNotContain(">dyn4j<");
     }
 
     @Test
-    void drawing_saysWhatItFound_withUnits() {
-        assertThat(WorldsDrawing.of(results).svg())
-                .contains(
-                        "role='img' aria-label='Troupe simulates 2 robots 200 times as fast as real time on one thread'")
-                .contains("<title>Troupe simulates 2 robots 200 times", ">simulated seconds per second<")
-                .contains(">number of robots<");
-    }
-
-    /** {@code -Dfigures=write} writes it anew. */
-    @Test
     void drawingInTheDocumentation_isThatOfTheTableThere() throws IOException {
-        var row = Pattern.compile("\\| ([\\d,]+) \\| (\\S+) \\| ([\\d,.]+) \\(([\\d,.]+?)\\.\\.([\\d,.]+)\\) \\|.*");
         var factors = new TreeMap<Integer, Map<WorldKind, SampleStatistics>>();
-        for (String line : Files.readAllLines(Path.of("..", "docs", "benchmarks-method.md"))) {
-            var found = row.matcher(line);
-            if (found.matches() && WorldKind.labels().contains(found.group(2))) {
-                factors.computeIfAbsent((int) number(found.group(1)), robots -> new EnumMap<>(WorldKind.class))
-                        .put(
-                                WorldKind.named(found.group(2)),
-                                quartiles(number(found.group(4)), number(found.group(3)), number(found.group(5))));
+        for (var row :
+                documentedRows("\\| ([\\d,]+) \\| (\\S+) \\| ([\\d,.]+) \\(([\\d,.]+?)\\.\\.([\\d,.]+)\\) \\|.*")) {
+            if (WorldKind.labels().contains(row.group(2))) {
+                factors.computeIfAbsent((int) number(row.group(1)), robots -> new EnumMap<>(WorldKind.class))
+                        .put(WorldKind.named(row.group(2)), quartiles(row, 3));
             }
         }
         assertThat(factors).hasSize(6);
-
-        String svg = new WorldsDrawing(factors).svg();
-        Path documented = Path.of("..", "docs", "figures", "worlds.svg");
-        if ("write".equals(System.getProperty("figures"))) {
-            Files.writeString(documented, svg);
-        }
-        assertThat(documented).hasContent(svg);
-    }
-
-    private static double number(String text) {
-        return Double.parseDouble(text.replace(",", ""));
-    }
-
-    /** The statistics of five values whose quartiles are these. */
-    private static SampleStatistics quartiles(double lower, double median, double upper) {
-        return SampleStatistics.of(lower, lower, median, upper, upper);
+        assertDocumented("worlds.svg", new WorldsDrawing(factors).svg());
     }
 }

@@ -2,7 +2,6 @@ package io.troupe.player.wire;
 
 import java.io.ByteArrayInputStream;
 import java.io.IOException;
-import java.io.InputStream;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
 import java.util.HexFormat;
@@ -28,10 +27,6 @@ final class Hex {
         return HexFormat.of().formatHex(bytes);
     }
 
-    static WireMessage message(String hex) {
-        return message(bytes(hex));
-    }
-
     static WireMessage message(byte[] bytes) {
         var in = new ByteArrayInputStream(bytes);
         try {
@@ -47,7 +42,7 @@ final class Hex {
 
     /** A captured conversation. */
     static List<Line> capture(String name) {
-        try (InputStream in = Hex.class.getResourceAsStream(name)) {
+        try (var in = Hex.class.getResourceAsStream(name)) {
             return new String(in.readAllBytes(), StandardCharsets.US_ASCII)
                     .lines()
                     .filter(line -> !line.startsWith("#"))

@@ -35,12 +35,38 @@ class OutboxTest {
         outbox.frame(tick, tick / 10.0, List.of(messages));
     }
 
-    private Outbox pull() {
+    /** The tick that the request for the next data answers. */
+    private long ask() {
+        return outbox.ask(reply(4));
+    }
+
+    private void rule(int interfaceCode, int type, int subtype, int replace) {
+        outbox.add(new ReplaceRule(interfaceCode, -1, type, subtype, replace));
+    }
+
+    private void push() {
         outbox.subscribed(POSITION, reply(3));
+    }
+
+    private void pull() {
+        push();
         outbox.subscribed(SONAR, reply(3));
         outbox.mode(Delivery.PULL);
         sent();
-        return outbox;
+    }
+
+    private interface Waiting {
+        void run() throws InterruptedException;
+    }
+
+    private static Thread start(Waiting action) {
+        return Thread.ofPlatform().daemon().start(() -> {
+            try {
+                action.run();
+            } catch (InterruptedException e) {
+                throw new AssertionError(e);
+            }
+        });
     }
 
     /** Everything that would be written now, in short form: ACK/3, DATA 4 x=1.0, .. */
@@ -81,7 +107,7 @@ class OutboxTest {
 
     @Test
     void push_sendsAsItComes_whatHasBeenSubscribed() {
-        outbox.subscribed(POSITION, reply(3));
+        push();
         frame(0, position(0), sonar());
         outbox.reply(reply(1));
         frame(1, position(1));
@@ -94,14 +120,14 @@ class OutboxTest {
         frame(0, position(0), sonar());
         frame(1, position(1));
         assertThat(sent()).isEmpty();
-        assertThat(outbox.ask(reply(4))).as("answered").isEqualTo(PlayerConnection.NO_TICK);
+        assertThat(ask()).as("answered").isEqualTo(PlayerConnection.NO_TICK);
         assertThat(sent()).containsExactly("ACK 4", "position 0", "sonar", "position 1", "SYNCH 1 0");
-        assertThat(outbox.ask(reply(4))).isEqualTo(1);
+        assertThat(ask()).isEqualTo(1);
         assertThat(sent()).containsExactly("ACK 4");
         frame(2, position(2));
         frame(3, position(3));
         assertThat(sent()).containsExactly("position 2", "SYNCH 1 0");
-        assertThat(outbox.ask(reply(4))).isEqualTo(2);
+        assertThat(ask()).isEqualTo(2);
     }
 
     @Test
@@ -111,9 +137,9 @@ class OutboxTest {
         outbox.reply(reply(1));
         frame(1, position(1));
         assertThat(sent()).containsExactly("position 0", "ACK 1");
-        assertThat(outbox.ask(reply(4))).as("answered, as no frame has ended").isEqualTo(PlayerConnection.NO_TICK);
+        assertThat(ask()).as("answered, as no frame has ended").isEqualTo(PlayerConnection.NO_TICK);
         assertThat(sent()).containsExactly("ACK 4", "position 1", "SYNCH 1 0");
-        assertThat(outbox.ask(reply(4))).isEqualTo(1);
+        assertThat(ask()).isEqualTo(1);
     }
 
     @Test
@@ -122,20 +148,26 @@ class OutboxTest {
         frame(0, position(0));
         outbox.reply(reply(1)); // reply to a request that the client sent before it knew of the tick
         assertThat(sent()).containsExactly("position 0", "ACK 1");
-        assertThat(outbox.ask(reply(4))).as("answered").isEqualTo(PlayerConnection.NO_TICK);
+        assertThat(ask()).as("answered").isEqualTo(PlayerConnection.NO_TICK);
         assertThat(sent()).as("the end of what was sent").containsExactly("ACK 4", "SYNCH 1 0");
-        assertThat(outbox.ask(reply(4))).as("answered").isZero();
+        assertThat(ask()).as("answered").isZero();
         assertThat(sent()).containsExactly("ACK 4");
     }
 
     @Test
-    void push_thenPull_nothingIsLeftToEnd() {
-        outbox.subscribed(POSITION, reply(3));
+    void push_thenPull_nothingIsLeftToEnd_andBackToPush_releasesWhatWaits() {
+        push();
         frame(0, position(0));
         outbox.mode(Delivery.PULL);
         sent();
-        assertThat(outbox.ask(reply(4))).as("answered").isZero();
+        assertThat(ask()).as("answered").isZero();
         assertThat(sent()).containsExactly("ACK 4");
+        frame(1, position(1));
+        assertThat(sent()).containsExactly("position 1", "SYNCH 1 0");
+        frame(2, position(2));
+        outbox.mode(Delivery.PUSH);
+        frame(3, position(3));
+        assertThat(sent()).containsExactly("position 2", "position 3");
     }
 
     @Test
@@ -144,70 +176,66 @@ class OutboxTest {
         for (int tick = 0; tick < Outbox.MAX_DATA + 7; tick++) {
             frame(tick, position(tick));
         }
-        outbox.ask(reply(4));
+        ask();
         List<String> sent = sent();
         assertThat(sent).hasSize(Outbox.MAX_DATA + 2).endsWith("position 1023", "SYNCH 2 7");
-        outbox.ask(reply(4));
+        ask();
         frame(2000, position(1));
         assertThat(sent()).containsExactly("ACK 4", "position 1", "SYNCH 1 0");
     }
 
     @Test
-    void push_toAClientThatDoesNotRead_keepsABoundedNumber() {
-        outbox.subscribed(POSITION, reply(3));
-        for (int tick = 0; tick < 5000; tick++) {
-            frame(tick, position(tick));
+    void push_toAClientThatDoesNotRead_keepsABoundedNumber_orTheNewestByARule() {
+        push();
+        for (boolean replaces : new boolean[] {false, true}) {
+            for (int tick = 0; tick < 5000; tick++) {
+                frame(tick, position(tick));
+            }
+            assertThat(outbox.dropped()).isEqualTo(5000 - Outbox.MAX_DATA);
+            if (replaces) {
+                assertThat(sent()).containsExactly("position 4999");
+            } else {
+                assertThat(sent()).hasSize(1 + Outbox.MAX_DATA);
+                rule(-1, 1, -1, ReplaceRule.REPLACE);
+            }
         }
-        assertThat(outbox.dropped()).isEqualTo(5000 - Outbox.MAX_DATA);
-        assertThat(sent()).hasSize(1 + Outbox.MAX_DATA);
     }
 
     @Test
     void rules_replaceAndIgnore_theNewestCounts() {
         pull();
-        outbox.add(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.REPLACE));
+        rule(-1, 1, -1, ReplaceRule.REPLACE);
         frame(0, position(0), sonar());
         frame(1, position(1), sonar());
-        outbox.ask(reply(4));
+        ask();
         assertThat(sent()).containsExactly("ACK 4", "position 1", "sonar", "SYNCH 1 0");
-        outbox.add(new ReplaceRule(5, -1, 1, 1, ReplaceRule.IGNORE));
-        outbox.ask(reply(4));
+        rule(5, 1, 1, ReplaceRule.IGNORE);
+        ask();
         frame(2, position(2), sonar());
         assertThat(sent()).containsExactly("ACK 4", "position 2", "SYNCH 1 0");
-        outbox.add(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.ACCEPT));
-        outbox.ask(reply(4));
+        rule(-1, 1, -1, ReplaceRule.ACCEPT);
+        ask();
         frame(3, position(3), sonar());
         assertThat(sent()).containsExactly("ACK 4", "position 3", "sonar", "SYNCH 1 0");
     }
 
     @Test
-    void rules_inPushMode_replaceWhatHasNotBeenWritten() {
-        outbox.subscribed(POSITION, reply(3));
-        outbox.add(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.REPLACE));
-        for (int tick = 0; tick < 5000; tick++) {
-            frame(tick, position(tick));
-        }
-        assertThat(outbox.dropped()).isZero();
-        assertThat(sent()).containsExactly("ACK 3", "position 4999");
-    }
-
-    @Test
     void pull_frameOfWhichNothingIsLeft_endsAllTheSame_whetherAskedBeforeOrAfter() {
         pull();
-        outbox.add(new ReplaceRule(-1, -1, -1, -1, ReplaceRule.IGNORE));
+        rule(-1, -1, -1, ReplaceRule.IGNORE);
         frame(0, position(0));
-        assertThat(outbox.ask(reply(4))).as("answered").isEqualTo(PlayerConnection.NO_TICK);
+        assertThat(ask()).as("answered").isEqualTo(PlayerConnection.NO_TICK);
         assertThat(sent()).containsExactly("ACK 4", "SYNCH 1 0");
-        assertThat(outbox.ask(reply(4))).isZero();
+        assertThat(ask()).isZero();
         frame(1, position(1));
         frame(2, position(2));
         assertThat(sent()).containsExactly("ACK 4", "SYNCH 1 0");
-        assertThat(outbox.ask(reply(4))).isEqualTo(1);
+        assertThat(ask()).isEqualTo(1);
     }
 
     @Test
     void frame_doesNotWait_whileAnotherThreadIsBusyWithTheOutbox() throws InterruptedException {
-        outbox.subscribed(POSITION, reply(3));
+        push();
         var busy = new CountDownLatch(1);
         var goOn = new CountDownLatch(1);
         var slow = new AbstractList<DeviceDataMessage>() {
@@ -243,17 +271,8 @@ class OutboxTest {
         frame(0, position(0), sonar());
         outbox.unsubscribed(SONAR, reply(3));
         frame(1, position(1), sonar());
-        outbox.ask(reply(4));
+        ask();
         assertThat(sent()).containsExactly("position 0", "ACK 3", "ACK 4", "position 1", "SYNCH 1 0");
-    }
-
-    @Test
-    void backToPush_releasesWhatWaits() {
-        pull();
-        frame(0, position(0));
-        outbox.mode(Delivery.PUSH);
-        frame(1, position(1));
-        assertThat(sent()).containsExactly("position 0", "position 1");
     }
 
     @Test
@@ -261,13 +280,9 @@ class OutboxTest {
         outbox.cork();
         outbox.reply(reply(3));
         var taken = new CountDownLatch(1);
-        Thread taker = Thread.ofVirtual().start(() -> {
-            try {
-                outbox.take();
-                taken.countDown();
-            } catch (InterruptedException e) {
-                throw new AssertionError(e);
-            }
+        Thread taker = start(() -> {
+            outbox.take();
+            taken.countDown();
         });
         frame(0, position(0));
         assertThat(taken.getCount()).isEqualTo(1);
@@ -281,13 +296,7 @@ class OutboxTest {
         for (int i = 0; i <= Outbox.MAX_REPLY_BYTES / Header.BYTES; i++) {
             outbox.reply(reply(1));
         }
-        var reader = Thread.ofPlatform().daemon().start(() -> {
-            try {
-                outbox.awaitRoom();
-            } catch (InterruptedException e) {
-                throw new AssertionError(e);
-            }
-        });
+        Thread reader = start(outbox::awaitRoom);
         while (reader.getState() != Thread.State.WAITING) {
             assertThat(reader.isAlive()).as("the reader waits").isTrue();
             Thread.onSpinWait();
@@ -301,5 +310,23 @@ class OutboxTest {
         outbox.close();
         assertThat(outbox.take()).isNull();
         assertThat(outbox.awaitRoom()).isFalse();
+    }
+
+    @Test
+    void subscription_isConfirmed_whenTheDevicesKnowOfIt() throws InterruptedException {
+        var ranger = new ScriptedServer(Interfaces.RANGER);
+        var handler = new ClientMessageHandler("test", ranger, outbox, 1, 2);
+        handler.handle(Hex.message(RawClient.bytes(new PlayerRequest.DataMode(Delivery.PULL))));
+        outbox.take();
+        var seen = new ArrayList<Thread.State>();
+        ranger.whileSubscribing = () -> {
+            Thread taker = start(outbox::take);
+            while (taker.getState() != Thread.State.WAITING && taker.getState() != Thread.State.TERMINATED) {
+                Thread.onSpinWait();
+            }
+            seen.add(taker.getState());
+        };
+        handler.handle(Hex.message(RawClient.bytes(RawClient.access(Interfaces.RANGER, PlayerRequest.OPEN))));
+        assertThat(seen).as("the thread that writes to the client").containsExactly(Thread.State.WAITING);
     }
 }

@@ -13,110 +13,95 @@ class PendingRepliesTest {
     private final ManualClock clock = new ManualClock();
     private final PendingReplies open = new PendingReplies(clock);
 
-    private static WireMessage reply(int subtype, int sequence) {
-        return new WireMessage(new Header(SIMULATION, MessageType.ACK, subtype, 0, sequence, 0), Content.NONE);
+    /** Returns whether a request waited for the reply. */
+    private boolean arrives(int subtype, int sequence) {
+        var header = new Header(SIMULATION, MessageType.ACK, subtype, 0, sequence, 0);
+        return open.answer(new WireMessage(header, Content.NONE));
     }
 
-    private boolean isAnswered(Request request) {
-        return request.reply().isDone();
+    private Request add() {
+        return open.add(SIMULATION, 1);
+    }
+
+    private static void assertOpen(Request request) {
+        assertThat(request.reply().isDone()).isFalse();
+    }
+
+    /** The next reply without a number is that of the request. */
+    private void assertIsNext(Request request) {
+        assertThat(arrives(1, 0)).isTrue();
+        assertThat(request.reply().isDone()).isTrue();
     }
 
     @Test
     void replyWithANumber_belongsToItsRequest_whateverCameLate() {
-        Request first = open.add(SIMULATION, 1);
-        Request second = open.add(SIMULATION, 1);
-        assertThat(open.answer(reply(1, second.sequence()))).isTrue();
-        assertThat(isAnswered(first)).isFalse();
-        assertThat(isAnswered(second)).isTrue();
+        Request first = add();
+        Request second = add();
+        assertThat(arrives(1, second.sequence())).isTrue();
+        assertOpen(first);
+        assertThat(second.reply().isDone()).isTrue();
 
         open.giveUp(first);
-        Request third = open.add(SIMULATION, 1);
-        assertThat(open.answer(reply(1, first.sequence()))).as("late").isFalse();
-        assertThat(isAnswered(third)).isFalse();
-        assertThat(open.answer(reply(2, third.sequence())))
-                .as("of another kind")
-                .isFalse();
-        assertThat(open.answer(reply(1, third.sequence()))).isTrue();
-        assertThat(isAnswered(third)).isTrue();
+        Request third = add();
+        assertThat(arrives(1, first.sequence())).as("late").isFalse();
+        assertOpen(third);
+        assertThat(arrives(2, third.sequence())).as("of another kind").isFalse();
+        assertThat(arrives(1, third.sequence())).isTrue();
+        assertThat(third.reply().isDone()).isTrue();
     }
 
     @Test
-    void replyWithoutANumber_comesInOrder_andTheLateOneGoesToNoRequest() {
-        Request first = open.add(SIMULATION, 1);
-        open.giveUp(first);
-        Request second = open.add(SIMULATION, 1);
-        assertThat(open.answer(reply(1, 0))).as("late").isFalse();
-        assertThat(isAnswered(second)).isFalse();
-        assertThat(open.answer(reply(1, 0))).isTrue();
-        assertThat(isAnswered(second)).isTrue();
-        assertThat(open.answer(reply(1, 0))).as("to nothing").isFalse();
-    }
-
-    @Test
-    void severalLateReplies_withoutANumber_goToNoLaterRequest() {
-        Request first = open.add(SIMULATION, 1);
-        open.giveUp(first);
-        Request second = open.add(SIMULATION, 1);
-        assertThat(open.answer(reply(1, 0))).as("to the first, late").isFalse();
+    void lateReplies_withoutANumber_goToNoLaterRequest() {
+        open.giveUp(add());
+        Request second = add();
+        assertThat(arrives(1, 0)).as("to the first, late").isFalse();
+        assertOpen(second);
         open.giveUp(second);
-        Request third = open.add(SIMULATION, 1);
-        assertThat(open.answer(reply(1, 0))).as("to the second, late").isFalse();
-        assertThat(isAnswered(third)).isFalse();
-        assertThat(open.answer(reply(1, 0))).isTrue();
-        assertThat(isAnswered(third)).isTrue();
+        Request third = add();
+        assertThat(arrives(1, 0)).as("to the second, late").isFalse();
+        assertOpen(third);
+        assertIsNext(third);
+        assertThat(arrives(1, 0)).as("to nothing").isFalse();
     }
 
     @Test
     void requestThatTheServerHasDropped_spoilsTheNextOfItsKind_untilThereWasNoneForAWhile() {
-        open.giveUp(open.add(SIMULATION, 1)); // never answered
+        open.giveUp(add()); // never answered
         Request other = open.add(SIMULATION, 2);
-        assertThat(open.answer(reply(2, 0))).isTrue();
-        assertThat(isAnswered(other)).isTrue();
+        assertThat(arrives(2, 0)).isTrue();
+        assertThat(other.reply().isDone()).isTrue();
 
         for (int i = 0; i < 4; i++) {
             clock.advance(PendingReplies.QUIET.minusNanos(1));
-            Request spoiled = open.add(SIMULATION, 1);
-            assertThat(open.answer(reply(1, 0))).isFalse();
+            Request spoiled = add();
+            assertThat(arrives(1, 0)).isFalse();
             open.giveUp(spoiled);
         }
         clock.advance(PendingReplies.QUIET);
-        Request afterQuiet = open.add(SIMULATION, 1);
-        assertThat(open.answer(reply(1, 0))).isTrue();
-        assertThat(isAnswered(afterQuiet)).isTrue();
+        assertIsNext(add());
     }
 
     @Test
-    void requestOfNoInterest_takesItsReply_andIsBounded() {
-        for (int i = 0; i < 1_000; i++) {
-            open.addUnawaited(SIMULATION, 1);
+    void requestsOfNoInterest_andThoseThatWereGivenUp_takeTheirReplies_andAreBounded() {
+        for (boolean awaited : new boolean[] {false, true}) {
+            for (int i = 0; i < 1_000; i++) {
+                if (awaited) {
+                    open.giveUp(add());
+                } else {
+                    open.addUnawaited(SIMULATION, 1);
+                }
+            }
+            Request asked = add();
+            for (int late = 0; late < 256; late++) {
+                assertThat(arrives(1, 0)).isFalse();
+            }
+            assertIsNext(asked);
         }
-        Request asked = open.add(SIMULATION, 1);
-        for (int late = 0; late < 256; late++) {
-            assertThat(open.answer(reply(1, 0))).isFalse();
-        }
-        assertThat(open.answer(reply(1, 0))).isTrue();
-        assertThat(isAnswered(asked)).isTrue();
     }
 
     @Test
     void requestThatWasNotSent_isForgotten() {
-        open.drop(open.add(SIMULATION, 1));
-        Request next = open.add(SIMULATION, 1);
-        assertThat(open.answer(reply(1, 0))).isTrue();
-        assertThat(isAnswered(next)).isTrue();
-    }
-
-    @Test
-    void requestsThatWereGivenUp_areBounded() {
-        for (int i = 0; i < 1_000; i++) {
-            open.giveUp(open.add(SIMULATION, 1));
-        }
-        Request last = open.add(SIMULATION, 1);
-        int late = 0;
-        while (!open.answer(reply(1, 0))) {
-            late++;
-        }
-        assertThat(late).isEqualTo(256);
-        assertThat(isAnswered(last)).isTrue();
+        open.drop(add());
+        assertIsNext(add());
     }
 }

@@ -1,190 +1,167 @@
 package io.troupe.player.wire;
 
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.RecordComponent;
+import java.lang.reflect.Type;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
-import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
-/** WireMessage records of every kind with random content. */
+/** Messages of every kind with random content. */
 final class RandomMessages {
     private static final double[] ODD = {
         0, -0.0, Double.NaN, Double.POSITIVE_INFINITY, Double.NEGATIVE_INFINITY, Double.MIN_VALUE, Double.MAX_VALUE
     };
     private final Random random;
+    private final List<Sample> samples = new ArrayList<>();
 
-    /** A request and the interface it is sent to. */
-    record Asked(int interfaceCode, DeviceRequest request) {}
-
-    /** A reply with the interface and subtype of its request. */
-    record Answered(int interfaceCode, int subtype, DeviceReply reply) {}
+    /** A message; only a reply needs the subtype, which is that of its request. */
+    record Sample(DeviceAddress address, double timeSeconds, int subtype, Object content) {
+        Content encoded() {
+            return CodecTest.encode(address.interfaceCode(), subtype, content);
+        }
+    }
 
     RandomMessages(Random random) {
         this.random = random;
     }
 
-    double d() {
+    private double d() {
         return random.nextInt(8) == 0 ? ODD[random.nextInt(ODD.length)] : random.nextGaussian() * 100;
     }
 
-    float f() {
-        return (float) d();
-    }
-
-    int i() {
-        return random.nextInt();
-    }
-
-    boolean b() {
+    private boolean b() {
         return random.nextBoolean();
     }
 
-    <T> List<T> list(Supplier<T> element) {
-        return Stream.generate(element).limit(random.nextInt(40)).toList();
-    }
-
-    String name() {
+    private String name() {
         return IntStream.range(0, random.nextInt(20))
                 .mapToObj(at -> b() ? String.valueOf((char) ('a' + random.nextInt(26))) : "\u00e4")
                 .reduce("", String::concat);
     }
 
-    DeviceAddress address() {
-        return new DeviceAddress(i(), i(), random.nextInt(0x10000), random.nextInt(0x10000));
+    private DeviceAddress address() {
+        return new DeviceAddress(random.nextInt(), random.nextInt(), random.nextInt(0x10000), random.nextInt(0x10000));
     }
 
-    private Pose3d pose() {
-        return new Pose3d(d(), d(), d(), d(), d(), d());
+    private Object value(Type type) {
+        if (type instanceof ParameterizedType list) {
+            Type element = list.getActualTypeArguments()[0];
+            return Stream.generate(() -> value(element))
+                    .limit(random.nextInt(40))
+                    .toList();
+        }
+        var known = (Class<?>) type;
+        return switch (known.getSimpleName()) {
+            case "double", "Double" -> d();
+            case "float", "Float" -> (float) d();
+            case "int" -> random.nextInt();
+            case "Byte" -> (byte) random.nextInt();
+            case "boolean" -> b();
+            case "String" -> name();
+            case "DeviceAddress" -> address();
+            case "Delivery" -> b() ? Delivery.PUSH : Delivery.PULL;
+            default -> content(known);
+        };
     }
 
-    private Size3d size() {
-        return new Size3d(d(), d(), d());
+    /** A record whose components are random. */
+    private <T> T content(Class<T> type) {
+        var components = Stream.of(type.getRecordComponents())
+                .map(RecordComponent::getGenericType)
+                .map(this::value)
+                .toArray();
+        try {
+            return type.cast(type.getDeclaredConstructors()[0].newInstance(components));
+        } catch (ReflectiveOperationException e) {
+            throw new AssertionError(type.getName(), e);
+        }
     }
 
-    private RangerConfiguration rangerConfiguration() {
-        return new RangerConfiguration(d(), d(), d(), d(), d(), d(), d());
+    private void add(int code, int subtype, Object content) {
+        var address = new DeviceAddress(random.nextInt(), random.nextInt(), code, random.nextInt(3));
+        samples.add(new Sample(address, d(), subtype, content));
     }
 
-    private LaserConfiguration laserConfiguration() {
-        return new LaserConfiguration(f(), f(), f(), f(), f(), b(), f());
+    private void add(int code, Class<?>... types) {
+        for (var type : types) {
+            add(code, 0, content(type));
+        }
     }
 
-    private DeviceReply.RangerGeometry rangerGeometry() {
-        return new DeviceReply.RangerGeometry(pose(), size(), list(this::pose), list(this::size));
+    /** At least one of each kind. */
+    List<Sample> all() {
+        addData();
+        addRequests();
+        addReplies();
+        add(4, DeviceCommand.Velocity.class, DeviceCommand.GoTo.class);
+        add(4, DeviceCommand.Car.class, DeviceCommand.VelocityHeading.class);
+        add(31, DeviceCommand.Pause.class, DeviceCommand.Reset.class, DeviceCommand.Save.class);
+        return samples;
     }
 
-    private DeviceReply.SonarGeometry sonarGeometry() {
-        return new DeviceReply.SonarGeometry(list(() -> new DeviceReply.SonarMount(d(), d(), d())));
+    private void addData() {
+        add(4, DeviceData.Position2d.class);
+        add(4, 0, new DeviceData.GeometryChanged(content(DeviceReply.Position2dGeometry.class)));
+        add(5, DeviceData.SonarRanges.class);
+        add(5, 0, new DeviceData.GeometryChanged(content(DeviceReply.SonarGeometry.class)));
+        add(7, DeviceData.Blobs.class);
+        add(62, DeviceData.RangerRanges.class, DeviceData.RangerIntensities.class);
+        var ranges = content(DeviceData.RangerRanges.class);
+        var intensities = content(DeviceData.RangerIntensities.class);
+        var geometry = content(DeviceReply.RangerGeometry.class);
+        var configuration = b() ? content(RangerConfiguration.class) : null;
+        add(62, 0, new DeviceData.RangerStamped(ranges, b() ? geometry : null, configuration));
+        add(62, 0, new DeviceData.RangerStamped(intensities, geometry, null));
+        add(62, 0, new DeviceData.GeometryChanged(geometry));
+        add(6, DeviceData.LaserScan.class);
     }
 
-    private DeviceReply.Position2dGeometry positionGeometry() {
-        return new DeviceReply.Position2dGeometry(d(), d(), d(), d(), d());
+    private void addRequests() {
+        add(4, DeviceRequest.Geometry.class, DeviceRequest.Power.class, DeviceRequest.VelocityMode.class);
+        add(4, DeviceRequest.PositionMode.class, DeviceRequest.SetOdometry.class, DeviceRequest.ResetOdometry.class);
+        add(4, DeviceRequest.SpeedPid.class, DeviceRequest.PositionPid.class, DeviceRequest.SpeedProfile.class);
+        add(4, DeviceRequest.SetIntegerProperty.class);
+        add(5, DeviceRequest.Geometry.class, DeviceRequest.Power.class);
+        add(7, DeviceRequest.SetColour.class, DeviceRequest.SetImager.class, DeviceRequest.GetColour.class);
+        add(62, DeviceRequest.Geometry.class, DeviceRequest.Power.class, DeviceRequest.Intensities.class);
+        add(62, DeviceRequest.SetRangerConfiguration.class, DeviceRequest.GetConfiguration.class);
+        add(6, DeviceRequest.Geometry.class, DeviceRequest.Power.class, DeviceRequest.LaserId.class);
+        add(6, DeviceRequest.SetLaserConfiguration.class, DeviceRequest.GetConfiguration.class);
+        add(31, DeviceRequest.GetPose.class, DeviceRequest.SetPose.class, DeviceRequest.Capability.class);
+        add(10, DeviceRequest.Capability.class);
+        add(10, 0, new DeviceRequest.Unknown(random.nextInt(255)));
+        add(1, PlayerRequest.DeviceList.class, PlayerRequest.DriverInfo.class, PlayerRequest.NextData.class);
+        add(1, PlayerRequest.DataMode.class, PlayerRequest.Capability.class);
+        add(1, 0, new PlayerRequest.Access(address(), random.nextInt(256)));
+        var rule = content(ReplaceRule.class);
+        add(
+                1,
+                0,
+                new PlayerRequest.AddRule(new ReplaceRule(
+                        rule.interfaceCode(), rule.index(), rule.type(), rule.subtype(), random.nextInt(3))));
+        add(1, 0, new PlayerRequest.Other(7 + random.nextInt(2)));
     }
 
-    /** One of each kind, by interface. */
-    List<DeviceDataMessage> data() {
-        return Stream.<DeviceDataMessage>of(
-                        of(4, new DeviceData.Position2d(d(), d(), d(), d(), d(), d(), b())),
-                        of(4, new DeviceData.GeometryChanged(positionGeometry())),
-                        of(5, new DeviceData.SonarRanges(list(this::f))),
-                        of(5, new DeviceData.GeometryChanged(sonarGeometry())),
-                        of(
-                                7,
-                                new DeviceData.Blobs(
-                                        i(),
-                                        i(),
-                                        list(() -> new DeviceData.Blob(
-                                                i(), i(), i(), i(), i(), i(), i(), i(), i(), f())))),
-                        of(62, new DeviceData.RangerRanges(list(this::d))),
-                        of(62, new DeviceData.RangerIntensities(list(this::d))),
-                        of(
-                                62,
-                                new DeviceData.RangerStamped(
-                                        new DeviceData.RangerRanges(list(this::d)),
-                                        b() ? rangerGeometry() : null,
-                                        b() ? rangerConfiguration() : null)),
-                        of(
-                                62,
-                                new DeviceData.RangerStamped(
-                                        new DeviceData.RangerIntensities(list(this::d)), rangerGeometry(), null)),
-                        of(62, new DeviceData.GeometryChanged(rangerGeometry())),
-                        of(6, new DeviceData.LaserScan(f(), f(), f(), f(), list(this::f), list(() -> (byte) i()), i())))
-                .toList();
-    }
-
-    private DeviceDataMessage of(int code, DeviceData data) {
-        return new DeviceDataMessage(new DeviceAddress(i(), i(), code, random.nextInt(3)), d(), data);
-    }
-
-    List<DeviceCommand> positionCommands() {
-        return List.of(
-                new DeviceCommand.Velocity(d(), d(), d(), b()),
-                new DeviceCommand.GoTo(d(), d(), d(), d(), d(), d(), b()),
-                new DeviceCommand.Car(d(), d()),
-                new DeviceCommand.VelocityHeading(d(), d()));
-    }
-
-    List<Asked> requests() {
-        return List.of(
-                new Asked(4, new DeviceRequest.Geometry()),
-                new Asked(4, new DeviceRequest.Power(b())),
-                new Asked(4, new DeviceRequest.VelocityMode(i())),
-                new Asked(4, new DeviceRequest.PositionMode(i())),
-                new Asked(4, new DeviceRequest.SetOdometry(d(), d(), d())),
-                new Asked(4, new DeviceRequest.ResetOdometry()),
-                new Asked(4, new DeviceRequest.SpeedPid(f(), f(), f())),
-                new Asked(4, new DeviceRequest.PositionPid(f(), f(), f())),
-                new Asked(4, new DeviceRequest.SpeedProfile(f(), f())),
-                new Asked(4, new DeviceRequest.SetIntegerProperty(name(), i())),
-                new Asked(5, new DeviceRequest.Geometry()),
-                new Asked(5, new DeviceRequest.Power(b())),
-                new Asked(7, new DeviceRequest.SetColour(i(), i(), i(), i(), i(), i(), i())),
-                new Asked(7, new DeviceRequest.SetImager(i(), i(), i(), i())),
-                new Asked(7, new DeviceRequest.GetColour()),
-                new Asked(62, new DeviceRequest.Geometry()),
-                new Asked(62, new DeviceRequest.Power(b())),
-                new Asked(62, new DeviceRequest.Intensities(b())),
-                new Asked(62, new DeviceRequest.SetRangerConfiguration(rangerConfiguration())),
-                new Asked(62, new DeviceRequest.GetConfiguration()),
-                new Asked(6, new DeviceRequest.Geometry()),
-                new Asked(6, new DeviceRequest.SetLaserConfiguration(laserConfiguration())),
-                new Asked(6, new DeviceRequest.GetConfiguration()),
-                new Asked(6, new DeviceRequest.Power(b())),
-                new Asked(6, new DeviceRequest.LaserId()),
-                new Asked(31, new DeviceRequest.GetPose(name())),
-                new Asked(31, new DeviceRequest.SetPose(name(), d(), d(), d())),
-                new Asked(31, new DeviceRequest.Capability(i(), i())),
-                new Asked(10, new DeviceRequest.Capability(i(), i())),
-                new Asked(10, new DeviceRequest.Unknown(random.nextInt(255))));
-    }
-
-    List<Answered> replies() {
-        return List.of(
-                new Answered(4, 1, positionGeometry()),
-                new Answered(4, 2, new DeviceReply.Ack()),
-                new Answered(4, 3, new DeviceReply.Nack("refused by the server")),
-                new Answered(5, 1, sonarGeometry()),
-                new Answered(7, 3, new DeviceReply.Colour(i(), i(), i(), i(), i(), i(), i())),
-                new Answered(62, 1, rangerGeometry()),
-                new Answered(62, 4, new DeviceReply.OfRanger(rangerConfiguration())),
-                new Answered(62, 5, new DeviceReply.OfRanger(rangerConfiguration())),
-                new Answered(6, 1, new DeviceReply.LaserGeometry(pose(), size())),
-                new Answered(6, 2, new DeviceReply.OfLaser(laserConfiguration())),
-                new Answered(6, 3, new DeviceReply.OfLaser(laserConfiguration())),
-                new Answered(6, 5, new DeviceReply.LaserId(i())),
-                new Answered(31, 1, new DeviceReply.ModelPose(name(), d(), d(), d())),
-                new Answered(31, 2, new DeviceReply.Ack()));
-    }
-
-    List<PlayerRequest> playerRequests() {
-        return List.of(
-                new PlayerRequest.DeviceList(),
-                new PlayerRequest.DriverInfo(address()),
-                new PlayerRequest.Access(address(), random.nextInt(256)),
-                new PlayerRequest.NextData(),
-                new PlayerRequest.DataMode(b() ? Delivery.PUSH : Delivery.PULL),
-                new PlayerRequest.AddRule(new ReplaceRule(i(), i(), i(), i(), random.nextInt(3))),
-                new PlayerRequest.Capability(i(), i()),
-                new PlayerRequest.Other(7 + random.nextInt(2)));
+    private void addReplies() {
+        add(4, 1, content(DeviceReply.Position2dGeometry.class));
+        add(4, 2, new DeviceReply.Ack());
+        add(4, 3, new DeviceReply.Nack("refused by the server"));
+        add(5, 1, content(DeviceReply.SonarGeometry.class));
+        add(7, 3, content(DeviceReply.Colour.class));
+        add(62, 1, content(DeviceReply.RangerGeometry.class));
+        add(62, 4, content(DeviceReply.OfRanger.class));
+        add(62, 5, content(DeviceReply.OfRanger.class));
+        add(6, 1, content(DeviceReply.LaserGeometry.class));
+        add(6, 2, content(DeviceReply.OfLaser.class));
+        add(6, 3, content(DeviceReply.OfLaser.class));
+        add(6, 5, content(DeviceReply.LaserId.class));
+        add(31, 1, content(DeviceReply.ModelPose.class));
+        add(31, 2, new DeviceReply.Ack());
+        add(1, 1, content(PlayerReply.DeviceList.class));
+        add(1, 2, content(PlayerReply.DriverInfo.class));
+        add(1, 3, new PlayerReply.Access(address(), 2, name()));
     }
 }

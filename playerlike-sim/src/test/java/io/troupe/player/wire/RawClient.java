@@ -21,53 +21,41 @@ final class RawClient implements AutoCloseable {
     private final InputStream in;
     private final MessageReader reader;
 
-    RawClient(int port) {
-        try {
-            socket = new Socket(InetAddress.getLoopbackAddress(), port);
-            socket.setSoTimeout(PATIENCE_MILLIS);
-            socket.setTcpNoDelay(true);
-            in = new FilterInputStream(socket.getInputStream()) {
-                @Override
-                public int read(byte[] bytes, int offset, int length) throws IOException {
-                    int count = super.read(bytes, offset, length);
-                    received.write(bytes, offset, Math.max(0, count));
-                    return count;
-                }
-            };
-            reader = new MessageReader(in, 1 << 20);
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+    RawClient(int port) throws IOException {
+        socket = new Socket(InetAddress.getLoopbackAddress(), port);
+        socket.setSoTimeout(PATIENCE_MILLIS);
+        socket.setTcpNoDelay(true);
+        in = new FilterInputStream(socket.getInputStream()) {
+            @Override
+            public int read(byte[] bytes, int offset, int length) throws IOException {
+                int count = super.read(bytes, offset, length);
+                received.write(bytes, offset, Math.max(0, count));
+                return count;
+            }
+        };
+        reader = new MessageReader(in, 1 << 20);
     }
 
     /** Connects and reads the greeting. */
-    static RawClient greeted(int port) {
+    static RawClient greeted(int port) throws IOException {
         var client = new RawClient(port);
         assertThat(client.banner()).startsWith("Player v.");
         return client;
     }
 
-    String banner() {
-        try {
-            byte[] banner = in.readNBytes(32);
-            assertThat(banner).hasSize(32);
-            return new String(banner, StandardCharsets.US_ASCII).replace("\0", "");
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
-        }
+    String banner() throws IOException {
+        byte[] banner = in.readNBytes(32);
+        assertThat(banner).hasSize(32);
+        return new String(banner, StandardCharsets.US_ASCII).replace("\0", "");
     }
 
-    RawClient send(byte[]... bytes) {
-        try {
-            var all = new ByteArrayOutputStream();
-            for (byte[] each : bytes) {
-                all.writeBytes(each);
-            }
-            socket.getOutputStream().write(all.toByteArray());
-            return this;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
+    RawClient send(byte[]... bytes) throws IOException {
+        var all = new ByteArrayOutputStream();
+        for (byte[] each : bytes) {
+            all.writeBytes(each);
         }
+        socket.getOutputStream().write(all.toByteArray());
+        return this;
     }
 
     static byte[] message(MessageType type, int code, int index, Content content) {
@@ -75,64 +63,67 @@ final class RawClient implements AutoCloseable {
                 .bytes();
     }
 
+    static byte[] request(int code, int index, Content content) {
+        return message(MessageType.REQ, code, index, content);
+    }
+
     static byte[] bytes(PlayerRequest request) {
-        return message(MessageType.REQ, 1, 0, PlayerDeviceCodec.encode(request));
+        return request(1, 0, PlayerDeviceCodec.encode(request));
     }
 
-    static byte[] access(Interfaces type, int mode) {
-        return bytes(new PlayerRequest.Access(new DeviceAddress(0, 0, type.code(), 0), mode));
-    }
-
-    RawClient send(PlayerRequest request) {
-        return send(bytes(request));
+    static PlayerRequest access(Interfaces type, int mode) {
+        return new PlayerRequest.Access(new DeviceAddress(0, 0, type.code(), 0), mode);
     }
 
     /** Sends a request and expects an ACK as the very next message. */
-    WireMessage ask(PlayerRequest request) {
-        send(request);
-        WireMessage reply = next();
+    WireMessage ask(PlayerRequest request) throws IOException {
+        WireMessage reply = send(bytes(request)).next();
         assertThat(reply.header().type()).as("reply to %s", request).isEqualTo(MessageType.ACK);
         assertThat(reply.header().subtype())
                 .isEqualTo(PlayerDeviceCodec.encode(request).subtype());
         return reply;
     }
 
-    void subscribe(Interfaces type) {
-        ask(new PlayerRequest.Access(new DeviceAddress(0, 0, type.code(), 0), PlayerRequest.OPEN));
+    /** Waits until everything that was sent before has been handled. */
+    WireMessage sync() throws IOException {
+        return ask(new PlayerRequest.DeviceList());
     }
 
-    RawClient drive(double forwardMps, double turnRadps) {
-        return send(message(
-                MessageType.CMD,
-                4,
-                0,
-                CommandCodec.encode(new DeviceCommand.Velocity(forwardMps, 0, turnRadps, true))));
+    void subscribe(Interfaces... types) throws IOException {
+        for (var type : types) {
+            ask(access(type, PlayerRequest.OPEN));
+        }
     }
 
-    WireMessage next() {
+    RawClient drive(double forwardMps, double turnRadps) throws IOException {
+        var velocity = new DeviceCommand.Velocity(forwardMps, 0, turnRadps, true);
+        return send(message(MessageType.CMD, 4, 0, CommandCodec.encode(velocity)));
+    }
+
+    WireMessage next() throws IOException {
         try {
             WireMessage message = reader.read();
             assertThat(message).as("the next message").isNotNull();
             return message;
-        } catch (IOException e) {
-            throw new UncheckedIOException(e);
         } catch (WireException e) {
             throw new AssertionError(e);
         }
     }
 
-    WireMessage next(MessageType type, int code, int subtype) {
+    WireMessage next(MessageType type, int code, int subtype) throws IOException {
         WireMessage message = next();
-        assertThat(message)
-                .as("the next message")
-                .hasToString(WireMessage.of(new DeviceAddress(0, 0, code, 0), type, subtype, 0, message.payload())
-                        .toString());
+        var expected = WireMessage.of(new DeviceAddress(0, 0, code, 0), type, subtype, 0, message.payload());
+        assertThat(message).as("the next message").hasToString(expected.toString());
         return message;
     }
 
-    DeviceData.Position2d nextPosition() throws WireException {
-        return (DeviceData.Position2d)
-                DataCodec.decode(4, 1, next(MessageType.DATA, 4, 1).payload()).orElseThrow();
+    DeviceData.Position2d nextPosition() throws IOException {
+        try {
+            byte[] payload = next(MessageType.DATA, 4, 1).payload();
+            return (DeviceData.Position2d) DataCodec.decode(4, 1, payload).orElseThrow();
+        } catch (WireException e) {
+            throw new AssertionError(e);
+        }
     }
 
     /** Waits until the server has closed the connection. */

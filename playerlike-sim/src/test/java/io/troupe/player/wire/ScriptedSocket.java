@@ -2,6 +2,8 @@ package io.troupe.player.wire;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.player.PlayerClient;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;
@@ -10,8 +12,11 @@ import java.net.Socket;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.BlockingQueue;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
@@ -20,42 +25,100 @@ import org.jspecify.annotations.Nullable;
  * A server at a socket whose behaviour the test scripts; what the script leaves out is answered as a real server does.
  */
 final class ScriptedSocket implements AutoCloseable {
-    private static final int LOOPBACK = 0x0100007f;
-
-    /** The requests that a test answers itself. */
-    interface Script {
-        /** False leaves the message to the default reply. */
-        boolean answers(WireMessage message, ScriptedSocket server) throws IOException;
+    /** What the server does with a request instead of the default reply. */
+    interface Answer {
+        void to(WireMessage message) throws IOException;
     }
 
     /** All messages except commands. */
     final List<WireMessage> received = new CopyOnWriteArrayList<>();
+    /** While this is true, nothing is answered. */
+    volatile boolean silent;
 
     private final BlockingQueue<WireMessage> commands = new LinkedBlockingQueue<>();
-    private final ServerSocket listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+    private final Map<List<Integer>, Answer> script = new ConcurrentHashMap<>();
+    private final CountDownLatch readOn = new CountDownLatch(1);
+    private final List<PlayerClient> clients = new CopyOnWriteArrayList<>();
+    private final ServerSocket listener;
     private final byte[] greeting;
-    private final Script script;
     private final Thread thread;
     private volatile @Nullable Socket client;
 
     /** A Player greeting is padded to its 32 bytes; any other is sent unchanged. */
-    ScriptedSocket(String greeting, Script script) throws IOException {
+    ScriptedSocket(String greeting) {
         byte[] text = greeting.getBytes(StandardCharsets.ISO_8859_1);
         this.greeting = greeting.startsWith("Player") ? Arrays.copyOf(text, 32) : text;
-        this.script = script;
-        this.thread = Thread.ofPlatform().daemon().name("scripted-socket").start(this::serve);
+        try {
+            listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
+        } catch (IOException e) {
+            throw new UncheckedIOException(e);
+        }
+        thread = Thread.ofPlatform().daemon().name("scripted-socket").start(this::serve);
     }
 
-    ScriptedSocket(Script script) throws IOException {
-        this("Player v.3.1.1-dev", script);
+    ScriptedSocket() {
+        this("Player v.3.1.1-dev");
+    }
+
+    /** Scripts the requests of this kind. */
+    void on(int interfaceCode, int subtype, Answer answer) {
+        script.put(List.of(interfaceCode, subtype), answer);
+    }
+
+    /** Scripts that nothing is read after a request of this kind until {@link #readOn}. */
+    void stopReadingAt(int interfaceCode, int subtype) {
+        on(interfaceCode, subtype, message -> {
+            awaitReadOn();
+            answer(message);
+        });
+    }
+
+    void awaitReadOn() {
+        try {
+            readOn.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
+    }
+
+    void readOn() {
+        readOn.countDown();
+    }
+
+    /** A client that is closed with this server. */
+    PlayerClient connect() {
+        clients.add(new PlayerClient("localhost", port()));
+        return clients.getLast();
+    }
+
+    PlayerConnection connect(DataSink sink) {
+        return new RemoteServer("localhost", port()).connect(sink, null);
     }
 
     int port() {
         return listener.getLocalPort();
     }
 
+    /** Host and port, as messages name them. */
+    @Override
+    public String toString() {
+        return "localhost:" + port();
+    }
+
     DeviceAddress device(Interfaces type) {
-        return new DeviceAddress(LOOPBACK, port(), type.code(), 0);
+        return new DeviceAddress(TcpServer.LOOPBACK_HOST, port(), type.code(), 0);
+    }
+
+    private static List<Integer> kind(WireMessage message) {
+        return List.of(
+                message.header().address().interfaceCode(), message.header().subtype());
+    }
+
+    /** The number of requests of this kind so far. */
+    long count(int interfaceCode, int subtype) {
+        return received.stream()
+                .filter(each -> kind(each).equals(List.of(interfaceCode, subtype)))
+                .count();
     }
 
     private void serve() {
@@ -69,8 +132,8 @@ final class ScriptedSocket implements AutoCloseable {
                     continue;
                 }
                 received.add(message);
-                if (!script.answers(message, this)) {
-                    answer(message);
+                if (!silent) {
+                    script.getOrDefault(kind(message), this::answer).to(message);
                 }
             }
         } catch (IOException closed) {
@@ -80,24 +143,33 @@ final class ScriptedSocket implements AutoCloseable {
         }
     }
 
-    private void answer(WireMessage message) throws IOException, WireException {
-        var header = message.header();
-        if (header.address().interfaceCode() != PlayerRequest.INTERFACE) {
-            send(reply(message, MessageType.ACK, Content.NONE));
+    /** The default reply. */
+    void answer(WireMessage message) throws IOException {
+        if (message.header().address().interfaceCode() != PlayerRequest.INTERFACE) {
+            send(ack(message, Content.NONE));
             return;
         }
-        PlayerReply reply = switch (PlayerDeviceCodec.request(header.subtype(), message.payload())) {
-            case PlayerRequest.DeviceList list ->
-                new PlayerReply.DeviceList(
-                        List.of(device(Interfaces.POSITION2D), device(Interfaces.SONAR), device(Interfaces.RANGER)));
-            case PlayerRequest.Access access -> new PlayerReply.Access(access.device(), access.mode(), "stage");
-            default -> new PlayerReply.Ack();
-        };
-        send(reply(message, PlayerDeviceCodec.type(reply), PlayerDeviceCodec.encode(reply)));
+        try {
+            PlayerReply reply = switch (PlayerDeviceCodec.request(
+                    message.header().subtype(), message.payload())) {
+                case PlayerRequest.DeviceList list ->
+                    new PlayerReply.DeviceList(List.of(
+                            device(Interfaces.POSITION2D), device(Interfaces.SONAR), device(Interfaces.RANGER)));
+                case PlayerRequest.Access access -> new PlayerReply.Access(access.device(), access.mode(), "stage");
+                default -> new PlayerReply.Ack();
+            };
+            send(reply(message, PlayerDeviceCodec.type(reply), PlayerDeviceCodec.encode(reply)));
+        } catch (WireException e) {
+            throw new AssertionError(e);
+        }
     }
 
     WireMessage reply(WireMessage to, MessageType type, byte[] payload) {
         return WireMessage.of(to.header().address(), type, to.header().subtype(), 0, payload);
+    }
+
+    WireMessage ack(WireMessage to, byte[] payload) {
+        return reply(to, MessageType.ACK, payload);
     }
 
     WireMessage position(double x) {
@@ -120,7 +192,7 @@ final class ScriptedSocket implements AutoCloseable {
 
     /** In a single write, so as one segment. */
     void send(WireMessage... messages) throws IOException {
-        var bytes = new java.io.ByteArrayOutputStream();
+        var bytes = new ByteArrayOutputStream();
         for (var each : messages) {
             bytes.writeBytes(each.bytes());
         }
@@ -141,22 +213,26 @@ final class ScriptedSocket implements AutoCloseable {
         return commands.poll();
     }
 
-    /** Closes the server. */
-    @Override
-    public void close() {
+    /** Closes the server and leaves its clients open. */
+    void vanish() {
         try {
             listener.close();
             Socket connected = client;
             if (connected != null) {
                 connected.close();
             }
+            thread.join();
         } catch (IOException e) {
             throw new UncheckedIOException(e);
-        }
-        try {
-            thread.join();
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         }
+    }
+
+    @Override
+    public void close() {
+        readOn();
+        clients.forEach(PlayerClient::close);
+        vanish();
     }
 }

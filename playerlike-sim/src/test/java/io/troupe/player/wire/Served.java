@@ -8,17 +8,22 @@ import io.troupe.sim.TestWorlds;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.SonarSpec;
+import java.io.IOException;
 import java.net.InetAddress;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
+import java.util.concurrent.atomic.AtomicBoolean;
+import org.junit.jupiter.api.function.Executable;
 
-/** A world of one robot, and a server for it. */
+/** A world of one robot or of a scenario, a server for it, and clients that are closed with it. */
 final class Served implements AutoCloseable {
     static final int PORT = 6781;
 
@@ -26,10 +31,12 @@ final class Served implements AutoCloseable {
     final TcpServer server;
     private final ExecutorService ticker = Executors.newSingleThreadExecutor();
     private final List<Future<Snapshot>> ticks = new ArrayList<>();
+    private final List<RawClient> clients = new ArrayList<>();
 
-    private Served(Simulation simulation, TcpServer server) {
-        this.simulation = simulation;
-        this.server = server;
+    /** @param port 0 for any */
+    private Served(Scenario scenario, int port, TcpServer.Shared shared) {
+        simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+        server = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), port, InetAddress.getLoopbackAddress(), shared);
     }
 
     static Served open() {
@@ -37,21 +44,25 @@ final class Served implements AutoCloseable {
     }
 
     static Served open(int port) {
-        return open(port, new TcpServer.Shared(TcpServer.Settings.ofMachine(1), Clock.system()));
+        return new Served(oneRobot(), port, ofMachine());
     }
 
-    /** @param port 0 for any */
-    static Served open(int port, TcpServer.Shared shared) {
-        var simulation =
-                Simulation.open(TestWorlds.scenario(PORT, TestWorlds.world(List.of(robot()))), WorldSettings.DEFAULT);
-        var devices = PlayerPorts.find(PORT).orElseThrow();
-        return new Served(simulation, TcpServer.open(devices, port, InetAddress.getLoopbackAddress(), shared));
+    static Served open(Scenario scenario) {
+        return new Served(scenario, 0, ofMachine());
+    }
+
+    static Served open(TcpServer.Settings settings, Clock clock) {
+        return new Served(oneRobot(), 0, new TcpServer.Shared(settings, clock));
+    }
+
+    private static TcpServer.Shared ofMachine() {
+        return new TcpServer.Shared(TcpServer.Settings.ofMachine(1), Clock.system());
     }
 
     /** The robot of the captured conversations: its pose and its sixteen sonars, in an empty world. */
-    private static RobotSpec robot() {
+    private static Scenario oneRobot() {
         RobotSpec plain = TestWorlds.robot("r1", 0, -5, 0);
-        return new RobotSpec(
+        var robot = new RobotSpec(
                 plain.name(),
                 plain.pose(),
                 plain.shape(),
@@ -67,10 +78,49 @@ final class Served implements AutoCloseable {
                 true,
                 true,
                 plain.where());
+        return TestWorlds.scenario(PORT, TestWorlds.world(List.of(robot)));
+    }
+
+    /** Runs the action while threads that never block occupy every carrier of virtual threads. */
+    static void whileNoCarrierIsFree(Executable action) throws Throwable {
+        int carriers = Integer.getInteger(
+                "jdk.virtualThreadScheduler.parallelism", Runtime.getRuntime().availableProcessors());
+        var stop = new AtomicBoolean();
+        var spinning = new CountDownLatch(carriers);
+        var spinners = new ArrayList<Thread>();
+        for (int i = 0; i < carriers; i++) {
+            spinners.add(Thread.startVirtualThread(() -> {
+                spinning.countDown();
+                while (!stop.get()) {
+                    Thread.onSpinWait();
+                }
+            }));
+        }
+        try {
+            spinning.await();
+            action.execute();
+        } finally {
+            stop.set(true);
+            for (var each : spinners) {
+                each.join();
+            }
+        }
     }
 
     int port() {
         return server.port();
+    }
+
+    /** A client that has read nothing yet. */
+    RawClient connect() throws IOException {
+        clients.add(new RawClient(port()));
+        return clients.getLast();
+    }
+
+    /** A client that has read the greeting. */
+    RawClient client() throws IOException {
+        clients.add(RawClient.greeted(port()));
+        return clients.getLast();
     }
 
     /** Ticks and returns when that is done; for clients that need not answer. */
@@ -96,6 +146,7 @@ final class Served implements AutoCloseable {
     /** Checks that all started ticks have succeeded; without clients they wait for no answer. */
     @Override
     public void close() {
+        clients.forEach(RawClient::close);
         server.close();
         ticks.forEach(Served::done);
         ticker.shutdownNow();

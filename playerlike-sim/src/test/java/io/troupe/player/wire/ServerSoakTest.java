@@ -6,7 +6,6 @@ import io.troupe.sim.Pace;
 import io.troupe.sim.SimulationRunner;
 import java.io.IOException;
 import java.io.OutputStream;
-import java.io.UncheckedIOException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -59,10 +58,11 @@ class ServerSoakTest {
 
     private void soak(Duration atLeast) throws Exception {
         int storms = atLeast.isZero() ? 1 : Runtime.getRuntime().availableProcessors() + 1;
+        var turn = CommandCodec.encode(new DeviceCommand.Velocity(0, 0, 0.1, true));
         var kinds = List.of(
                 new Kind("unknown commands", storm(RawClient.message(MessageType.CMD, 4, 0, Content.empty(99)))),
-                new Kind("commands", storm(RawClient.message(MessageType.CMD, 4, 0, velocity()))),
-                new Kind("requests, replies unread", storm(RawClient.message(MessageType.REQ, 5, 0, Content.empty(1)))),
+                new Kind("commands", storm(RawClient.message(MessageType.CMD, 4, 0, turn))),
+                new Kind("requests, replies unread", storm(RawClient.request(5, 0, Content.empty(1)))),
                 new Kind("requests, replies read", ServerSoakTest::ask),
                 new Kind("garbage", ServerSoakTest::garbage),
                 new Kind("connections", ServerSoakTest::connect),
@@ -75,9 +75,8 @@ class ServerSoakTest {
             good.subscribe(Interfaces.SONAR); // no other client drives the robot
             for (var kind : kinds) {
                 for (int i = 0; i < storms; i++) {
-                    long seed = i;
-                    threads.add(
-                            Thread.ofPlatform().daemon().start(() -> behave(kind, served.port(), new Random(seed))));
+                    var random = new Random(i);
+                    threads.add(Thread.ofPlatform().daemon().start(() -> behave(kind, served.port(), random)));
                 }
             }
             long end = System.nanoTime() + atLeast.toNanos();
@@ -127,17 +126,13 @@ class ServerSoakTest {
             while (!stop.get()) {
                 try {
                     kind.done().addAndGet(kind.behaviour().once(port, random, stop));
-                } catch (IOException | UncheckedIOException | AssertionError ended) {
+                } catch (IOException | AssertionError ended) {
                     kind.done().incrementAndGet(); // closed by the server, which a hostile client has to expect
                 }
             }
         } catch (RuntimeException e) {
             failures.add(e);
         }
-    }
-
-    private static Content velocity() {
-        return CommandCodec.encode(new DeviceCommand.Velocity(0, 0, 0.1, true));
     }
 
     /** Sends one message repeatedly; from time to time over a new connection. */
@@ -162,16 +157,16 @@ class ServerSoakTest {
         };
     }
 
-    private static long ask(int port, Random random, AtomicBoolean stop) {
+    private static long ask(int port, Random random, AtomicBoolean stop) throws IOException {
         try (var client = RawClient.greeted(port)) {
             for (int i = 0; i < 100 && !stop.get(); i++) {
-                client.ask(new PlayerRequest.DeviceList());
+                client.sync();
             }
             return 100;
         }
     }
 
-    private static long garbage(int port, Random random, AtomicBoolean stop) {
+    private static long garbage(int port, Random random, AtomicBoolean stop) throws IOException {
         try (var client = new RawClient(port)) {
             var bytes = new byte[random.nextInt(400)];
             random.nextBytes(bytes);
@@ -189,7 +184,7 @@ class ServerSoakTest {
         }
     }
 
-    private static long subscribe(int port, Random random, AtomicBoolean stop) {
+    private static long subscribe(int port, Random random, AtomicBoolean stop) throws IOException {
         try (var client = RawClient.greeted(port)) {
             client.subscribe(Interfaces.BLOBFINDER);
             return 10;

@@ -4,97 +4,91 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.sim.TestWorlds;
+import io.troupe.sim.Specs;
+import io.troupe.sim.device.Scene;
+import io.troupe.sim.device.Sonar;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.Shape;
+import io.troupe.sim.model.SonarSpec;
+import java.util.ArrayList;
+import java.util.DoubleSummaryStatistics;
+import java.util.List;
+import java.util.Random;
+import java.util.function.Consumer;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.jbox2d.collision.AABB;
+import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.common.Settings;
+import org.jbox2d.common.Vec2;
+import org.jbox2d.dynamics.BodyDef;
 import org.junit.jupiter.api.Test;
 
 class PhysicsTest {
     private static final int STEP_MICROS = 10_000;
 
-    /** Robots in a grid, driving circles. */
-    private static Physics circling(int robots) {
-        var physics = new Physics(robots, STEP_MICROS);
+    private static Physics physics(Pose... robots) {
+        var physics = new Physics(robots.length, STEP_MICROS);
+        for (Pose pose : robots) {
+            physics.addRobot(pose, Specs.box(0.4, 0.3), 10);
+        }
+        return physics;
+    }
+
+    /** Robots in rows of ten, driving circles. */
+    private static Physics circling(int robots, int apartM, int firstX) {
+        Physics physics = physics(IntStream.range(0, robots)
+                .mapToObj(i -> new Pose(i % 10 * apartM + firstX, i / 10 * apartM, i))
+                .toArray(Pose[]::new));
         for (int robot = 0; robot < robots; robot++) {
-            physics.addRobot(new Pose(robot % 10 * 2 - 9, robot / 10 * 2, robot), TestWorlds.box(0.4, 0.3), 10);
             physics.drive(robot, 0.3, 0.5);
         }
         return physics;
     }
 
-    @Test
-    void robotsOnTheirOwn_hardlyConcernTheTree() {
-        var physics = new Physics(30, STEP_MICROS);
-        for (int robot = 0; robot < 30; robot++) {
-            physics.addRobot(new Pose(robot % 10 * 5 - 20, robot / 10 * 5, robot), TestWorlds.box(0.4, 0.3), 10);
-            physics.drive(robot, 0.3, 0.5);
-        }
-        for (int step = 0; step < 1_000; step++) {
+    private static void step(Physics physics, int steps) {
+        for (int step = 0; step < steps; step++) {
             physics.step();
         }
+    }
+
+    @Test
+    void robotsOnTheirOwn_hardlyConcernTheTree() {
+        Physics physics = circling(30, 5, -20);
+        step(physics, 1_000);
         RepairedTree tree = physics.tree();
         assertThat(tree.reinsertCount()).as("of 30,000 steps").isLessThan(3_000).isPositive();
         assertThat(tree.moveCount()).as("of 30,000 steps").isLessThan(4_000);
     }
 
     @Test
-    void repairedTree_reinsertsFewMoves() {
-        var physics = new Physics(2, STEP_MICROS); // so near each other that jbox2d moves them at every step
-        physics.addRobot(new Pose(0, 0.18, 0), TestWorlds.box(0.4, 0.3), 10);
-        physics.addRobot(new Pose(0, -0.18, 0), TestWorlds.box(0.4, 0.3), 10);
-        physics.drive(0, 0.3, 0);
-        physics.drive(1, 0.3, 0);
-        for (int step = 0; step < 1_000; step++) {
-            physics.step();
-        }
-        RepairedTree tree = physics.tree();
-        assertThat(tree.moveCount()).isEqualTo(2_000);
-        assertThat(tree.reinsertCount())
-                .as("of %d moves", tree.moveCount())
-                .isLessThan(tree.moveCount() / 10)
-                .isPositive();
-    }
-
-    @Test
-    void angles_areWrapped_soThatALongTurnStaysExact() {
-        var physics = new Physics(1, STEP_MICROS);
-        physics.addRobot(Pose.ORIGIN, TestWorlds.box(0.4, 0.3), 10);
+    void angles_areWrapped_andPlacesFarOutCounted_soThatBothStayExact() {
+        Physics physics = physics(Pose.ORIGIN);
         double perStep = StrictMath.PI / 500;
         physics.drive(0, 0, perStep * 100);
-        for (int step = 0; step < 100_000; step++) { // 100 turns
-            physics.step();
-        }
+        step(physics, 100_000); // 100 turns
         assertThat(physics.pose(0).headingRad()).isCloseTo(0, within(1e-8));
+        Physics far = physics(new Pose(300, 0, 0));
+        far.drive(0, 0.1, 0);
+        step(far, 6_000);
+        assertThat(far.pose(0).x()).isCloseTo(306, within(1e-8)); // single precision alone would be 4 cm off
     }
 
     @Test
-    void robotFarFromTheOrigin_drivesAsFarAsOneAtIt() {
-        var physics = new Physics(1, STEP_MICROS);
-        physics.addRobot(new Pose(300, 0, 0), TestWorlds.box(0.4, 0.3), 10);
-        physics.drive(0, 0.1, 0);
-        for (int step = 0; step < 6_000; step++) {
-            physics.step();
-        }
-        assertThat(physics.pose(0).x()).isCloseTo(306, within(1e-8)); // single precision alone would be 4 cm off
-    }
-
-    @Test
-    void sineTable_isTheStandardOneOnThisMachine() {
+    void jbox2d_hasOurSineTableAndSkin_andObstaclesComeBeforeRobots() {
         assertThat(Physics.hasStandardSineTable()).isTrue();
-    }
-
-    @Test
-    void skin_isThatOfTwoPolygons() {
         assertThat(Physics.SKIN_M).isCloseTo(2.0 * Settings.polygonRadius, within(1e-8));
+        Physics physics = circling(1, 2, -9);
+        assertThatThrownBy(() -> physics.addObstacle(Pose.ORIGIN, Specs.box(1, 1)))
+                .isInstanceOf(IllegalStateException.class);
     }
 
     @Test
     void body_followsThePose() {
-        Physics physics = circling(9);
-        for (int i = 0; i < 5000; i++) {
-            physics.step();
-        }
-
+        Physics physics = circling(9, 2, -9);
+        step(physics, 5_000);
         for (int i = 0; i < 9; i++) {
             double apart = StrictMath.IEEEremainder(
                     physics.bodyHeadingRad(i) - physics.pose(i).headingRad(), 2 * StrictMath.PI);
@@ -102,11 +96,328 @@ class PhysicsTest {
         }
     }
 
-    @Test
-    void obstacleAfterARobot_isRefused() {
-        Physics physics = circling(1);
+    // ---- the repaired tree
 
-        assertThatThrownBy(() -> physics.addObstacle(Pose.ORIGIN, TestWorlds.box(1, 1)))
-                .isInstanceOf(IllegalStateException.class);
+    private static final Vec2 STILL = new Vec2(0, 0);
+
+    private final RepairedTree tree = new RepairedTree();
+
+    private static AABB box(float minX, float minY, float maxX, float maxY) {
+        return new AABB(new Vec2(minX, minY), new Vec2(maxX, maxY));
+    }
+
+    private List<Integer> query(float minX, float minY, float maxX, float maxY) {
+        List<Integer> found = new ArrayList<>();
+        tree.query(found::add, box(minX, minY, maxX, maxY));
+        return found;
+    }
+
+    @Test
+    void repairedTree_reinsertsFewMoves() {
+        // so near each other that jbox2d moves them at every step
+        Physics physics = physics(new Pose(0, 0.18, 0), new Pose(0, -0.18, 0));
+        physics.drive(0, 0.3, 0);
+        physics.drive(1, 0.3, 0);
+        step(physics, 1_000);
+        assertThat(physics.tree().moveCount()).isEqualTo(2_000);
+        assertThat(physics.tree().reinsertCount())
+                .as("of 2,000 moves")
+                .isLessThan(2_000 / 10)
+                .isPositive();
+    }
+
+    @Test
+    void holds_isTrueForTheOuterBoxOnly() {
+        assertThat(RepairedTree.holds(box(0, 0, 3, 3), box(1, 1, 2, 2))).isTrue();
+        assertThat(RepairedTree.holds(box(1, 1, 2, 2), box(0, 0, 3, 3))).isFalse();
+        assertThat(RepairedTree.holds(box(0, 0, 3, 3), box(0, 0, 3, 3))).isTrue();
+        assertThat(RepairedTree.holds(box(0, 0, 3, 3), box(1, 1, 2, 4))).isFalse();
+    }
+
+    @Test
+    void move_withinTheMargin_changesNothing_andOutOfItReinserts() {
+        int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
+        AABB fat = new AABB(tree.getFatAABB(proxy));
+        assertThat(tree.moveProxy(proxy, box(0.05f, 0, 1.05f, 1), STILL)).isFalse();
+        assertThat(tree.getFatAABB(proxy).lowerBound).isEqualTo(fat.lowerBound);
+        assertThat(tree.reinsertCount()).isZero();
+        assertThat(tree.moveProxy(proxy, box(3, 0, 4, 1), STILL)).isTrue();
+        assertThat(query(3.4f, 0.4f, 3.6f, 0.6f)).containsExactly(proxy);
+        assertThat(query(0.4f, 0.4f, 0.6f, 0.6f)).isEmpty();
+    }
+
+    @Test
+    void boxThatOutgrowsItsMarginOnAllSides_isStillFoundAtItsRim() {
+        int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
+        assertThat(tree.moveProxy(proxy, box(-2, -2, 3, 3), STILL)).isTrue();
+        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-2, -2, 3, 3)))
+                .isTrue();
+        assertThat(query(2.8f, 2.8f, 2.9f, 2.9f)).containsExactly(proxy);
+        assertThat(query(6, -2, 7, 3)).as("where the detour went").isEmpty();
+    }
+
+    @Test
+    void randomMoves_keepEveryBoxWithinItsFatBox() {
+        long seed = 20260;
+        var random = new Random(seed);
+        int[] proxies = new int[40];
+        for (int i = 0; i < proxies.length; i++) {
+            proxies[i] = tree.createProxy(box(i, 0, i + 1, 1), i);
+        }
+        for (int move = 0; move < 20_000; move++) {
+            int i = random.nextInt(proxies.length);
+            float x = random.nextFloat() * 20;
+            float y = random.nextFloat() * 20;
+            AABB box = box(x, y, x + 5 * random.nextFloat(), y + 5 * random.nextFloat());
+            tree.moveProxy(proxies[i], box, STILL);
+            assertThat(RepairedTree.holds(tree.getFatAABB(proxies[i]), box))
+                    .as("seed %d, move %d", seed, move)
+                    .isTrue();
+        }
+    }
+
+    // ---- robots that make their steps without jbox2d end at the same place as with it
+
+    private static final int TICKS = 150;
+    private static final int STEPS_PER_TICK = 10;
+
+    /** Two worlds, with and without gliding, that receive the same commands. */
+    private static final class Twins {
+        private final Physics gliding;
+        private final Physics plain;
+        private final Random random;
+        private final int robots;
+        private final Pose middle;
+        private final double sideM;
+        private final double scale; // of the robots
+        private int touches;
+
+        Twins(long seed) {
+            random = new Random(seed);
+            robots = 1 + random.nextInt(12);
+            scale = random.nextInt(6) == 0 ? 30 : 1;
+            sideM = scale * (4 + random.nextInt(20));
+            double farM = random.nextInt(3) == 0 ? 300 : 0;
+            middle = new Pose(farM, -farM / 2, 0);
+            gliding = new Physics(robots, STEP_MICROS, true);
+            plain = new Physics(robots, STEP_MICROS, false);
+            build();
+        }
+
+        private void both(Consumer<Physics> action) {
+            action.accept(gliding);
+            action.accept(plain);
+        }
+
+        private void build() {
+            Specs.arena(sideM)
+                    .forEach(wall -> both(physics -> physics.addObstacle(middle.compose(wall.pose()), wall.shape())));
+            int boxes = random.nextInt(8);
+            for (int i = 0; i < boxes; i++) {
+                Pose pose = somewhere();
+                Shape shape = Specs.box(0.1 + random.nextDouble(), 0.1 + random.nextDouble(), 0);
+                both(physics -> physics.addObstacle(pose, shape));
+            }
+            for (int i = 0; i < robots; i++) {
+                Pose pose = somewhere();
+                Shape shape = body();
+                double massKg = 1 + 30 * random.nextDouble();
+                boolean blocks = random.nextInt(6) > 0;
+                both(physics -> physics.addRobot(pose, shape, massKg, blocks));
+            }
+        }
+
+        private Shape body() {
+            var polygons = new ArrayList<List<Point>>();
+            int count = 1 + random.nextInt(3);
+            for (int i = 0; i < count; i++) {
+                Shape box = Specs.box(
+                        scale * (0.1 + 0.5 * random.nextDouble()),
+                        scale * (0.1 + 0.4 * random.nextDouble()),
+                        scale * (random.nextDouble() - 0.5));
+                polygons.addAll(box.polygons());
+            }
+            return new Shape(polygons);
+        }
+
+        private Pose somewhere() {
+            double x = (random.nextDouble() - 0.5) * (sideM - 1);
+            double y = (random.nextDouble() - 0.5) * (sideM - 1);
+            return middle.compose(new Pose(x, y, 20 * random.nextDouble() - 10));
+        }
+
+        private void tell() {
+            for (int i = 0; i < robots; i++) {
+                int robot = i;
+                if (random.nextInt(8) == 0) {
+                    double fastest = random.nextInt(20) == 0 ? 30 : 1; // half a metre in a step is too far for gliding
+                    double forwardMps = random.nextInt(5) == 0 ? 0 : fastest * (2 * random.nextDouble() - 1);
+                    double turnRadps = random.nextInt(3) == 0 ? 0 : 2 * fastest * (2 * random.nextDouble() - 1);
+                    both(physics -> physics.drive(robot, forwardMps, turnRadps));
+                }
+                if (random.nextInt(60) == 0) {
+                    Pose pose = somewhere();
+                    both(physics -> physics.teleport(robot, pose));
+                }
+            }
+        }
+
+        void run(long seed) {
+            for (int tick = 0; tick < TICKS; tick++) {
+                tell();
+                both(Physics::forgetTouches);
+                for (int step = 0; step < STEPS_PER_TICK; step++) {
+                    both(Physics::step);
+                    assertThat(numbers(gliding))
+                            .as("seed %d, tick %d, step %d", seed, tick, step)
+                            .isEqualTo(numbers(plain));
+                }
+                assertThat(touches(gliding)).as("seed %d, tick %d", seed, tick).isEqualTo(touches(plain));
+                touches += plain.touches().count();
+            }
+        }
+
+        private List<Long> numbers(Physics physics) {
+            var numbers = new ArrayList<Long>();
+            for (int robot = 0; robot < robots; robot++) {
+                numbers.add(Double.doubleToRawLongBits(physics.x(robot)));
+                numbers.add(Double.doubleToRawLongBits(physics.y(robot)));
+                numbers.add(Double.doubleToRawLongBits(physics.headingRad(robot)));
+                numbers.add(Double.doubleToRawLongBits(physics.bodyHeadingRad(robot)));
+                numbers.add(physics.stalled(robot) ? 1L : 0);
+            }
+            numbers.add(physics.tree().reinsertCount()); // otherwise contacts would be found later than by jbox2d
+            return numbers;
+        }
+
+        private static List<List<Long>> touches(Physics physics) {
+            Touches all = physics.touches();
+            var touches = new ArrayList<List<Long>>();
+            for (int i = 0; i < all.count(); i++) {
+                touches.add(List.of(
+                        all.timeMicros(i), (long) all.robot(i), (long) all.otherRobot(i), (long) all.obstacle(i)));
+            }
+            return touches;
+        }
+    }
+
+    @Test
+    void robots_endWhereJbox2dPutsThem_bitForBit() {
+        int touches = 0;
+        long plainMoves = 0;
+        long glidingMoves = 0;
+        for (long seed = 1; seed <= 80; seed++) {
+            var twins = new Twins(seed);
+            twins.run(seed);
+            touches += twins.touches;
+            plainMoves += twins.plain.tree().moveCount();
+            glidingMoves += twins.gliding.tree().moveCount();
+        }
+        assertThat(touches).as("touches compared").isGreaterThan(1_000);
+        assertThat(glidingMoves).as("moves in jbox2d, of %d", plainMoves).isLessThan(plainMoves * 3 / 4);
+    }
+
+    // ---- our rays, compared with those of jbox2d, which are slower and in single precision
+
+    private static final double REACH_M = 6;
+    private static final int PLACES = 1_200;
+    private static final int RAYS = 400;
+    /**
+     * jbox2d rotates bodies by a sine table: its result must lie between those of our rays at this angle to both sides.
+     */
+    private static final double GRAZING_RAD = 3e-5;
+
+    @Test
+    void sonarRays_agreeWithJbox2d_toAMillimetre() {
+        long seed = 42;
+        var random = new Random(seed);
+        List<ObstacleSpec> obstacles = obstacles(random);
+        var oracle = new org.jbox2d.dynamics.World(new Vec2(0, 0));
+        obstacles.forEach(obstacle -> addTo(oracle, obstacle));
+        var scene = new Scene(Specs.world(List.of(Specs.R1), obstacles));
+        List<Sonar> fans =
+                Stream.of(0.0, GRAZING_RAD, -GRAZING_RAD).map(PhysicsTest::fan).toList();
+        double largest = 0;
+        int hits = 0;
+        for (int place = 0; place < PLACES; place++) {
+            Pose pose = freePlace(obstacles, random);
+            scene.place(0, pose);
+            scene.refresh();
+            List<List<Double>> ranges =
+                    fans.stream().map(fan -> fan.read(scene, 0)).toList();
+            for (int i = 0; i < RAYS; i++) {
+                int ray = i;
+                double theirs = cast(oracle, pose, pose.headingRad() + headingRad(ray));
+                DoubleSummaryStatistics ours =
+                        ranges.stream().mapToDouble(fan -> fan.get(ray)).summaryStatistics();
+                largest = Math.max(largest, Math.max(ours.getMin() - theirs, theirs - ours.getMax()));
+                hits += theirs < REACH_M ? 1 : 0;
+            }
+        }
+        assertThat(PLACES * RAYS).isEqualTo(480_000);
+        assertThat(hits).as("hits, seed %d", seed).isGreaterThan(200_000);
+        assertThat(largest).as("metres of difference, seed %d", seed).isLessThan(0.001);
+    }
+
+    private static double headingRad(int ray) {
+        return ray * 2 * StrictMath.PI / RAYS;
+    }
+
+    private static Sonar fan(double asideRad) {
+        var mounts = IntStream.range(0, RAYS).mapToObj(ray -> new Pose(0, 0, headingRad(ray) + asideRad));
+        return new Sonar(new SonarSpec(mounts.toList(), 0, REACH_M, 0.1));
+    }
+
+    private static Pose freePlace(List<ObstacleSpec> obstacles, Random random) {
+        while (true) {
+            var pose = new Pose(22 * random.nextDouble() - 11, 22 * random.nextDouble() - 11, random.nextDouble());
+            if (!isCrowded(obstacles, pose)) {
+                return pose;
+            }
+        }
+    }
+
+    private static List<ObstacleSpec> obstacles(Random random) {
+        var obstacles = new ArrayList<ObstacleSpec>();
+        for (int index = 0; index < 120; index++) {
+            var pose = new Pose(20 * random.nextDouble() - 10, 20 * random.nextDouble() - 10, 7 * random.nextDouble());
+            Shape shape = Specs.box(0.1 + random.nextDouble(), 0.1 + random.nextDouble());
+            obstacles.add(Specs.obstacle("box " + index, pose, shape, 0));
+        }
+        return obstacles;
+    }
+
+    private static void addTo(org.jbox2d.dynamics.World oracle, ObstacleSpec obstacle) {
+        var corner = obstacle.shape().polygons().getFirst().get(2);
+        var shape = new PolygonShape();
+        shape.setAsBox((float) corner.x(), (float) corner.y());
+        var definition = new BodyDef();
+        definition.position.set(
+                (float) obstacle.pose().x(), (float) obstacle.pose().y());
+        definition.angle = (float) obstacle.pose().headingRad();
+        oracle.createBody(definition).createFixture(shape, 0);
+    }
+
+    /** True if a robot of 10 cm does not fit at this pose. */
+    private static boolean isCrowded(List<ObstacleSpec> obstacles, Pose pose) {
+        return obstacles.stream()
+                .anyMatch(each ->
+                        StrictMath.hypot(each.pose().x() - pose.x(), each.pose().y() - pose.y()) < 0.9);
+    }
+
+    private static double cast(org.jbox2d.dynamics.World oracle, Pose pose, double heading) {
+        var from = new Vec2((float) pose.x(), (float) pose.y());
+        var to = new Vec2(
+                (float) (pose.x() + REACH_M * Math.cos(heading)), (float) (pose.y() + REACH_M * Math.sin(heading)));
+        float[] best = {1};
+        oracle.raycast(
+                (fixture, point, normal, fraction) -> {
+                    // a later hit may be farther: the callback receives hits unsorted
+                    best[0] = Math.min(best[0], fraction);
+                    return best[0];
+                },
+                from,
+                to);
+        return best[0] * REACH_M;
     }
 }

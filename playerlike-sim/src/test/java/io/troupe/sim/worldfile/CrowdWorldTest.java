@@ -8,11 +8,17 @@ import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Scenario;
+import java.util.List;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 class CrowdWorldTest {
+    private static Box around(ObstacleSpec obstacle) {
+        return Box.around(obstacle.shape().at(obstacle.pose()).polygons());
+    }
+
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 64, 65, 300})
     void crowd_ofAnySize_hasItsRobotsApartAndInsideTheWalls(int robots) {
@@ -27,19 +33,19 @@ class CrowdWorldTest {
 
     @Test
     void crowd_growsByWholeHalls() {
-        assertThat(extent(64)).isEqualTo(16.2);
-        assertThat(extent(65)).isEqualTo(32.2);
-        assertThat(extent(4 * 64)).isEqualTo(32.2);
-        assertThat(extent(4 * 64 + 1)).isEqualTo(48.2);
+        assertThat(Stream.of(64, 65, 4 * 64, 4 * 64 + 1).map(CrowdWorldTest::extentM))
+                .containsExactly(16.2, 32.2, 32.2, 48.2);
         assertThat(CrowdWorld.scenario(65).world().obstacles()).hasSize(2 * 3 + 2 * 9);
+        assertThat(Integer.toHexString(CrowdWorld.text(65).hashCode()))
+                .as("what it always was")
+                .isEqualTo("71cc2686");
     }
 
-    private static double extent(int robots) {
-        Box box = Box.NOTHING;
-        for (ObstacleSpec wall : CrowdWorld.scenario(robots).world().obstacles()) {
-            box = box.union(Box.around(wall.shape().at(wall.pose()).polygons()));
-        }
-        return box.width();
+    private static double extentM(int robots) {
+        return CrowdWorld.scenario(robots).world().obstacles().stream()
+                .map(CrowdWorldTest::around)
+                .reduce(Box.NOTHING, Box::union)
+                .width();
     }
 
     @Test
@@ -55,19 +61,6 @@ class CrowdWorldTest {
         }
         assertThat(world.latest().robots().subList(0, 64))
                 .allSatisfy(robot -> assertThat(robot.pose().x()).isNegative());
-    }
-
-    @ParameterizedTest
-    @ValueSource(ints = {0, -1, CrowdWorld.MOST_ROBOTS + 1})
-    void crowd_ofNobodyOrTooMany_isRefused(int robots) {
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> CrowdWorld.text(robots))
-                .withMessage("a crowd has " + robots + " robots, expected from 1 to 20000");
-    }
-
-    @Test
-    void crowd_withoutColours_isWhatItAlwaysWas() {
-        assertThat(Integer.toHexString(CrowdWorld.text(65).hashCode())).isEqualTo("71cc2686");
     }
 
     @ParameterizedTest
@@ -90,27 +83,33 @@ class CrowdWorldTest {
 
     @Test
     void panels_standApart() {
-        var panels = CrowdWorld.scenario(1, CrowdWorld.MOST_COLOURS).world().obstacles().stream()
+        List<Box> panels = CrowdWorld.scenario(1, CrowdWorld.MOST_COLOURS).world().obstacles().stream()
                 .filter(obstacle -> obstacle.colour() != 0)
-                .map(panel -> Box.around(panel.shape().at(panel.pose()).polygons()))
+                .map(CrowdWorldTest::around)
                 .toList();
         for (int i = 0; i < panels.size(); i++) {
             for (int j = 0; j < i; j++) {
-                Box both = panels.get(i).union(panels.get(j));
-                assertThat(both.width() > panels.get(i).width() + panels.get(j).width()
-                                || both.height()
-                                        > panels.get(i).height() + panels.get(j).height())
+                Box one = panels.get(i);
+                Box other = panels.get(j);
+                Box both = one.union(other);
+                assertThat(both.width() > one.width() + other.width() || both.height() > one.height() + other.height())
                         .as("panels %d and %d are apart", i, j)
                         .isTrue();
             }
         }
     }
 
-    @ParameterizedTest
-    @ValueSource(ints = {0, CrowdWorld.MOST_COLOURS + 1})
-    void crowd_withoutColoursOrWithTooMany_isRefused(int colours) {
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> CrowdWorld.text(1, colours))
-                .withMessage("a crowd's halls have " + colours + " colours, expected from 1 to 100");
+    @Test
+    void crowd_withoutRobotsOrColoursOrWithTooMany_isRefused() {
+        for (int robots : new int[] {0, -1, CrowdWorld.MOST_ROBOTS + 1}) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> CrowdWorld.text(robots))
+                    .withMessage("a crowd has " + robots + " robots, expected from 1 to 20000");
+        }
+        for (int colours : new int[] {0, CrowdWorld.MOST_COLOURS + 1}) {
+            assertThatIllegalArgumentException()
+                    .isThrownBy(() -> CrowdWorld.text(1, colours))
+                    .withMessage("a crowd's halls have " + colours + " colours, expected from 1 to 100");
+        }
     }
 }

@@ -9,116 +9,51 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
+import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 
 /**
- * Reads randomly damaged copies of all shipped worlds, random words and damaged images: the result is a scenario or a
- * {@link WorldFileException}.
+ * Reads cut and randomly damaged copies of configurations and of all shipped worlds, random words and damaged images:
+ * the result is a scenario or a {@link WorldFileException}, never another exception.
  */
-class ReaderFuzzTest {
+class ReaderFuzzTest extends WorldFiles {
     private static final long SEED = 20_260_303;
+    private static final long SEED_OF_PIECES = 20_260_102;
     private static final Path SHIPPED = Path.of("..", "demo", "worlds");
+    private static final String WHOLE = PIONEER + ARENA.replace("include \"pioneer.inc\"", "");
 
-    private static final String[] WORDS = {
-        "(",
-        ")",
-        "[",
-        "]",
-        "(",
-        ")",
-        "model",
-        "position",
-        "ranger",
-        "laser",
-        "blobfinder",
-        "sensor",
-        "block",
-        "window",
-        "gripper",
-        "define",
-        "include",
-        "pose",
-        "size",
-        "origin",
-        "bitmap",
-        "boundary",
-        "color",
-        "color_rgba",
-        "points",
-        "point[0]",
-        "point[1]",
-        "point[2]",
-        "spose[0]",
-        "scount",
-        "sview",
-        "samples",
-        "range",
-        "range_max",
-        "fov",
-        "polygons",
-        "polygon[0].points",
-        "polygon[0].point[0]",
-        "blocks",
-        "ssize[0]",
-        "ctrl",
-        "wifi",
-        "noise",
-        "velocity",
-        "velocity_bounds",
-        "localization",
-        "odom_error",
-        "drive",
-        "mass",
-        "obstacle_return",
-        "ranger_return",
-        "laser_return",
-        "interval_sim",
-        "unit_length",
-        "name",
-        "image",
-        "colors",
-        "\"cave.png\"",
-        "\"pioneer.inc\"",
-        "\"t.world\"",
-        "\"odom\"",
-        "\"cm\"",
-        "\"red\"",
-        "\"\"",
-        "0",
-        "1",
-        "-1",
-        "2",
-        "0.5",
-        "1e308",
-        "-1e-308",
-        "1e9",
-        "999999999999",
-        "[ 1 1 ]",
-        "[ 0 0 0 ]",
-        "[ 1 1 1 1 ]",
-        "[ 0 5 15 ]",
-        "[ -1 1 -1 1 -1 1 -90 90 ]",
-        "pioneer2dx",
-        "wall",
-        "unknown",
-        "#",
-        "\n"
-    };
+    private static final String[] WORDS = """
+            (;);[;];(;);model;position;ranger;laser;blobfinder;sensor;block;window;gripper;define;include;pose;size;\
+            origin;bitmap;boundary;color;color_rgba;points;point[0];point[1];point[2];spose[0];scount;sview;samples;\
+            range;range_max;fov;polygons;polygon[0].points;polygon[0].point[0];blocks;ssize[0];ctrl;wifi;noise;\
+            velocity;velocity_bounds;localization;odom_error;drive;mass;obstacle_return;ranger_return;laser_return;\
+            interval_sim;unit_length;name;image;colors;"cave.png";"pioneer.inc";"t.world";"odom";"cm";"red";"";0;1;\
+            -1;2;0.5;1e308;-1e-308;1e9;999999999999;[ 1 1 ];[ 0 0 0 ];[ 1 1 1 1 ];[ 0 5 15 ];\
+            [ -1 1 -1 1 -1 1 -90 90 ];pioneer2dx;wall;unknown;#;\n;\
+            """.split(";");
 
-    @TempDir
-    private Path dir;
+    /** Pieces that replace parts of a text. */
+    private static final String[] PIECES = """
+            (;);[;];";#;\n;\s;-;1e308;-1e308;1e-320;0;-1;99999999999;0.5;define;include;include "pioneer.inc";\
+            model (;position (;block (;points 3;point[0] [ 1 1 ];size;pose;[ 0 0 0 0 ];[ 1e300 1e300 ];boundary 1;\
+            origin [ 1e300 0 0 0 ];color "grey";\0;\u20ac;include "";include "\u0001/x";unit_length "mm";\
+            unit_angle "radians";provides;"::::";:;\
+            """.split(";");
 
-    private Worlds worlds;
+    private static final String[] PROPERTIES = """
+            pose [ 1 1 0 0 ];size [ 1 1 ];size [ 1e308 1 ];origin [ 1 0 0 90 ];boundary 1;bitmap "cave.png";\
+            color "blue";mass 1e-300;obstacle_return 0;ranger_return 0.5;range_max 4;range [ 0 4 ];samples 20;\
+            fov 30;noise [ 0 0 1 ];scount 1 spose[0] [ 0 0 0 ];velocity [ 1 0 0 1 ];\
+            velocity_bounds [ -1 1 0 0 0 0 -9 9 ];localization "odom";size [ 16 16 ];pose [ 1e6 0 0 0 ];\
+            """.split(";");
 
     @BeforeEach
     void files() throws IOException {
-        worlds = new Worlds(dir);
         try (Stream<Path> shipped = Files.list(SHIPPED)) {
             for (Path file : shipped.sorted().toList()) {
-                Files.copy(file, dir.resolve(file.getFileName().toString()));
+                Files.copy(file, file(file.getFileName().toString()));
             }
         }
     }
@@ -158,19 +93,91 @@ class ReaderFuzzTest {
         }
     }
 
-    private List<Path> shippedTexts() throws IOException {
-        try (Stream<Path> files = Files.list(dir)) {
-            return files.filter(file -> file.toString().matches(".*\\.(world|cfg|inc)"))
-                    .sorted()
-                    .toList();
+    /** The number of texts that could be read, of those made one after the other from one source of numbers. */
+    private int survivors(String name, int rounds, long seed, Function<Random, String> text) {
+        var random = new Random(seed);
+        int survivors = 0;
+        for (int round = 0; round < rounds; round++) {
+            survivors += survives(write(name, text.apply(random)), "seed " + seed + ", round " + round) ? 1 : 0;
         }
+        return survivors;
+    }
+
+    private void cutOffAnywhere(String name, String whole) {
+        for (int end = 0; end < whole.length(); end++) {
+            survives(write(name, whole.substring(0, end)), "the first " + end + " characters");
+        }
+    }
+
+    private void writeArena() {
+        write("pioneer.inc", PIONEER);
+        write("arena.world", ARENA);
+    }
+
+    @Test
+    void file_cutOffAnywhere_isReadOrRefused() {
+        writeArena();
+        assertThat(survives(write("t.world", WHOLE), "the whole")).isTrue();
+        cutOffAnywhere("t.world", WHOLE);
+        cutOffAnywhere("t.cfg", CONFIG);
+    }
+
+    @Test
+    void file_changedAtRandom_isReadOrRefused() {
+        writeArena();
+        assertThat(survivors("t.world", 3000, SEED_OF_PIECES, random -> changed(WHOLE, random)))
+                .as("worlds that could still be read")
+                .isBetween(30, 2970);
+        assertThat(survivors("t.cfg", 1000, SEED_OF_PIECES, random -> changed(CONFIG, random)))
+                .as("configurations that could still be read")
+                .isBetween(10, 990);
+    }
+
+    private static String changed(String whole, Random random) {
+        var text = new StringBuilder(whole);
+        int changes = 1 + random.nextInt(3);
+        for (int i = 0; i < changes; i++) {
+            change(text, random);
+        }
+        return text.toString();
+    }
+
+    private static void change(StringBuilder text, Random random) {
+        int from = random.nextInt(text.length());
+        int to = Math.min(text.length(), from + random.nextInt(12));
+        String piece = PIECES[random.nextInt(PIECES.length)];
+        switch (random.nextInt(5)) {
+            case 0 -> text.delete(from, to);
+            case 1 -> text.insert(from, ' ' + piece + ' ');
+            case 2 -> text.replace(from, to, piece);
+            case 3 -> text.insert(random.nextInt(text.length()), text.substring(from, to));
+            default -> number(text, from, piece);
+        }
+    }
+
+    /** Replaces the next number, so that more files get past the grammar. */
+    private static void number(StringBuilder text, int from, String piece) {
+        int start = from;
+        while (start < text.length() && !Character.isDigit(text.charAt(start))) {
+            start++;
+        }
+        int end = start;
+        while (end < text.length() && (Character.isDigit(text.charAt(end)) || text.charAt(end) == '.')) {
+            end++;
+        }
+        text.replace(start, end, piece);
     }
 
     @Test
     void shippedWorlds_changedAtRandom_areReadOrRefused() throws IOException {
-        List<Path> files = new ArrayList<>(shippedTexts());
-        files.add(worlds.write("crowd.world", CrowdWorld.text(3)));
-        files.add(worlds.write("newer.world", """
+        List<Path> files = new ArrayList<>();
+        try (Stream<Path> all = Files.list(dir)) {
+            all.filter(file -> file.toString().matches(".*\\.(world|cfg|inc)"))
+                    .sorted()
+                    .forEach(files::add);
+        }
+        files.add(write("crowd.world", CrowdWorld.text(3)));
+        files.add(write("newer.world", """
                 define pioneer position ( size [ 0.4 0.4 0.2 ] velocity_bounds [ -0.5 0.5 0 0 0 0 -90 90 ]
                   ranger ( sensor ( pose [ 0.1 0 0 0 ] range [ 0 5 ] fov 15 samples 1 noise [ 0 0.01 0 ] ) sensor () ) )
                 pioneer ( name "a" localization "odom" odom_error [ 0.1 0.1 0 0.1 ] model ( size [ 0.1 0.1 ] ) )
@@ -181,16 +188,14 @@ class ReaderFuzzTest {
         for (Path file : files) {
             String whole = text(file);
             for (int round = 0; round < 60; round++) {
-                String damaged = damaged(whole, random);
-                Files.writeString(file, damaged);
+                Files.writeString(file, damaged(whole, random));
                 // an include file is read through the world that uses it
-                Path asked = file.toString().endsWith(".inc") ? worlds.file("office.world") : file;
+                Path asked = file.toString().endsWith(".inc") ? file("office.world") : file;
                 survivors += survives(asked, "seed " + SEED + ", round " + round + " of " + file.getFileName()) ? 1 : 0;
                 rounds++;
             }
             Files.writeString(file, whole);
         }
-
         assertThat(survivors).as("files that could still be read").isBetween(rounds / 50, rounds * 49 / 50);
     }
 
@@ -211,32 +216,26 @@ class ReaderFuzzTest {
 
     @Test
     void words_inAnyOrder_areReadOrRefused() {
-        var random = new Random(SEED);
-        int survivors = 0;
-        for (int round = 0; round < 1000; round++) {
-            var text = new StringBuilder();
-            for (int words = random.nextInt(40); words >= 0; words--) {
-                text.append(WORDS[random.nextInt(WORDS.length)]).append(' ');
-            }
-            survivors +=
-                    survives(worlds.write("t.world", text.toString()), "seed " + SEED + ", round " + round) ? 1 : 0;
-        }
-
-        assertThat(survivors).as("files that could be read").isBetween(1, 500);
+        assertThat(survivors("t.world", 1000, SEED, random -> {
+                    var text = new StringBuilder();
+                    for (int words = random.nextInt(40); words >= 0; words--) {
+                        text.append(WORDS[random.nextInt(WORDS.length)]).append(' ');
+                    }
+                    return text.toString();
+                }))
+                .as("files that could be read")
+                .isBetween(1, 500);
     }
 
     @Test
     void properties_inEntities_areReadOrRefused() {
-        var random = new Random(SEED);
-        int survivors = 0;
-        for (int round = 0; round < 1000; round++) {
-            var text = new StringBuilder();
-            entity(text, random, 0);
-            survivors +=
-                    survives(worlds.write("t.world", text.toString()), "seed " + SEED + ", round " + round) ? 1 : 0;
-        }
-
-        assertThat(survivors).as("files that could be read").isBetween(10, 990);
+        assertThat(survivors("t.world", 1000, SEED, random -> {
+                    var text = new StringBuilder();
+                    entity(text, random, 0);
+                    return text.toString();
+                }))
+                .as("files that could be read")
+                .isBetween(10, 990);
     }
 
     /** An entity with properties, most of the right kind. */
@@ -244,31 +243,8 @@ class ReaderFuzzTest {
         String[] types = {"model", "position", "ranger", "laser", "blobfinder", "sensor", "gripper"};
         text.append(types[depth == 0 ? random.nextInt(2) : random.nextInt(types.length)])
                 .append(" ( ");
-        String[] properties = {
-            "pose [ 1 1 0 0 ]",
-            "size [ 1 1 ]",
-            "size [ 1e308 1 ]",
-            "origin [ 1 0 0 90 ]",
-            "boundary 1",
-            "bitmap \"cave.png\"",
-            "color \"blue\"",
-            "mass 1e-300",
-            "obstacle_return 0",
-            "ranger_return 0.5",
-            "range_max 4",
-            "range [ 0 4 ]",
-            "samples 20",
-            "fov 30",
-            "noise [ 0 0 1 ]",
-            "scount 1 spose[0] [ 0 0 0 ]",
-            "velocity [ 1 0 0 1 ]",
-            "velocity_bounds [ -1 1 0 0 0 0 -9 9 ]",
-            "localization \"odom\"",
-            "size [ 16 16 ]",
-            "pose [ 1e6 0 0 0 ]"
-        };
         for (int i = random.nextInt(4); i > 0; i--) {
-            text.append(properties[random.nextInt(properties.length)]).append(' ');
+            text.append(PROPERTIES[random.nextInt(PROPERTIES.length)]).append(' ');
         }
         for (int i = depth < 4 ? random.nextInt(3) : 0; i > 0; i--) {
             entity(text, random, depth + 1);
@@ -278,7 +254,7 @@ class ReaderFuzzTest {
 
     @Test
     void image_changedAtRandom_isReadOrRefused() throws IOException {
-        byte[] whole = Files.readAllBytes(worlds.file("cave.png"));
+        byte[] whole = Files.readAllBytes(file("cave.png"));
         var random = new Random(SEED);
         int survivors = 0;
         for (int round = 0; round < 100; round++) {
@@ -287,10 +263,9 @@ class ReaderFuzzTest {
                 // half of the changes hit the header
                 damaged[random.nextInt(random.nextBoolean() ? 60 : damaged.length)] = (byte) random.nextInt(256);
             }
-            Files.write(worlds.file("cave.png"), damaged);
-            survivors += survives(worlds.file("cave.world"), "seed " + SEED + ", round " + round) ? 1 : 0;
+            Files.write(file("cave.png"), damaged);
+            survivors += survives(file("cave.world"), "seed " + SEED + ", round " + round) ? 1 : 0;
         }
-
         assertThat(survivors).as("images that could be read").isBetween(1, 99);
     }
 }

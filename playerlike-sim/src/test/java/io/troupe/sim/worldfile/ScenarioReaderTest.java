@@ -2,37 +2,57 @@ package io.troupe.sim.worldfile;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Scenario;
+import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class ScenarioReaderTest {
+class ScenarioReaderTest extends WorldFiles {
     private static final String TWO_ROBOTS = """
             position ( name "bare" )
             position ( name "full" pose [ 2 0 0 0 ] ranger ( scount 1 spose[0] [ 0 0 0 ] ) blobfinder () )
             """;
-
-    @TempDir
-    private Path dir;
-
-    private Worlds worlds;
+    private static final String STAGE =
+            "driver ( name \"stage\" provides [ \"simulation:0\" ] worldfile \"w.world\" )\n";
 
     @BeforeEach
     void files() {
-        worlds = new Worlds(dir);
-        worlds.write("pioneer.inc", Worlds.PIONEER);
+        write("pioneer.inc", PIONEER);
+        write("arena.world", ARENA);
+        write("w.world", """
+                position ( name "full" ranger ( scount 1 spose[0] [ 0 0 0 ] ) blobfinder () )
+                position ( name "bare" pose [ 2 0 0 0 ] )
+                model ( name "box" pose [ 4 0 0 0 ] )
+                """);
     }
+
+    private static String provides(String items, String model) {
+        return "driver ( name \"stage\" provides [ " + items + " ] model \"" + model + "\" )";
+    }
+
+    /** The devices for which "full" has a driver with these items. */
+    private List<DeviceBinding> devices(String items) {
+        return config(STAGE + provides(items, "full")).devices();
+    }
+
+    private static String address(DeviceBinding device) {
+        return device.port() + " " + device.interfaceName() + ":" + device.index();
+    }
+
+    // ---- a world and the configuration beside it
 
     @Test
     void world_withoutConfiguration_offersEveryRobotInOrder() {
-        Scenario scenario = ScenarioReader.read(worlds.write("two.world", TWO_ROBOTS));
-
-        assertThat(scenario.devices())
-                .extracting(d -> d.port() + " " + d.interfaceName() + ":" + d.index() + " " + d.model())
+        assertThat(ScenarioReader.read(write("two.world", TWO_ROBOTS)).devices())
+                .extracting(device -> address(device) + " " + device.model())
                 .containsExactly(
                         "6665 simulation:0 ",
                         "6665 position2d:0 bare",
@@ -42,85 +62,217 @@ class ScenarioReaderTest {
     }
 
     @Test
-    void world_withItsConfigurationBesideIt_isOfferedAsThatSays() {
-        worlds.write("arena.cfg", Worlds.CONFIG);
-
-        assertThat(ScenarioReader.read(worlds.write("arena.world", Worlds.ARENA))
-                        .devices())
+    void world_withItsConfigurationBesideIt_isOfferedAsThatSays_andReadWithIt() {
+        Path config = write("arena.cfg", CONFIG);
+        assertThat(ScenarioReader.read(file("arena.world")).devices())
                 .hasSize(7)
                 .anyMatch(device -> device.port() == 6667);
+        assertThat(ScenarioReader.read(config).world().robots()).hasSize(2);
     }
 
-    @Test
-    void configuration_isReadWithItsWorld() {
-        worlds.write("arena.world", Worlds.ARENA);
-
-        assertThat(ScenarioReader.read(worlds.write("my.cfg", Worlds.CONFIG))
-                        .world()
-                        .robots())
-                .hasSize(2);
-    }
-
-    @Test
-    void configuration_besideAWorldButForAnother_isNotUsedAndThatIsAWarning() {
-        worlds.write("arena.world", Worlds.ARENA);
-        worlds.write("two.cfg", Worlds.CONFIG);
-        Path world = worlds.write("two.world", TWO_ROBOTS);
-
-        assertThat(worlds.warningsOf(world))
-                .containsExactly(
-                        "two.cfg:1:1: this file beside two.world is not used, and every robot is offered instead;"
-                                + " name it to use it: two.cfg:1:82: it is for another world, arena.world");
+    /** The warning about a configuration with an error, beside a world that is read without it. */
+    private String warningAboutAConfiguration(String items, String model) {
+        write("two.cfg", STAGE.replace("w.world", "two.world").strip() + provides(items, model));
+        Path world = write("two.world", TWO_ROBOTS);
+        List<String> warnings = warningsOf(world);
+        assertThat(warnings)
+                .singleElement()
+                .asString()
+                .startsWith("two.cfg:1:1: this file beside two.world is not used");
         assertThat(ScenarioReader.read(world, warning -> {}).devices()).hasSize(5);
+        return warnings.getFirst();
     }
 
     @ParameterizedTest
     @ValueSource(
             strings = {"\"sonar:x\"", "\"laser:0\"", "\"positon2d:0\"", "\"position2d:0\" \"position2d:0\"", "7", ""})
     void configuration_besideAWorldAndWithAnError_isNotUsedAndThatIsAWarning(String items) {
-        String stage = "driver ( name \"stage\" provides [ \"simulation:0\" ] worldfile \"two.world\" )";
-        Path config =
-                worlds.write("two.cfg", stage + "driver ( name \"stage\" provides [ " + items + " ] model \"bare\" )");
-        Path world = worlds.write("two.world", TWO_ROBOTS);
-
-        assertThat(worlds.warningsOf(world))
-                .singleElement()
-                .asString()
-                .startsWith("two.cfg:1:1: this file beside two.world is not used")
-                .contains("name it to use it: two.cfg:1:");
-        assertThat(ScenarioReader.read(world, warning -> {}).devices()).hasSize(5);
-        assertThat(worlds.problemOf(() -> ScenarioReader.read(config))).startsWith("two.cfg:1:");
+        assertThat(warningAboutAConfiguration(items, "bare")).contains("name it to use it: two.cfg:1:");
+        assertThat(problemOf(() -> ScenarioReader.read(file("two.cfg")))).startsWith("two.cfg:1:");
     }
 
     @Test
-    void configuration_besideAWorldWithoutItsModel_isNotUsedAndThatIsAWarning() {
-        String stage = "driver ( name \"stage\" provides [ \"simulation:0\" ] worldfile \"two.world\" )";
-        worlds.write("two.cfg", stage + "driver ( name \"stage\" provides [ \"position2d:0\" ] model \"renamed\" )");
-        Path world = worlds.write("two.world", TWO_ROBOTS);
-
-        assertThat(worlds.warningsOf(world))
-                .singleElement()
-                .asString()
-                .startsWith("two.cfg:1:1: this file beside two.world is not used")
-                .contains("renamed");
+    void configuration_besideAWorldButForAnotherOrWithoutItsModel_isNotUsedAndThatIsAWarning() {
+        assertThat(warningAboutAConfiguration("\"position2d:0\"", "renamed")).contains("renamed");
+        write("two.cfg", CONFIG);
+        Path world = write("two.world", TWO_ROBOTS);
+        assertThat(warningsOf(world))
+                .containsExactly(
+                        "two.cfg:1:1: this file beside two.world is not used, and every robot is offered instead;"
+                                + " name it to use it: two.cfg:1:82: it is for another world, arena.world");
         assertThat(ScenarioReader.read(world, warning -> {}).devices()).hasSize(5);
     }
 
     @Test
-    void error_inAWorldWithAConfiguration_isTheWorldsOwn() {
-        worlds.write("two.cfg", Worlds.CONFIG);
-        Path world = worlds.write("two.world", "model ( siez 1 )");
+    void error_inTheWorld_isTheWorldsOwn() {
+        write("two.cfg", CONFIG);
+        Path world = write("two.world", "model ( siez 1 )");
+        assertThat(problemOf(() -> ScenarioReader.read(world))).startsWith("two.world:1:9: unknown property");
 
-        assertThat(worlds.problemOf(() -> ScenarioReader.read(world))).startsWith("two.world:1:9: unknown property");
+        write("w.world", "model ( siez 1 )");
+        assertThat(configProblem(STAGE)).startsWith("w.world:1:9: unknown property \"siez\"");
     }
 
     @Test
     void file_thatIsNeither_isRefused() {
-        assertThat(worlds.problemOf(() -> ScenarioReader.read(worlds.file("arena.yaml"))))
+        assertThat(problemOf(() -> ScenarioReader.read(file("arena.yaml"))))
                 .isEqualTo("expected a .world or a .cfg file, not arena.yaml");
-        assertThat(worlds.problemOf(() -> ScenarioReader.read(worlds.file("gone.world"))))
-                .isEqualTo("there is no file gone.world");
-        assertThat(worlds.problemOf(() -> ScenarioReader.read(worlds.file("gone.cfg"))))
-                .isEqualTo("there is no file gone.cfg");
+        assertThat(problemOf(() -> ScenarioReader.read(file("gone.world")))).isEqualTo("there is no file gone.world");
+        assertThat(problemOf(() -> ScenarioReader.read(file("gone.cfg")))).isEqualTo("there is no file gone.cfg");
+    }
+
+    // ---- the configuration itself
+
+    @Test
+    void config_ofTheArena_bindsEveryDevice_andNamesItsWorldRelatively() throws IOException {
+        Scenario scenario = config(CONFIG);
+        assertThat(scenario.world().name()).isEqualTo("arena");
+        assertThat(scenario.devices())
+                .extracting(device -> address(device) + " " + device.model())
+                .containsExactly(
+                        "6665 simulation:0 ",
+                        "6665 position2d:0 r0",
+                        "6665 sonar:0 r0",
+                        "6665 blobfinder:0 r0",
+                        "6666 position2d:0 r1",
+                        "6665 sonar:1 r1",
+                        "6667 blobfinder:2 r1");
+        assertThat(scenario.devices().get(2).where()).hasToString(file("t.cfg") + ":2:49");
+        Files.createDirectories(file("sub"));
+        Path config = write("sub/t.cfg", STAGE.replace("w.world", "../w.world"));
+        assertThat(ScenarioReader.readConfig(config).world().file()).isEqualTo(file("w.world"));
+    }
+
+    @Test
+    void fields_leftOut_haveTheirDefaults_andBlanksAroundThemDoNotCount() {
+        assertThat(devices("\"position2d\" \"k:localhost:7000:sonar:3\""))
+                .extracting(ScenarioReaderTest::address)
+                .containsExactly("6665 simulation:0", "6665 position2d:0", "7000 sonar:3");
+        assertThat(devices("\"7001: sonar:1 \""))
+                .extracting(ScenarioReaderTest::address)
+                .containsExactly("6665 simulation:0", "7001 sonar:1");
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            "positon2d:0" | t.cfg:2:34: unknown interface "positon2d" in "positon2d:0"; did you mean "position2d"? known: blobfinder, laser, position2d, ranger, simulation, sonar
+            "wheels:0" | t.cfg:2:34: unknown interface "wheels" in "wheels:0"; known: blobfinder, laser, position2d, ranger, simulation, sonar
+            "laser:0" | t.cfg:2:34: robot "full" (w.world:1:1) cannot provide laser; it can provide position2d, sonar, blobfinder, ranger
+            "sonar:x" | t.cfg:2:34: the index in "sonar:x" must be a whole number from 0 to 65535, not "x"
+            "sonar:" | t.cfg:2:34: the index in "sonar:" must be a whole number from 0 to 65535, not ""
+            "0:sonar:0" | t.cfg:2:34: the port in "0:sonar:0" must be a whole number from 1 to 65535, not "0"
+            "70000:sonar:0" | t.cfg:2:34: the port in "70000:sonar:0" must be a whole number from 1 to 65535, not "70000"
+            "robot.local::sonar:0" | t.cfg:2:34: host "robot.local" in "robot.local::sonar:0" is not supported: devices are provided by this machine; leave the host empty
+            "a:b:c:d:sonar:0" | t.cfg:2:34: "a:b:c:d:sonar:0" has more fields than key:host:port:interface:index
+            "" | t.cfg:2:34: unknown interface "" in ""; known: blobfinder, laser, position2d, ranger, simulation, sonar
+            "sonar:0" "sonar:0" | t.cfg:2:44: sonar:0 on port 6665 is already provided at t.cfg:2:34
+            "sonar:0" "sonar:1" | t.cfg:2:44: robot "full" has one sonar, and it is already provided at t.cfg:2:34
+            "simulation:0" | t.cfg:2:34: simulation is provided by the driver with the "worldfile", not by one with a "model"
+             | t.cfg:2:32: a driver must provide something, such as [ "position2d:0" ]
+            7 | t.cfg:2:32: "provides" must be a tuple of texts [ ".." .. ], not a tuple of 1 value
+            "ranger:0" "ranger:1" | t.cfg:2:45: robot "full" has one ranger, and it is already provided at t.cfg:2:34
+            """)
+    void item_thatCannotBeProvided_isRefused(String items, String message) {
+        String provided = items == null ? "" : items;
+        assertThat(configProblem(STAGE + provides(provided, "full"))).isEqualTo(message);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            driver ( name "stage" provides [ "sonar:0" ] model "bare" ) | t.cfg:2:34: robot "bare" (w.world:2:1) cannot provide sonar; it can provide position2d
+            driver ( name "stage" provides [ "sonar:0" ] model "ful" ) | t.cfg:2:52: there is no robot "ful" in w.world; did you mean "full"? known: bare, full
+            driver ( name "stage" provides [ "sonar:0" ] model "box" ) | t.cfg:2:52: model "box" is not a robot in w.world; known: bare, full
+            driver ( name "stage" provides [ "sonar:0" ] ) | t.cfg:2:1: a driver needs either a "worldfile" (to provide simulation) or a "model" (to provide a robot's devices)
+            driver ( provides [ "position2d:1" ] model "full" ) | t.cfg:2:1: a driver needs a "name"; expected "stage"
+            driver ( name "stage" model "full" ) | t.cfg:2:1: a driver must provide something, such as [ "position2d:0" ]
+            driver ( name "stage" modle "full" ) | t.cfg:2:23: unknown property "modle" of driver; did you mean "model"?
+            driver ( name "stage" provides [ "simulation:1" ] worldfile "x.world" ) | t.cfg:2:61: a second "worldfile"; the first is at t.cfg:1:61
+            drivr ( ) | t.cfg:2:1: unknown entity "drivr"; did you mean "driver"?
+            model ( ) | t.cfg:2:1: "model" cannot stand in a configuration file; it belongs in a model or a position or a world file
+            speed 3 | t.cfg:2:1: unknown property "speed" of configuration file; known: none
+            driver ( name "stag" provides [ "sonar:0" ] model "full" ) | t.cfg:2:15: unknown driver "stag"; did you mean "stage"?
+            """)
+    void driver_thatMakesNoSense_isRefused(String driver, String message) {
+        assertThat(configProblem(STAGE + driver)).isEqualTo(message);
+    }
+
+    @Test
+    void device_offeredTwice_orAWorldFileThatIsNotNamedOrMissing_isRefused() {
+        String item = "\"position2d:0\"";
+        assertThat(configProblem(STAGE + provides(item, "full") + "\n" + provides(item, "bare")))
+                .isEqualTo("t.cfg:3:34: position2d:0 on port 6665 is already provided at t.cfg:2:34");
+        assertThat(configProblem(provides("\"sonar:0\"", "full")))
+                .startsWith("t.cfg:1:1: no driver names a \"worldfile\"; expected driver(");
+        assertThat(configProblem(STAGE.replace("w.world", "gone.world")))
+                .isEqualTo("t.cfg:1:61: there is no file gone.world");
+        assertThat(configProblem(STAGE.replace("simulation:0", "position2d:0")))
+                .isEqualTo("t.cfg:1:34: position2d is provided by a driver with a \"model\", not by the one with the"
+                        + " \"worldfile\"");
+    }
+
+    @Test
+    void rangers_ofOneRobot_areBoundInTheOrderOfProvides() {
+        write("w.world", """
+                position ( name "full"
+                  laser ( range_max 8 ) ranger ( scount 1 spose[0] [ 0 0 0 ] )
+                  model ( pose [ 0 0.1 0 90 ] laser ( range_max 4 ) ) )
+                """);
+        Scenario scenario = config(STAGE + provides("\"laser:4\" \"sonar:0\" \"7000:laser:0\"", "full"));
+        assertThat(scenario.devices())
+                .extracting(device -> address(device) + " " + device.ranger())
+                .containsExactly("6665 simulation:0 0", "6665 laser:4 0", "6665 sonar:0 0", "7000 laser:0 1");
+        assertThat(scenario.world().robots().getFirst().rangers())
+                .extracting(ranger -> ranger.sensors().getFirst().maxRangeM())
+                .containsExactly(8.0, 4.0);
+        assertThat(configProblem(STAGE + provides("\"laser:0\" \"laser:1\" \"laser:2\"", "full")))
+                .isEqualTo("t.cfg:2:54: robot \"full\" has 2 of laser, and they are already provided, the last at"
+                        + " t.cfg:2:44");
+    }
+
+    @Test
+    void ring_ofSonars_isProvidedByBothInterfaces_inBothDialects_andAScanIsNot() {
+        assertThat(devices("\"ranger:0\" \"sonar:0\""))
+                .extracting(device -> device.interfaceName() + ":" + device.index() + " " + device.ranger())
+                .containsExactly("simulation:0 0", "ranger:0 " + DeviceBinding.SONAR_RING, "sonar:0 0");
+        write("w.world", """
+                position ( name "full" ranger ( sensor ( samples 180 ) )
+                  ranger ( sensor ( samples 1 ) sensor ( samples 1 ) ) )
+                """);
+        assertThat(devices("\"sonar:0\" \"ranger:0\" \"ranger:1\""))
+                .extracting(DeviceBinding::ranger)
+                .containsExactly(0, 1, 0, 1);
+
+        write("w.world", """
+                position ( name "full" ranger ( sensor ( samples 90 ) ) ranger ( sensor ( samples 180 ) ) )
+                """);
+        assertThat(devices("\"ranger:0\" \"ranger:1\""))
+                .extracting(DeviceBinding::ranger)
+                .containsExactly(0, 0, 1);
+        assertThat(configProblem(STAGE + provides("\"sonar:0\"", "full")))
+                .isEqualTo("t.cfg:2:34: robot \"full\" (w.world:1:1) cannot provide sonar; it can provide position2d,"
+                        + " ranger");
+    }
+
+    @Test
+    void otherDriversAndInterfaces_areLeftOutWithAWarning_unknownOnesLeniently() {
+        var warnings = new ArrayList<String>();
+        Path file = write("t.cfg", STAGE + """
+                driver ( name "vfh" provides [ "position2d:1" ] requires [ "laser:0" ] safety_dist 0.3 )
+                driver ( name "stage" provides [ "speech:0" "sonar:0" ] requires [ "map:0" ] model "full" )
+                """);
+        Scenario scenario = ScenarioReader.read(file, into(warnings));
+        assertThat(scenario.devices()).extracting(DeviceBinding::interfaceName).containsExactly("simulation", "sonar");
+        assertThat(warnings)
+                .containsExactly(
+                        "t.cfg:3:57: \"requires\" has no effect here: the drivers offered here need no other device",
+                        "t.cfg:2:15: driver \"vfh\" is not run here and left out, and what it provides with it;"
+                                + " expected \"stage\"",
+                        "t.cfg:3:34: interface \"speech\" is not provided here and left out; provided are blobfinder,"
+                                + " laser, position2d, ranger, simulation, sonar");
+        var lenient = new ArrayList<String>();
+        Path slip = write("t.cfg", STAGE + provides("\"sonr:0\" \"sonar:0\"", "full"));
+        Scenario read = ScenarioReader.readLeniently(slip, warning -> lenient.add(warning.problem()));
+        assertThat(read.devices()).extracting(DeviceBinding::interfaceName).containsExactly("simulation", "sonar");
+        assertThat(lenient).singleElement().asString().contains("unknown interface \"sonr\"", "\"sonar\"?");
     }
 }

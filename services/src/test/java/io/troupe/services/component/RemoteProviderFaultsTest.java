@@ -3,7 +3,6 @@ package io.troupe.services.component;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.testkit.TestSpace;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.Health;
@@ -11,15 +10,12 @@ import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
 import io.troupe.broker.ProviderException;
 import io.troupe.broker.ServiceRecord;
-import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
-import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTimeoutException;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.NullSource;
@@ -29,48 +25,39 @@ import org.junit.jupiter.params.provider.ValueSource;
  * Components controlled over the bus that are slow, hang, or end. The limit of their control messages is shorter than
  * the limits of the broker.
  */
-class RemoteProviderFaultsTest {
+class RemoteProviderFaultsTest extends ComponentBench {
     private static final Duration LIMIT = Duration.ofSeconds(1);
     private static final Need COUNTING = Need.ofService("user", "counting");
 
-    private final TestSpace test = new TestSpace();
-    private final Bus bus = Bus.inProcess("here", BusSettings.on(test.space()));
     private final Broker broker = Broker.open(
             test.space(),
             BrokerSettings.DEFAULT
                     .withChecks(Duration.ofSeconds(1), Duration.ofSeconds(5), 3)
                     .withObserver(event -> {}));
-    private final ScriptedComponent first = new ScriptedComponent();
-    private final ScriptedComponent second = new ScriptedComponent();
-    private final RecordingObserver notes = new RecordingObserver();
-    private final List<ComponentInterface<?, ?>> interfaces = new ArrayList<>();
+    private final BusPort control = bus.attach("control");
     private final List<String> heard = new ArrayList<>();
-    private BusPort control;
-
-    @BeforeEach
-    void twoComponentsOfferTheSame() {
-        test.run(() -> control = bus.attach("control"));
-        offer("first", first);
-        offer("second", second);
-    }
+    private final ScriptedComponent<String, String> first = ScriptedComponent.counter();
+    private final ComponentInterface<?, ?> firstInterface = offer("first", first);
+    private final ComponentInterface<?, ?> secondInterface = offer("second", ScriptedComponent.counter());
 
     @AfterEach
-    void nothingIsLeft() {
+    void brokerIsShutDown() {
         test.get(broker.shutDown());
-        bus.close();
-        test.crank();
-        test.close();
     }
 
-    private void offer(String name, ScriptedComponent script) {
-        test.run(() -> interfaces.add(ComponentInterface.open(bus, name, script.component(), notes)));
-        var provider = interfaces.getLast();
-        test.get(broker.register(
-                "counting", List.of(), provider.address(), new RemoteProvider(control, provider.address(), LIMIT)));
+    private ComponentInterface<?, ?> offer(String name, ScriptedComponent<String, String> script) {
+        var component = script.component("counting", ScriptedComponent.IN, ScriptedComponent.OUT);
+        var provider = open(name, component, notes);
+        test.get(broker.register("counting", List.of(), provider.address(), remote(provider)));
+        return provider;
+    }
+
+    private RemoteProvider remote(ComponentInterface<?, ?> provider) {
+        return new RemoteProvider(control, provider.address(), LIMIT);
     }
 
     private void connect() {
-        var connected = broker.connect(COUNTING, new Broker.Connection() {
+        test.get(broker.connect(COUNTING, new Broker.Connection() {
             @Override
             public void use(ServiceRecord provider) {
                 heard.add("use " + provider.provider().name());
@@ -80,8 +67,7 @@ class RemoteProviderFaultsTest {
             public void lost(MissingServiceException why) {
                 heard.add("lost");
             }
-        });
-        test.get(connected);
+        }));
         assertThat(heard).containsExactly("use first");
     }
 
@@ -106,8 +92,8 @@ class RemoteProviderFaultsTest {
         assertThat(first.calls).containsExactly("invoke", "terminate");
         test.run(() -> slow.resolve(null));
         assertThat(first.calls).containsExactly("invoke", "terminate", "terminate");
-        assertThat(interfaces.getFirst().state()).isEqualTo(ComponentState.TERMINATED);
-        assertThat(interfaces.getLast().state()).isEqualTo(ComponentState.RUNNING);
+        assertThat(firstInterface.state()).isEqualTo(ComponentState.TERMINATED);
+        assertThat(secondInterface.state()).isEqualTo(ComponentState.RUNNING);
         assertThat(notes.take()).doesNotContain("first RUNNING").contains("second RUNNING");
     }
 
@@ -116,6 +102,12 @@ class RemoteProviderFaultsTest {
         connect();
         first.health = ScriptedComponent::later;
         seconds(2); // checked after one second, overdue after another
+        assertThat(health(0)).isEqualTo(Health.SUSPECT);
+        first.health = Promise::done;
+        seconds(1);
+        assertThat(health(0)).as("it answers in time again").isEqualTo(Health.WELL);
+        first.health = ScriptedComponent::later;
+        seconds(2);
         assertThat(health(0)).isEqualTo(Health.SUSPECT);
         seconds(3);
         assertThat(health(0)).isEqualTo(Health.SUSPECT);
@@ -138,20 +130,9 @@ class RemoteProviderFaultsTest {
     }
 
     @Test
-    void suspectThatAnswersInTime_isWellAgain() {
-        connect();
-        first.health = ScriptedComponent::later;
-        seconds(2);
-        first.health = Promise::done;
-        seconds(1);
-        assertThat(health(0)).isEqualTo(Health.WELL);
-        assertThat(heard).containsExactly("use first");
-    }
-
-    @Test
     void componentThatHasLeftTheBus_isFailedOverWithTheNextCheck() {
         connect();
-        test.run(interfaces.getFirst()::close);
+        test.run(firstInterface::close);
         assertThat(heard).as("nobody has told the broker").containsExactly("use first");
         seconds(1);
         assertThat(heard).containsExactly("use first", "use second");
@@ -161,7 +142,7 @@ class RemoteProviderFaultsTest {
     @Test
     void timeOut_isOverdue_andNamesWhoWasAskedForWhat() {
         first.invoke = ScriptedComponent::later;
-        var remote = new RemoteProvider(control, interfaces.getFirst().address(), LIMIT);
+        var remote = remote(firstInterface);
         var started = remote.start();
         test.crank();
         test.advance(LIMIT);
@@ -171,6 +152,6 @@ class RemoteProviderFaultsTest {
                         error -> assertThat(error.isOverdue()).isTrue())
                 .hasMessage("here/control asked here/first for component/invoke: no answer within PT1S")
                 .hasCauseInstanceOf(BusTimeoutException.class);
-        test.get(remote.stop().thenApply(ended -> true));
+        test.get(remote.stop());
     }
 }

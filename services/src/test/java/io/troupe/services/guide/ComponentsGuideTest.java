@@ -13,7 +13,6 @@ import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTopic;
-import io.troupe.player.wire.DeviceCommand;
 import io.troupe.services.behaviour.SpaceWanderer;
 import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
@@ -69,13 +68,7 @@ class ComponentsGuideTest {
         }
     }
 
-    static final class ThermometerCommunication implements ComponentCommunication<String, Double> {
-        private final Thermometer thermometer;
-
-        ThermometerCommunication(Thermometer thermometer) {
-            this.thermometer = thermometer;
-        }
-
+    private record ThermometerCommunication(Thermometer thermometer) implements ComponentCommunication<String, Double> {
         @Override
         public Promise<@Nullable Void> invoke(Signals<? super Double> signals) {
             thermometer.switchOn(fahrenheit -> signals.data(fahrenheit));
@@ -170,14 +163,13 @@ class ComponentsGuideTest {
                     .needing("robot1", "wallFollower")
                     .needing("robot2", "spaceWanderer");
             var application = Application.start(plan, bus, broker, ApplicationSettings.DEFAULT);
-
             started.add(application);
         });
-        test.get(started.getFirst().started().thenApply(runs -> true));
+        test.get(started.getFirst().started());
         robots.tick(100);
-        assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0.2, 0, 0, true));
-        assertThat(robots.lastCommand(1)).isEqualTo(new DeviceCommand.Velocity(0.5, 0, 0, true));
-        test.get(started.getFirst().stop().thenApply(ended -> true));
+        assertThat(robots.lastCommand(0)).isEqualTo(FakeRobots.ahead(0.2));
+        assertThat(robots.lastCommand(1)).isEqualTo(FakeRobots.ahead(0.5));
+        test.get(started.getFirst().stop());
         robots.close();
     }
 

@@ -21,35 +21,48 @@ import io.troupe.player.wire.PlayerServer;
 import io.troupe.player.wire.ReplaceRule;
 import java.time.Duration;
 import java.util.ArrayList;
-import java.util.HashSet;
+import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
 import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /** A fake Player server. Tests set what its robots sense, and read the commands that they received. */
 public final class FakeRobots implements PlayerServer, AutoCloseable {
     public static final int PORT = 7001;
+    public static final DeviceCommand.Velocity STOP = ahead(0);
 
     private static final long ANSWER_LIMIT_NANOS = 10_000_000_000L;
 
+    /** What a robot senses, and the commands that it received. */
+    public static final class Robot {
+        public final List<DeviceCommand.Velocity> commands = new ArrayList<>();
+        private final List<Float> ranges = new ArrayList<>(Collections.nCopies(16, 5f));
+        private int[] colours = {0};
+        public boolean isStalled;
+
+        /** Whether it has a laser with three beams, at -90, 0 and 90 degrees, which read 1 m, 2 m and 3 m. */
+        public boolean hasLaser;
+
+        boolean isLaserSlow; // publishes nothing
+    }
+
+    /** The command limits and silence limits that clients have requested. */
+    public final List<String> limits = new CopyOnWriteArrayList<>();
+
+    int connectionsMade;
+    boolean refuses; // all further connections
+
     private final TestSpace test;
-    private final int robots;
+    private final List<Robot> robots;
     private final PlayerPorts.Registration port;
     private final List<Connection> connections = new CopyOnWriteArrayList<>();
-    private final List<String> limits = new CopyOnWriteArrayList<>();
     private final Object answers = new Object();
-    private final float[][] ranges;
-    private final int[][] colours;
-    private final List<List<DeviceCommand.Velocity>> commands;
-    private final Set<Integer> stalled = new HashSet<>();
-    private final Set<Integer> withLaser = new HashSet<>();
-    private final Set<Integer> slowLasers = new HashSet<>();
     private long tick;
-    private int connectionsMade;
-    private boolean refuses;
+    private long timeMillis;
 
     public FakeRobots(TestSpace test, int robots) {
         this(test, robots, PORT);
@@ -58,15 +71,12 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
     public FakeRobots(TestSpace test, int robots, int portNumber) {
         this.port = PlayerPorts.open(portNumber, this);
         this.test = test;
-        this.robots = robots;
-        this.ranges = new float[robots][16];
-        this.colours = new int[robots][1];
-        this.commands = IntStream.range(0, robots)
-                .<List<DeviceCommand.Velocity>>mapToObj(i -> new ArrayList<>())
-                .toList();
-        for (var ring : ranges) {
-            java.util.Arrays.fill(ring, 5f);
-        }
+        this.robots = Stream.generate(Robot::new).limit(robots).toList();
+    }
+
+    /** The command to drive straight ahead. */
+    public static DeviceCommand.Velocity ahead(double speedMps) {
+        return new DeviceCommand.Velocity(speedMps, 0, 0, true);
     }
 
     /**
@@ -74,53 +84,45 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
      * is always added.
      */
     public void show(int robot, int... shown) {
-        colours[robot] = shown;
+        robots.get(robot).colours = shown;
     }
 
     /** Sets the range that one of the robot's sonars reads. */
     public void range(int robot, int sonar, double rangeM) {
-        ranges[robot][sonar] = (float) rangeM;
+        robots.get(robot).ranges.set(sonar, (float) rangeM);
     }
 
-    /** Blocks the robot, so that it reports a stall. */
-    public void stall(int robot) {
-        stalled.add(robot);
-    }
-
-    /** Gives the robot a laser with three beams, at -90, 0 and 90 degrees, which read 1 m, 2 m and 3 m. */
-    public void giveLaser(int robot) {
-        withLaser.add(robot);
-    }
-
-    /** Sets whether the robot's laser is slow, that is, publishes nothing. */
-    void setLaserSlow(int robot, boolean slow) {
-        if (slow) {
-            slowLasers.add(robot);
-        } else {
-            slowLasers.remove(robot);
-        }
+    public Robot get(int robot) {
+        return robots.get(robot);
     }
 
     /** The number of connections that have subscribed to a robot's laser. */
     public long laserSubscriptions(int robot) {
         return connections.stream()
                 .flatMap(connection -> connection.subscribed.stream())
-                .filter(device -> device.interfaceCode() == Interfaces.LASER.code() && device.index() == robot)
+                .filter(device -> isLaser(device) && device.index() == robot)
                 .count();
+    }
+
+    private static boolean isLaser(DeviceAddress device) {
+        return device.interfaceCode() == Interfaces.LASER.code();
     }
 
     /** Advances the clock and delivers the next readings to all clients in one turn of the space. */
     public void tick(int millis) {
+        test.run(() -> deliver(millis));
+    }
+
+    private long deliver(int millis) {
         long number = tick++;
         timeMillis += millis;
-        test.run(() -> List.copyOf(connections).forEach(connection -> connection.deliver(number)));
+        List.copyOf(connections).forEach(connection -> connection.deliver(number));
+        return number;
     }
 
     /** Does the same for clients on other threads: waits until all have answered, or have disconnected. */
     void tickAndAwait(int millis) throws InterruptedException {
-        long number = tick++;
-        timeMillis += millis;
-        List.copyOf(connections).forEach(connection -> connection.deliver(number));
+        long number = deliver(millis);
         synchronized (answers) {
             long deadline = System.nanoTime() + ANSWER_LIMIT_NANOS;
             while (connections.stream().anyMatch(connection -> connection.answered < number)) {
@@ -142,32 +144,16 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
         }
     }
 
-    private long timeMillis;
-
-    /** The command limits and silence limits that clients have requested. */
-    public List<String> limits() {
-        return limits;
-    }
-
     public List<DeviceCommand.Velocity> commands(int robot) {
-        return commands.get(robot);
+        return robots.get(robot).commands;
     }
 
     public DeviceCommand.Velocity lastCommand(int robot) {
-        return commands.get(robot).getLast();
+        return commands(robot).getLast();
     }
 
     public int connections() {
         return connections.size();
-    }
-
-    int connectionsMade() {
-        return connectionsMade;
-    }
-
-    /** Refuses all further connections. */
-    void refuse() {
-        refuses = true;
     }
 
     public void vanish() {
@@ -206,48 +192,41 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
 
         void deliver(long number) {
             double seconds = timeMillis / 1000.0;
-            sink.frame(new Frame(
-                    number,
-                    seconds,
-                    subscribed.stream()
-                            .filter(device -> device.interfaceCode() != Interfaces.LASER.code()
-                                    || !slowLasers.contains(device.index()))
-                            .map(device -> new DeviceDataMessage(device, seconds, read(device)))
-                            .toList()));
+            var messages = subscribed.stream()
+                    .filter(device -> !isLaser(device) || !robots.get(device.index()).isLaserSlow)
+                    .map(device -> new DeviceDataMessage(device, seconds, read(device)))
+                    .toList();
+            sink.frame(new Frame(number, seconds, messages));
         }
 
         private DeviceData read(DeviceAddress device) {
+            var robot = robots.get(device.index());
             if (device.interfaceCode() == Interfaces.SONAR.code()) {
-                var list = new ArrayList<Float>();
-                for (float range : ranges[device.index()]) {
-                    list.add(range);
-                }
-                return new DeviceData.SonarRanges(list);
+                return new DeviceData.SonarRanges(List.copyOf(robot.ranges));
             }
             if (device.interfaceCode() == Interfaces.BLOBFINDER.code()) {
                 var blobs = new ArrayList<DeviceData.Blob>();
                 blobs.add(new DeviceData.Blob(0, 0, 4000, 40, 30, 0, 79, 0, 59, 2f));
-                for (int colour : colours[device.index()]) {
+                for (int colour : robot.colours) {
                     int area = 101 - blobs.size();
                     blobs.add(new DeviceData.Blob(0, colour, area, 40, 30, 35, 45, 25, 35, 1f));
                 }
                 return new DeviceData.Blobs(80, 60, blobs);
             }
-            if (device.interfaceCode() == Interfaces.LASER.code()) {
+            if (isLaser(device)) {
                 float quarter = (float) (Math.PI / 2);
                 return new DeviceData.LaserScan(-quarter, quarter, quarter, 8, List.of(1f, 2f, 3f), List.of(), 0);
             }
-            return new DeviceData.Position2d(0, 0, 0, 0, 0, 0, stalled.contains(device.index()));
+            return new DeviceData.Position2d(0, 0, 0, 0, 0, 0, robot.isStalled);
         }
 
         @Override
         public List<DeviceAddress> devices() {
-            return IntStream.range(0, robots)
+            var types = List.of(Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER, Interfaces.LASER);
+            return IntStream.range(0, robots.size())
                     .boxed()
-                    .flatMap(robot -> java.util.stream.Stream.of(
-                                    Interfaces.POSITION2D, Interfaces.SONAR, Interfaces.BLOBFINDER, Interfaces.LASER)
-                            .filter(type -> type != Interfaces.LASER || withLaser.contains(robot))
-                            .map(type -> new DeviceAddress(0, PORT, type.code(), robot)))
+                    .flatMap(robot -> types.stream().map(type -> new DeviceAddress(0, PORT, type.code(), robot)))
+                    .filter(device -> !isLaser(device) || robots.get(device.index()).hasLaser)
                     .toList();
         }
 
@@ -268,7 +247,7 @@ public final class FakeRobots implements PlayerServer, AutoCloseable {
 
         @Override
         public void command(DeviceAddress device, DeviceCommand command) {
-            commands.get(device.index()).add((DeviceCommand.Velocity) command);
+            commands(device.index()).add((DeviceCommand.Velocity) command);
         }
 
         @Override

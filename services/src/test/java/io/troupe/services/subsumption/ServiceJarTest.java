@@ -1,21 +1,19 @@
 package io.troupe.services.subsumption;
 
+import static io.troupe.services.behaviour.TestSenses.ring;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.player.PlayerClient;
 import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
-import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
 import java.io.File;
 import java.io.IOException;
 import java.io.StringWriter;
-import java.io.UncheckedIOException;
-import java.net.URISyntaxException;
+import java.net.URI;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.ArrayList;
 import java.util.List;
 import java.util.jar.JarEntry;
 import java.util.jar.JarOutputStream;
@@ -58,15 +56,8 @@ class ServiceJarTest {
     }
 
     private static String home(Class<?> type) {
-        try {
-            return Path.of(type.getProtectionDomain()
-                            .getCodeSource()
-                            .getLocation()
-                            .toURI())
-                    .toString();
-        } catch (URISyntaxException impossible) {
-            throw new AssertionError(impossible);
-        }
+        var location = type.getProtectionDomain().getCodeSource().getLocation();
+        return Path.of(URI.create(location.toString())).toString();
     }
 
     /** Compiles a source named Mine, and writes the provider file. */
@@ -100,8 +91,6 @@ class ServiceJarTest {
                 Files.copy(file, out);
                 out.closeEntry();
             }
-        } catch (UncheckedIOException unreadable) {
-            throw unreadable.getCause();
         }
         return jar;
     }
@@ -114,42 +103,29 @@ class ServiceJarTest {
                 .satisfies(thrown -> assertThat(thrown.getMessage()).contains(parts));
     }
 
-    private static Velocity firstStep(SubsumptionTable table) {
-        var behaviour = table.first().services().getFirst().behaviour().get();
-        return behaviour
-                .step(new Senses(0, SonarRing.of(new float[8]), new RobotPose(0, 0, 0)))
-                .orElseThrow();
-    }
-
     @Test
     void kindOfAJar_isNamedByATable_andItsClassesAreLoadedWhenTheyAreUsed() throws IOException {
         try (var mine = ServiceJar.open(jar(TURN, "Mine"))) {
             var catalogue = mine.addTo(ServiceCatalogue.standard());
             var table = SubsumptionTableReader.parse(
                     "robots 1\nservice slow = turn(rate 0.25)\nstate red : slow\n", Path.of("t"), catalogue);
-            assertThat(firstStep(table)).isEqualTo(new Velocity(0, 0.25));
+            var behaviour = table.first().services().getFirst().behaviour().get();
+            assertThat(behaviour.step(new Senses(0, ring(), new RobotPose(0, 0, 0))))
+                    .hasValue(new Velocity(0, 0.25));
             assertThat(mine.kinds())
                     .singleElement()
                     .extracting(kind -> kind.maker().getClass().getClassLoader())
                     .isNotEqualTo(ServiceKinds.class.getClassLoader());
         }
-    }
-
-    @Test
-    void directoryOfClasses_isAsGoodAsAJar() throws IOException {
-        try (var mine = ServiceJar.open(classes(TURN, "# mine\nMine\n"))) {
+        try (var mine = ServiceJar.open(classes(TURN, "# mine\nMine\n"))) { // a directory of classes
             assertThat(mine.addTo(ServiceCatalogue.standard()).names()).endsWith("avoid", "turn");
         }
     }
 
     @Test
-    void whatIsNoJar_isToldByItsPath() throws IOException {
+    void whatIsNoJar_orHasNoProvider_isToldByItsPath() throws IOException {
         assertUnusable(directory.resolve("none.jar"), "no such file");
         assertUnusable(Files.writeString(directory.resolve("text.jar"), "no zip"), "cannot be read as a jar");
-    }
-
-    @Test
-    void jarWithoutAProvider_isTold() throws IOException {
         Path classes = classes(TURN, "");
         assertUnusable(pack(classes, directory.resolve("nobody.jar")), PROVIDERS + " names no class");
         Files.delete(classes.resolve(PROVIDERS));
@@ -157,7 +133,7 @@ class ServiceJarTest {
     }
 
     @Test
-    void providerThatCannotBeMade_isToldByItsName() throws IOException {
+    void providerThatCannotBeMade_throws_orAnswersNothing_isToldByItsName() throws IOException {
         assertUnusable(jar(TURN, "Yours"), "Provider Yours not found");
         assertUnusable(jar(TURN, "Turning"), "Turning");
         String throwing =
@@ -165,10 +141,6 @@ class ServiceJarTest {
         assertUnusable(jar(throwing, "Mine"), "Mine", "unfit");
         String initialized = TURN.replace("@Override", "static final int X = Integer.parseInt(\"x\"); @Override");
         assertUnusable(jar(initialized, "Mine"), "Mine", "For input string");
-    }
-
-    @Test
-    void providerThatThrows_orAnswersNothing_isToldByItsName() throws IOException {
         assertUnusable(jar(kinds("throw new IllegalStateException(\"no idea\");"), "Mine"), "Mine threw", "no idea");
         assertUnusable(jar(kinds("return null;"), "Mine"), "Mine threw", "NullPointerException");
         String lacking = kinds("return List.of(new Kind(Other.NAME, true, true, arguments -> null));")
@@ -176,14 +148,10 @@ class ServiceJarTest {
         Path classes = classes(lacking, "Mine");
         Files.delete(classes.resolve("Other.class"));
         assertUnusable(pack(classes, directory.resolve("lacking.jar")), "Mine threw", "NoClassDefFoundError", "Other");
-    }
-
-    @Test
-    void classOfALaterJava_isTold() throws IOException {
-        Path classes = classes(TURN, "Mine");
-        byte[] later = Files.readAllBytes(classes.resolve("Mine.class"));
+        Path mine = classes(TURN, "Mine").resolve("Mine.class");
+        byte[] later = Files.readAllBytes(mine);
         later[6] = 0x7F; // the class file's major version
-        Files.write(classes.resolve("Mine.class"), later);
+        Files.write(mine, later);
         assertUnusable(pack(classes, directory.resolve("later.jar")), "more recent version of the Java Runtime");
     }
 
@@ -204,8 +172,7 @@ class ServiceJarTest {
 
     @Test
     void kindThatThrowsOrAnswersNothing_isToldAtItsPlaceInTheTable() throws IOException {
-        var makers = new ArrayList<String>(List.of("null", "java.util.List.of().getFirst()"));
-        for (String maker : makers) {
+        for (String maker : List.of("null", "java.util.List.of().getFirst()")) {
             String kind = "return List.of(new Kind(\"bad\", true, true, arguments -> { java.util.function.Supplier<"
                     + "io.troupe.services.behaviour.Behaviour> s = () -> null; Object o = " + maker
                     + "; return (java.util.function.Supplier<io.troupe.services.behaviour.Behaviour>) o; }));";

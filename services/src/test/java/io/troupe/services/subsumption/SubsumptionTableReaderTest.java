@@ -1,25 +1,25 @@
 package io.troupe.services.subsumption;
 
+import static io.troupe.services.behaviour.TestSenses.ring;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
+import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.RobotPose;
 import io.troupe.services.behaviour.Senses;
-import io.troupe.services.behaviour.SonarRing;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.ServiceCatalogue.Kind;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
-import java.util.List;
 import java.util.Optional;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
+/** Tables, services and kinds as text, read and written. */
 class SubsumptionTableReaderTest {
     private static final String BLUE = "robots 2\nstate blue : wallFollower, spaceWanderer\n";
 
@@ -27,15 +27,17 @@ class SubsumptionTableReaderTest {
         return SubsumptionTableReader.parse(text, Path.of("my.table"), ServiceCatalogue.standard());
     }
 
-    private static Velocity step(Service service, double xM, double yM) {
-        var ranges = new float[16];
-        Arrays.fill(ranges, 5);
-        var senses = new Senses(0, SonarRing.of(ranges), new RobotPose(xM, yM, 0));
-        return service.behaviour().get().step(senses).orElse(Velocity.STOP);
+    private static Service service(String declaration) {
+        return SubsumptionTableReader.service(declaration, ServiceCatalogue.standard());
+    }
+
+    private static Optional<Velocity> step(SubsumptionTable table) {
+        var behaviour = table.first().services().getFirst().behaviour().get();
+        return behaviour.step(new Senses(0, ring(), new RobotPose(0, 0, 0)));
     }
 
     @Test
-    void table4_asText_isTheTableOfThePaper() {
+    void table4_asText_isTheTableOfThePaper_andIsWrittenPlainly() {
         assertThat(read("""
                 # Table 4
                 robots 2
@@ -45,6 +47,14 @@ class SubsumptionTableReaderTest {
                 state red : spaceWanderer,wallFollower
                 state #00FF00 : spaceWanderer , spaceWanderer
                 """)).isEqualTo(SubsumptionTable.ofThePaper());
+        assertThat(SubsumptionTableWriter.write(SubsumptionTable.ofThePaper())).isEqualTo("""
+                robots 2
+                ignore black : walls and robot 2
+                ignore orange : robot 1
+                state blue : wallFollower, spaceWanderer
+                state red : spaceWanderer, wallFollower
+                state green : spaceWanderer, spaceWanderer
+                """);
     }
 
     @Test
@@ -71,7 +81,7 @@ class SubsumptionTableReaderTest {
         Service service = table.first().services().getFirst();
         assertThat(service.name()).isEqualTo("avoid > patrol");
         assertThat(service.layers()).extracting(Service::name).containsExactly("avoid", "patrol");
-        assertThat(step(service, 0, 0)).isEqualTo(new Velocity(0.2, 0));
+        assertThat(step(table)).hasValue(new Velocity(0.2, 0));
     }
 
     @Test
@@ -86,7 +96,17 @@ class SubsumptionTableReaderTest {
     }
 
     @Test
-    void kindsOfOnesOwn_areServices() {
+    void manyRobots_areWrittenInRanges() {
+        var assignment = Assignment.everyRobot(Service.SPACE_WANDERER)
+                .robots(3, 5, Service.WALL_FOLLOWER)
+                .robot(50, Service.WALL_FOLLOWER);
+        var table = SubsumptionTable.forRobots(50).when(0xFFFF00, assignment).build();
+        assertThat(SubsumptionTableWriter.write(table))
+                .isEqualTo("robots 50\nstate yellow : * = spaceWanderer, 3..5 = wallFollower, 50 = wallFollower\n");
+    }
+
+    @Test
+    void kindsOfOnesOwn_areServices_andBareCodeCannotBeWritten() {
         var spin = new Kind("spin", true, false, arguments -> {
             double rate = arguments.number("rate", 1);
             return () -> senses -> Optional.of(new Velocity(0, rate));
@@ -94,8 +114,14 @@ class SubsumptionTableReaderTest {
         var catalogue = ServiceCatalogue.standard().with(spin);
         var table = SubsumptionTableReader.parse(
                 "robots 1\nservice slow = spin(rate 0.25)\nstate red : slow", Path.of("own"), catalogue);
-        assertThat(step(table.first().services().getFirst(), 0, 0)).isEqualTo(new Velocity(0, 0.25));
+        assertThat(step(table)).hasValue(new Velocity(0, 0.25));
         assertThatThrownBy(() -> catalogue.with(spin)).hasMessageContaining("spin already");
+        var own = new Service("own", true, () -> senses -> Optional.empty());
+        var unwritten =
+                SubsumptionTable.forRobots(1).when(NamedColours.RED, own).build();
+        assertThatThrownBy(() -> SubsumptionTableWriter.write(unwritten))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("the service own cannot be written");
     }
 
     @Test
@@ -202,10 +228,14 @@ class SubsumptionTableReaderTest {
     }
 
     @Test
-    void kind_isAServiceOutsideTables() {
-        Service goal = SubsumptionTableReader.kind("goToGoal(2.50, 0)", ServiceCatalogue.standard());
-        assertThat(goal)
-                .isEqualTo(SubsumptionTableReader.service("goToGoal = goToGoal(2.5, 0)", ServiceCatalogue.standard()));
+    void kindOrDeclaration_isAServiceForCode() {
+        assertThat(SubsumptionTableReader.kind("goToGoal(2.50, 0)", ServiceCatalogue.standard()))
+                .isEqualTo(service("goToGoal = goToGoal(2.5, 0)"));
+        Service patrol = service("patrol = goToGoal(2.50, 0) colours");
+        assertThat(patrol)
+                .isEqualTo(service("patrol = goToGoal(2.5, 0) colours"))
+                .isNotEqualTo(service("patrol = goToGoal(2.5, 1) colours"));
+        assertThat(patrol.findsColours()).isTrue();
     }
 
     @ParameterizedTest
@@ -222,18 +252,5 @@ class SubsumptionTableReaderTest {
         assertThatThrownBy(() -> SubsumptionTableReader.kind(text, ServiceCatalogue.standard()))
                 .isInstanceOf(SubsumptionTableException.class)
                 .hasMessageStartingWith(message);
-    }
-
-    @Test
-    void declaration_isAServiceForCode() {
-        Service patrol =
-                SubsumptionTableReader.service("patrol = goToGoal(2.50, 0) colours", ServiceCatalogue.standard());
-        assertThat(patrol)
-                .isEqualTo(SubsumptionTableReader.service(
-                        "patrol = goToGoal(2.5, 0) colours", ServiceCatalogue.standard()));
-        assertThat(patrol.findsColours()).isTrue();
-        assertThat(List.of(patrol))
-                .doesNotContain(SubsumptionTableReader.service(
-                        "patrol = goToGoal(2.5, 1) colours", ServiceCatalogue.standard()));
     }
 }

@@ -1,11 +1,11 @@
 package io.troupe.actor.laws;
 
+import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
-import java.nio.charset.StandardCharsets;
 import org.junit.jupiter.api.Test;
 
 /** In each of these runs jcstress itself ends with exit status 0, except in the one that throws. */
@@ -31,28 +31,14 @@ class LawsMainTest {
     }
 
     @Test
-    void run_inWhichEveryLawEndsInASoftError_isAFault() throws Exception {
+    void run_inWhichALawFailsOrDoesNotRun_isAFault() throws Exception {
         assertThat(faultAfter(status(12, 0, 0, 12, 0) + "\n"))
                 .isEqualTo(
                         "expected that every law passes, got (Results: 12 planned; 0 passed, 0 failed, 12 soft errs, "
                                 + "0 hard errs): no law ran to its end");
-    }
-
-    @Test
-    void run_inWhichOneLawEndsInAnError_isAFault() throws Exception {
-        assertThat(faultAfter(status(12, 11, 0, 1, 0) + "\n"))
-                .contains("1 soft errs")
-                .contains("in the report");
+        assertThat(faultAfter(status(12, 11, 0, 1, 0) + "\n")).contains("1 soft errs", "in the report");
         assertThat(faultAfter(status(12, 11, 0, 0, 1) + "\n")).contains("1 hard errs");
-    }
-
-    @Test
-    void run_thatEndsBeforeAllLawsHaveRun_isAFault() throws Exception {
         assertThat(faultAfter(status(12, 5, 0, 0, 0))).contains("12 planned; 5 passed");
-    }
-
-    @Test
-    void run_inWhichNoLawMatches_isAFault() throws Exception {
         assertThat(faultAfter("FATAL: No matching tests.\n")).isEqualTo("no law ran: jcstress counted no results");
         assertThat(faultAfter(status(0, 0, 0, 0, 0) + "\n")).contains("no law ran");
     }
@@ -67,7 +53,7 @@ class LawsMainTest {
     void output_isPassedOn_andRestoredWhenTheRunnerThrows() {
         PrintStream console = System.out;
         var printed = new ByteArrayOutputStream();
-        var replaced = new PrintStream(printed, true, StandardCharsets.UTF_8);
+        var replaced = new PrintStream(printed, true, UTF_8);
         System.setOut(replaced);
         try {
             assertThatThrownBy(() -> LawsMain.run(new String[0], arguments -> {
@@ -79,6 +65,6 @@ class LawsMainTest {
         } finally {
             System.setOut(console);
         }
-        assertThat(printed.toString(StandardCharsets.UTF_8)).isEqualToIgnoringNewLines("forbidden – outcome");
+        assertThat(printed.toString(UTF_8)).isEqualToIgnoringNewLines("forbidden – outcome");
     }
 }

@@ -54,20 +54,8 @@ class SoakTest {
     @Test
     void options_haveTheirDefaults_andAreRead() {
         assertThat(SoakMain.options()).isEqualTo(new SoakOptions(20_000_000, 4, 5_000, 1_000, 24));
-        assertThat(SoakMain.options(
-                        "--messages",
-                        "99",
-                        "--producers",
-                        "2",
-                        "--window",
-                        "3",
-                        "--capacity",
-                        "4",
-                        "--heap-bound-mib",
-                        "5",
-                        "--window",
-                        "6"))
-                .isEqualTo(new SoakOptions(99, 2, 6, 4, 5));
+        String line = "--messages 99 --producers 2 --window 3 --capacity 4 --heap-bound-mib 5 --window 6";
+        assertThat(SoakMain.options(line.split(" "))).isEqualTo(new SoakOptions(99, 2, 6, 4, 5));
     }
 
     @ParameterizedTest

@@ -1,43 +1,51 @@
 package io.troupe.petri.drawing;
 
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
+import java.util.regex.Matcher;
+import java.util.regex.Pattern;
 
 /** Reads the part of the DOT language that the drawings use, and rejects everything else. */
 final class DotReader {
     /** A node, an edge, or the defaults; attributes as Graphviz would show them. */
     record Statement(List<String> nodes, Map<String, String> attributes) {}
 
-    private final String text;
-    private int at;
+    /** Of the escapes in quoted text, only these three mean nothing to Graphviz. */
+    private static final Pattern TOKEN =
+            Pattern.compile("\\G\\s*(\"(?:[^\"\\\\]|\\\\[n\"\\\\])*\"|->|[{}\\[\\]=,;]|[\\p{L}\\p{Nd}.]+)");
 
-    private DotReader(String text) {
-        this.text = text;
-    }
+    private static final Pattern ESCAPE = Pattern.compile("\\\\(.)");
+
+    private final Queue<String> tokens = new ArrayDeque<>();
 
     static List<Statement> read(String dot) {
-        var reader = new DotReader(dot);
+        var reader = new DotReader();
+        var rest = TOKEN.matcher(dot).replaceAll(token -> {
+            reader.tokens.add(token.group(1));
+            return "";
+        });
+        assertThat(rest).as("what is not understood").isBlank();
         reader.expect("digraph");
         reader.expect("{");
         var statements = new ArrayList<Statement>();
         while (!reader.accept("}")) {
             statements.add(reader.statement());
         }
-        reader.space();
-        if (reader.at != dot.length()) {
-            throw new AssertionError("text after the end: " + dot.substring(reader.at));
-        }
+        assertThat(reader.tokens).as("text after the end").isEmpty();
         return statements;
     }
 
     private Statement statement() {
         var nodes = new ArrayList<String>();
-        nodes.add(value());
-        while (accept("->")) {
+        do {
             nodes.add(value());
-        }
+        } while (accept("->"));
         var attributes = new LinkedHashMap<String, String>();
         expect("[");
         while (!accept("]")) {
@@ -51,57 +59,22 @@ final class DotReader {
     }
 
     private String value() {
-        space();
-        if (text.charAt(at) == '"') {
-            return quoted();
+        var token = tokens.remove();
+        assertThat(token).as("a name").doesNotMatch("->|[{}\\[\\]=,;]");
+        if (!token.startsWith("\"")) {
+            return token;
         }
-        var start = at;
-        while (Character.isLetterOrDigit(text.charAt(at)) || text.charAt(at) == '.') {
-            at++;
-        }
-        if (at == start) {
-            throw new AssertionError("expected a name at: " + text.substring(at));
-        }
-        return text.substring(start, at);
-    }
-
-    private String quoted() {
-        var value = new StringBuilder();
-        at++;
-        while (text.charAt(at) != '"') {
-            var character = text.charAt(at++);
-            if (character != '\\') {
-                value.append(character);
-                continue;
-            }
-            var escaped = text.charAt(at++);
-            switch (escaped) {
-                case 'n' -> value.append('\n');
-                case '\\', '"' -> value.append(escaped);
-                default -> throw new AssertionError("\\" + escaped + " means something to Graphviz");
-            }
-        }
-        at++;
+        var text = ESCAPE.matcher(token.substring(1, token.length() - 1))
+                .replaceAll(escape -> Matcher.quoteReplacement(escape.group(1).replace('n', '\n')));
         // the entities that Graphviz would replace, the first one last
-        return value.toString().replace("&amp;", "&");
+        return text.replace("&amp;", "&");
     }
 
     private void expect(String token) {
-        if (!accept(token)) {
-            throw new AssertionError("expected " + token + " at: " + text.substring(at));
-        }
+        assertThat(tokens.remove()).isEqualTo(token);
     }
 
     private boolean accept(String token) {
-        space();
-        var there = text.startsWith(token, at);
-        at += there ? token.length() : 0;
-        return there;
-    }
-
-    private void space() {
-        while (at < text.length() && Character.isWhitespace(text.charAt(at))) {
-            at++;
-        }
+        return token.equals(tokens.element()) && token.equals(tokens.remove());
     }
 }

@@ -4,6 +4,8 @@ import static io.troupe.petri.wiring.Protocol.does;
 import static io.troupe.petri.wiring.Protocol.provides;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
+import static java.util.stream.Collectors.toMap;
+import static java.util.stream.Collectors.toSet;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.petri.DeadlockSearch;
@@ -25,7 +27,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.Set;
-import java.util.stream.Collectors;
+import java.util.function.Function;
 import org.junit.jupiter.api.Test;
 
 /** Random wirings, checked through the net and by executing the declarations directly. */
@@ -39,22 +41,26 @@ class RandomWiringTest {
         }
     }
 
-    private record Move(Set<String> who, Map<String, Status> next) {}
+    private record Move(Set<String> who, Map<String, Status> next) {
+        static Move of(Map<String, Status> now, Map<String, Status> changed) {
+            var next = new HashMap<>(now);
+            next.putAll(changed);
+            return new Move(changed.keySet(), next);
+        }
+    }
 
     private static Wiring random(long seed) {
         var random = new Random(seed);
         var count = 2 + random.nextInt(2);
         var offers = new ArrayList<Integer>();
-        for (var i = 0; i < count; i++) {
-            offers.add(random.nextInt(3));
-        }
-        var wiring = Wiring.of("seed " + seed);
         var open = new HashSet<String>();
         for (var i = 0; i < count; i++) {
+            offers.add(random.nextInt(3));
             for (var call = 0; call < offers.get(i); call++) {
                 open.add("c" + i + ".call" + call);
             }
         }
+        var wiring = Wiring.of("seed " + seed);
         for (var i = 0; i < count; i++) {
             var protocol = protocol(i, offers, random);
             protocol.requested().forEach(open::remove);
@@ -113,25 +119,23 @@ class RandomWiringTest {
         var moves = new ArrayList<Move>();
         now.forEach((component, status) -> {
             switch (status.phase()) {
-                case "in" -> {
-                    for (var step : wiring.protocol(component).out(status.at())) {
-                        switch (step) {
-                            case Step.Requests asks ->
-                                alone(moves, now, component, new Status("asks", status.at(), target(asks), asks.to()));
-                            case Step.Provides offer -> accept(wiring, moves, now, component, offer);
-                            case Step.Does does -> alone(moves, now, component, Status.in(does.to()));
-                            case Step.Stops stop -> alone(moves, now, component, Status.in(stop.to()));
+                case "in" ->
+                    wiring.protocol(component).out(status.at()).forEach(step -> {
+                        if (step instanceof Step.Provides offer) {
+                            accept(wiring, moves, now, component, offer);
+                        } else {
+                            moves.add(Move.of(now, Map.of(component, after(step, status))));
                         }
-                    }
+                    });
+                case "asked" -> {
+                    var done = new Status("done", "", status.target(), status.to());
+                    moves.add(Move.of(now, Map.of(component, done)));
                 }
-                case "asked" -> alone(moves, now, component, new Status("done", "", status.target(), status.to()));
                 case "done" ->
                     now.forEach((caller, asking) -> {
                         if (asking.phase().equals("served") && asking.target().equals(status.target())) {
-                            var next = new HashMap<>(now);
-                            next.put(component, Status.in(status.to()));
-                            next.put(caller, Status.in(asking.to()));
-                            moves.add(new Move(Set.of(component, caller), next));
+                            var answered = Map.of(component, Status.in(status.to()), caller, Status.in(asking.to()));
+                            moves.add(Move.of(now, answered));
                         }
                     });
                 default -> {}
@@ -140,8 +144,10 @@ class RandomWiringTest {
         return moves;
     }
 
-    private static String target(Step.Requests request) {
-        return request.role() + "." + request.call();
+    private static Status after(Step step, Status before) {
+        return step instanceof Step.Requests asks
+                ? new Status("asks", before.at(), asks.role() + "." + asks.call(), asks.to())
+                : Status.in(step.to());
     }
 
     private static void accept(
@@ -149,34 +155,26 @@ class RandomWiringTest {
         var target = component + "." + offer.call();
         if (wiring.components().stream()
                 .noneMatch(c -> wiring.protocol(c).requested().contains(target))) {
-            alone(moves, now, component, Status.in(offer.to()));
+            moves.add(Move.of(now, Map.of(component, Status.in(offer.to()))));
         }
         now.forEach((caller, asking) -> {
             if (asking.phase().equals("asks") && asking.target().equals(target)) {
-                var next = new HashMap<>(now);
-                next.put(component, new Status("asked", "", target, offer.to()));
-                next.put(caller, new Status("served", asking.at(), target, asking.to()));
-                moves.add(new Move(Set.of(component, caller), next));
+                var asked = new Status("asked", "", target, offer.to());
+                var served = new Status("served", asking.at(), target, asking.to());
+                moves.add(Move.of(now, Map.of(component, asked, caller, served)));
             }
         });
     }
 
-    private static void alone(List<Move> moves, Map<String, Status> now, String component, Status status) {
-        var next = new HashMap<>(now);
-        next.put(component, status);
-        moves.add(new Move(Set.of(component), next));
-    }
-
-    /** All reachable statuses, with the moves out of each. */
-    private static Map<Map<String, Status>, List<Move>> play(Wiring wiring) {
-        Map<String, Status> start = new HashMap<>();
-        wiring.components().forEach(c -> start.put(c, Status.in("s0")));
+    /** All statuses that can be reached from one of them, with the moves out of each. */
+    private static Map<Map<String, Status>, List<Move>> reached(
+            Map<String, Status> start, Function<Map<String, Status>, List<Move>> movesFrom) {
         var reached = new LinkedHashMap<Map<String, Status>, List<Move>>();
         var ahead = new ArrayDeque<>(List.of(start));
         while (!ahead.isEmpty()) {
             var now = ahead.remove();
             if (!reached.containsKey(now)) {
-                var moves = moves(wiring, now);
+                var moves = movesFrom.apply(now);
                 reached.put(now, moves);
                 moves.forEach(move -> ahead.add(move.next()));
             }
@@ -184,25 +182,12 @@ class RandomWiringTest {
         return reached;
     }
 
-    private static boolean someoneIsBlocked(Wiring wiring, Map<Map<String, Status>, List<Move>> reached) {
-        return reached.keySet().stream()
-                .anyMatch(from ->
-                        moversFrom(from, reached).size() < wiring.components().size());
-    }
-
-    private static Set<String> moversFrom(Map<String, Status> from, Map<Map<String, Status>, List<Move>> reached) {
-        var movers = new HashSet<String>();
-        var seen = new HashSet<>(List.of(from));
-        var ahead = new ArrayDeque<>(List.of(from));
-        while (!ahead.isEmpty()) {
-            for (var move : reached.getOrDefault(ahead.remove(), List.of())) {
-                movers.addAll(move.who());
-                if (seen.add(move.next())) {
-                    ahead.add(move.next());
-                }
-            }
-        }
-        return movers;
+    private static boolean someoneIsBlocked(Wiring wiring, Map<Map<String, Status>, List<Move>> all) {
+        return all.keySet().stream().anyMatch(from -> {
+            var movers = new HashSet<String>();
+            reached(from, all::get).values().forEach(moves -> moves.forEach(move -> movers.addAll(move.who())));
+            return movers.size() < wiring.components().size();
+        });
     }
 
     @Test
@@ -210,25 +195,22 @@ class RandomWiringTest {
         var kinds = new HashMap<Class<?>, Integer>();
         for (var seed = 0L; seed < WIRINGS; seed++) {
             var wiring = random(seed);
-            var reached = play(wiring);
+            var start = wiring.components().stream().collect(toMap(c -> c, c -> Status.in("s0")));
+            var reached = reached(start, now -> moves(wiring, now));
             var dead = (int) reached.values().stream().filter(List::isEmpty).count();
 
             var result = WiringCheck.check(wiring);
 
-            assertThat(result.figures().markings())
-                    .as("markings of seed %d", seed)
-                    .isEqualTo(reached.size());
-            assertThat(result.figures().deadMarkings())
-                    .as("dead markings of seed %d", seed)
-                    .isEqualTo(dead);
+            assertThat(List.of(result.figures().markings(), result.figures().deadMarkings()))
+                    .as("markings and dead markings of seed %d", seed)
+                    .containsExactly(reached.size(), dead);
             if (reached.size() <= 100 && dead == 0) {
                 var expected = someoneIsBlocked(wiring, reached) ? Blocked.class : Proved.class;
                 assertThat(result).as("result of seed %d", seed).isInstanceOf(expected);
             }
             if (result instanceof Deadlock deadlock) {
-                deadlock.counterexamples()
-                        .forEach(counterexample -> requireCircle(
-                                counterexample, wiring.components().size()));
+                var components = wiring.components().size();
+                deadlock.counterexamples().forEach(each -> requireCircle(each, components));
             }
             kinds.merge(result.getClass(), 1, Integer::sum);
         }
@@ -266,8 +248,8 @@ class RandomWiringTest {
                     .isEqualTo(search.blocks().isEmpty());
             assertThat(search.blocks(progress.losses()))
                     .as("who is blocked in seed %d", seed)
-                    .extracting(counterexample ->
-                            counterexample.waits().stream().map(Wait::component).collect(Collectors.toSet()))
+                    .extracting(
+                            each -> each.waits().stream().map(Wait::component).collect(toSet()))
                     .containsExactlyInAnyOrderElementsOf(stuckInTheEnd(net, graph));
             withDead += graph.dead().isEmpty() ? 0 : 1;
             withBlocks += graph.dead().isEmpty() && !search.blocks().isEmpty() ? 1 : 0;

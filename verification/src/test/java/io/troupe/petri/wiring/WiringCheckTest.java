@@ -1,11 +1,12 @@
 package io.troupe.petri.wiring;
 
+import static io.troupe.petri.Nets.refusals;
+import static io.troupe.petri.Nets.refused;
 import static io.troupe.petri.wiring.Protocol.does;
 import static io.troupe.petri.wiring.Protocol.provides;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.petri.SearchEnd;
@@ -15,6 +16,7 @@ import io.troupe.petri.wiring.WiringResult.Proved;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
+/** Wirings and their results, and declarations that are refused. */
 class WiringCheckTest {
     private static Protocol client() {
         return Protocol.of("client")
@@ -34,18 +36,22 @@ class WiringCheckTest {
     }
 
     /** Takes a token when its neighbour passes one on, or passes one on itself. */
-    private static Protocol neighbour() {
-        return Protocol.of("neighbour")
-                .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
-                .build();
-    }
+    private static final Protocol NEIGHBOUR = Protocol.of("neighbour")
+            .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
+            .build();
 
     private static Wiring ring(int size) {
-        var ring = Wiring.of("ring").components("node", size, neighbour());
+        var ring = Wiring.of("ring").components("node", size, NEIGHBOUR);
         for (var i = 1; i <= size; i++) {
             ring.bind("node" + i, "next", "node" + (i % size + 1));
         }
         return ring.build();
+    }
+
+    private static WiringBuilder wiring(String name, Protocol... components) {
+        var wiring = Wiring.of(name);
+        List.of(components).forEach(wiring::component);
+        return wiring;
     }
 
     @Test
@@ -72,21 +78,9 @@ class WiringCheckTest {
     }
 
     @Test
-    void assertionThatFails_showsTheCounterexample() {
-        assertThatThrownBy(() -> assertThat(WiringCheck.check(ring(3))).isInstanceOf(Proved.class))
-                .isInstanceOf(AssertionError.class)
-                .hasMessageContaining("node3 waits for node1.take: all ask and nobody answers");
-    }
-
-    @Test
     void sixClients_ofOnePlanner_areProved() {
-        var robots = Wiring.of("six")
-                .components("robot", 6, client())
-                .component(planner())
-                .build();
-
-        var result = WiringCheck.check(robots);
-
+        var robots = Wiring.of("six").components("robot", 6, client()).component(planner());
+        var result = WiringCheck.check(robots.build());
         assertThat(result).isInstanceOf(Proved.class);
         assertThat(result.figures().isComplete()).isTrue();
         assertThat(result.figures().neverReached()).isEmpty();
@@ -113,7 +107,12 @@ class WiringCheckTest {
                         new Wait.Answer("node2", "node3", "take"),
                         new Wait.Answer("node3", "node1", "take"));
         assertThat(result.repair()).isEmpty();
+        refused(() -> WiringCheck.check(ring(3), 0), "maxMarkings is 0, expected 1 or more");
         assertThat(result.toString()).contains("can deadlock", "after 3 steps", "* node1 waits for node2.take");
+        assertThatThrownBy(
+                        () -> assertThat(result).as("an assertion that fails").isInstanceOf(Proved.class))
+                .isInstanceOf(AssertionError.class)
+                .hasMessageContaining("node3 waits for node1.take: all ask and nobody answers");
     }
 
     private static Wiring philosophers(int count) {
@@ -141,7 +140,6 @@ class WiringCheckTest {
     @Test
     void philosophers_counterexampleNamesWhoHoldsWhichForkAndStarsTheWholeCircle() {
         var counterexample = ((Deadlock) WiringCheck.check(philosophers(3))).counterexample();
-
         assertThat(counterexample.waits())
                 .contains(
                         new Wait.Call("fork1", "taken", List.of(new Wait.Offer("put", List.of("phil1")))),
@@ -157,29 +155,18 @@ class WiringCheckTest {
     void stop_leavesOneBlockedWhileAnotherGoesOn() {
         var server = Protocol.of("server")
                 .in("off", provides("open").then("on"))
-                .in("on", provides("use").then("on"), stops())
-                .build();
+                .in("on", provides("use").then("on"), stops());
         var user = Protocol.of("user")
                 .in("start", requests("server.open").then("using"))
-                .in("using", requests("server.use").then("using"))
-                .build();
-        var clock =
-                Protocol.of("clock").in("ticking", does("tick").then("ticking")).build();
-        var wiring = Wiring.of("blocked")
-                .component(server)
-                .component(user)
-                .component(clock)
-                .build();
-
-        var result = (Blocked) WiringCheck.check(wiring);
-
+                .in("using", requests("server.use").then("using"));
+        var clock = Protocol.of("clock").in("ticking", does("tick").then("ticking"));
+        var result = (Blocked) WiringCheck.check(
+                wiring("blocked", server.build(), user.build(), clock.build()).build());
         assertThat(result.figures().deadMarkings()).isZero();
         assertThat(result.counterexample().sentence())
                 .isEqualTo("server stops; user waits for server.use, which nobody will answer");
         assertThat(result.counterexample().waits()).extracting(Wait::component).containsExactly("server", "user");
-        assertThat(result.pairs())
-                .singleElement()
-                .satisfies(pair -> assertThat(pair.isFree()).isFalse());
+        assertThat(result.pairs()).extracting(PairResult::isFree).containsExactly(false);
     }
 
     @Test
@@ -193,12 +180,8 @@ class WiringCheckTest {
                 .bind("node1", "next", "node2")
                 .bind("node2", "next", "node1")
                 .build();
-
-        var result = (Deadlock) WiringCheck.check(wiring);
-
-        var repair = result.repair().orElseThrow();
+        var repair = ((Deadlock) WiringCheck.check(wiring)).repair().orElseThrow();
         assertThat(repair.isProved()).isFalse();
-        assertThat(repair.result()).isInstanceOf(Deadlock.class);
         assertThat(repair.toString()).contains("not proved");
         assertThat(((Deadlock) repair.result()).repair()).isEmpty();
     }
@@ -208,19 +191,14 @@ class WiringCheckTest {
         var lamp = Protocol.of("lamp")
                 .in("off", does("start").then("dark"))
                 .in("dark", provides("light").then("bright"), stops())
-                .in("bright", provides("dim").then("dark"), stops())
-                .build();
+                .in("bright", provides("dim").then("dark"), stops());
         var user = Protocol.of("user")
                 .in("away", does("come").then("wants light"))
                 .in("wants light", requests("lamp.light").then("wants dark"))
                 .in("wants dark", requests("lamp.dim").then("thinks"))
                 .in("thinks", does("go on").then("wants light"), does("leave").then("leaving"))
-                .in("leaving", stops())
-                .build();
-        var wiring = Wiring.of("lamp").component(lamp).component(user).build();
-
-        var together = wiring.withSynchronisedStop();
-
+                .in("leaving", stops());
+        var together = wiring("lamp", lamp.build(), user.build()).build().withSynchronisedStop();
         assertThat(together.net().transitions())
                 .extracting(Object::toString)
                 .contains("all stop: {lamp=dark, user=leaving}", "all stop: {lamp=bright, user=leaving}")
@@ -230,14 +208,8 @@ class WiringCheckTest {
 
     @Test
     void openCall_isMadeFromOutside() {
-        var wiring = Wiring.of("open")
-                .component(planner())
-                .open("planner.plan")
-                .open("planner.correct")
-                .build();
-
-        var result = WiringCheck.check(wiring);
-
+        var wiring = Wiring.of("open").component(planner()).open("planner.plan").open("planner.correct");
+        var result = WiringCheck.check(wiring.build());
         assertThat(result).isInstanceOf(Proved.class);
         assertThat(result.figures()).isEqualTo(new Figures(1, 2, 4, 1, 2, 0, SearchEnd.COMPLETE, List.of()));
     }
@@ -246,26 +218,106 @@ class WiringCheckTest {
     void stateOfAWiring_thatNobodyReaches_isInTheFigures() {
         var server = Protocol.of("server")
                 .in("first", provides("first").then("second"))
-                .in("second", provides("second").then("first"))
-                .build();
+                .in("second", provides("second").then("first"));
         var wrong = Protocol.of("wrong")
                 .in("start", requests("server.second").then("then"))
-                .in("then", requests("server.first").then("start"))
-                .build();
-
-        var result = (Deadlock) WiringCheck.check(
-                Wiring.of("order").component(wrong).component(server).build());
-
+                .in("then", requests("server.first").then("start"));
+        var result = (Deadlock)
+                WiringCheck.check(wiring("order", wrong.build(), server.build()).build());
         assertThat(result.figures().neverReached()).contains("server.second", "wrong.then");
         assertThat(result.counterexample().sentence())
                 .isEqualTo("wrong waits for server.second, which nobody will answer; server (first) waits to be called:"
                         + " first by wrong, which nobody will do");
     }
 
+    // ---- declarations that are refused
+
+    private static final Protocol PLAYER = Protocol.of("player")
+            .in("ready", provides("setValues").then("ready"))
+            .build();
+
+    private static Protocol asking(String target) {
+        return Protocol.of("robot").in("idle", requests(target).then("idle")).build();
+    }
+
+    private static WiringBuilder w(Protocol... components) {
+        return wiring("w", components);
+    }
+
+    private static ProtocolBuilder p(String state, Branch... branches) {
+        return Protocol.of("p").in(state, branches);
+    }
+
     @Test
-    void limit_belowOne_isRefused() {
-        assertThatIllegalArgumentException()
-                .isThrownBy(() -> WiringCheck.check(ring(3), 0))
-                .withMessage("maxMarkings is 0, expected 1 or more");
+    void wirings_thatMakeNoSense_areRefused() {
+        var bound = w(asking("player.setValues")).component("player1", PLAYER).bind("robot", "player", "player2");
+        assertThat(refusals(
+                        w(asking("plaier.setValues"), PLAYER)::build,
+                        w(asking("player.setValue"), PLAYER)::build,
+                        w(asking("robot2.move")).component("robot2", asking("robot.move"))::build,
+                        w(asking("robot.move"))::build,
+                        w(PLAYER)::build,
+                        w(PLAYER).open("player.setValue")::build,
+                        w(PLAYER, asking("player.setValues")).open("player.setValues")::build,
+                        () -> w().component("a.b", PLAYER),
+                        () -> w(PLAYER, PLAYER),
+                        w()::build,
+                        () -> w().components("p", 0, PLAYER),
+                        bound::build,
+                        () -> bound.bind("robot", "player", "player1"),
+                        w(PLAYER).bind("player", "robot", "player")::build,
+                        w(PLAYER).bind("playr", "robot", "player")::build))
+                .isEqualTo("""
+                wiring w: robot requests plaier.setValues in state idle, but there is no component plaier; did you \
+                mean player? known: robot, player
+                wiring w: robot requests player.setValue in state idle, but player never offers setValue; did you \
+                mean setValues? known: setValues
+                wiring w: robot requests robot2.move in state idle, but robot2 never offers move; there are none
+                wiring w: robot requests robot.move in state idle of itself; expected another component
+                wiring w: player offers setValues, but nobody requests it; request it, or declare player.setValues open
+                wiring w: open call player.setValue is not offered; did you mean player.setValues? known: \
+                player.setValues
+                wiring w: player.setValues is declared open and requested by [robot]; expected one of the two
+                wiring w: the name of a component is "a.b", expected letters, digits, - and _ without spaces or dots
+                wiring w: there are two components called player
+                wiring w: there are no components; expected 1 or more
+                wiring w: there are 0 components p, expected 1 or more
+                wiring w: robot.player is bound to the unknown component player2; did you mean player1? known: robot, \
+                player1
+                wiring w: robot.player is bound twice, to player2 and to player1
+                wiring w: player.robot is bound, but player requests nothing of robot; there are none
+                wiring w: playr.robot is bound, but there is no component playr; did you mean player? known: player""");
+    }
+
+    @Test
+    void protocols_thatMakeNoSense_areRefused() {
+        var loop = does("x").then("a");
+        assertThat(refusals(
+                        () -> p("a", provides("x").then("b"))
+                                .in("b", provides("x").then("a")),
+                        p("a", loop).in("b", does("y").then("a"))::build,
+                        p("driving", does("x").then("drivng"))::build,
+                        Protocol.of("p")::build,
+                        () -> p("a"),
+                        () -> p("a", loop).in("a", does("y").then("a")),
+                        () -> p("a", loop, loop),
+                        () -> p("a", stops()),
+                        () -> p(" a", stops()),
+                        () -> asking("setValues"),
+                        () -> asking("player.set values")))
+                .isEqualTo("""
+                protocol p: call x is offered twice, in state a and in state b; expected one state that offers it
+                protocol p: state b cannot be reached from the first state a; expected a step that leads to it
+                protocol p: a step of state driving leads to state drivng, which is not declared; did you mean \
+                driving? known: driving
+                protocol p: there are no states; expected 1 or more
+                protocol p: nothing leads out of state a; expected a step or a stop
+                protocol p: state a is declared twice
+                protocol p: state a does x twice; expected different names for a choice
+                protocol p: state a is the first one and stops; expected a stop in a later state
+                protocol p: a state is called " a", expected text without control characters or space around it
+                protocol robot: state idle requests setValues, expected component.call
+                protocol robot: the call of request player.set values is "set values", expected letters, digits, - \
+                and _ without spaces or dots""");
     }
 }

@@ -3,9 +3,9 @@ package io.troupe.actor.internal.loop;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.actor.time.Schedule;
+import io.troupe.actor.time.SteppedClock;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -13,7 +13,10 @@ import java.util.Comparator;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;
+import java.util.stream.LongStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.MethodSource;
 
 class TimerWheelTest {
     private static final long MILLI = 1_000_000;
@@ -29,41 +32,14 @@ class TimerWheelTest {
         }
     }
 
-    @Test
-    void timer_runsAtItsDeadlineAndNotBefore() {
-        wheel.set(() -> log.add("ring"), 5 * MILLI, 0);
-        advanceMillis(4);
-        assertThat(log).isEmpty();
-        assertThat(wheel.isDue()).isFalse();
-        advanceMillis(1);
-        assertThat(log).containsExactly("ring");
-        assertThat(wheel.isEmpty()).isTrue();
-    }
-
-    @Test
-    void timers_runByDeadlineThenByTheOrderInWhichTheyWereSet() {
-        wheel.set(() -> log.add("b"), 2 * MILLI + 500, 0);
-        wheel.set(() -> log.add("a"), 2 * MILLI + 499, 0);
-        wheel.set(() -> log.add("c"), 2 * MILLI + 500, 0);
-        advanceMillis(3);
-        assertThat(log).containsExactly("a", "b", "c");
-    }
-
-    @Test
-    void timer_beyondOneRound_waitsForItsRound() {
-        wheel.set(() -> log.add("late"), 1_000 * MILLI, 0);
-        wheel.set(() -> log.add("early"), 488 * MILLI, 0); // the same slot, one round earlier
-        advanceMillis(600);
-        assertThat(log).containsExactly("early");
-        advanceMillis(399);
-        assertThat(log).containsExactly("early");
-        advanceMillis(1);
-        assertThat(log).containsExactly("early", "late");
+    /** Sets a timer that adds a text to the log. */
+    private Timer set(String text, long delayNanos, long periodNanos) {
+        return wheel.set(() -> log.add(text), delayNanos, periodNanos);
     }
 
     @Test
     void periodicTimer_runsOncePerPeriodThatIsOver_untilCancelled() {
-        Timer timer = wheel.set(() -> log.add("tick"), 100 * MILLI, 100 * MILLI);
+        Timer timer = set("tick", 100 * MILLI, 100 * MILLI);
         advanceMillis(1_050);
         assertThat(log).hasSize(10);
         assertThat(timer.cancel()).isTrue();
@@ -74,28 +50,23 @@ class TimerWheelTest {
 
     @Test
     void periodicTimer_thatIsLate_letsOthersHaveTheirTurn() {
-        wheel.set(() -> log.add("fast"), MILLI, MILLI);
+        set("fast", MILLI, MILLI);
         clock.advance(Duration.ofMillis(10));
         assertThat(wheel.runDue(Runnable::run)).isEqualTo(1);
         assertThat(wheel.isDue()).isTrue();
-        wheel.set(() -> log.add("other"), 0, 0);
+        set("other", 0, 0);
         assertThat(wheel.runDue(Runnable::run)).isEqualTo(2);
         assertThat(log).containsExactly("fast", "fast", "other");
     }
 
     @Test
-    void timerForTheEndOfTime_waits() {
-        wheel.set(() -> log.add("never"), Long.MAX_VALUE, 0);
-        advanceMillis(10_000);
-        assertThat(log).isEmpty();
-    }
-
-    @Test
-    void timerCancelledByAnEarlierOne_doesNotRun() {
+    void timerForTheEndOfTime_andOneCancelledByAnEarlierOne_doNotRun() {
+        set("never", Long.MAX_VALUE, 0);
         var second = new Timer[1];
         wheel.set(() -> second[0].cancel(), MILLI, 0);
-        second[0] = wheel.set(() -> log.add("never"), 2 * MILLI, 0);
+        second[0] = set("never", 2 * MILLI, 0);
         advanceMillis(5);
+        advanceMillis(10_000);
         assertThat(log).isEmpty();
     }
 
@@ -115,18 +86,19 @@ class TimerWheelTest {
         }
     }
 
+    private final CountingHeap heap = new CountingHeap();
+    private final TimerWheel countedWheel = new TimerWheel(clock, () -> true, heap);
+
     @Test
     void manyTimers_dueTogether_costTheLogarithmEach() {
         int count = 30_000;
-        var heap = new CountingHeap();
-        var myWheel = new TimerWheel(clock, () -> true, heap);
         var ran = new ArrayList<Integer>();
         for (int number = 0; number < count; number++) {
             int id = number;
-            myWheel.set(() -> ran.add(id), 1_000 * MILLI - number % 7, 0);
+            countedWheel.set(() -> ran.add(id), 1_000 * MILLI - number % 7, 0);
         }
         clock.advance(Duration.ofSeconds(1));
-        assertThat(myWheel.runDue(Runnable::run)).isEqualTo(count);
+        assertThat(countedWheel.runDue(Runnable::run)).isEqualTo(count);
         assertThat(ran)
                 .containsExactlyElementsOf(IntStream.range(0, count)
                         .boxed()
@@ -139,29 +111,27 @@ class TimerWheelTest {
 
     @Test
     void latePeriodicTimer_besideManyFarOnes_costsNothingForThem() {
-        var heap = new CountingHeap();
-        var myWheel = new TimerWheel(clock, () -> true, heap);
         for (int number = 0; number < 100_000; number++) {
-            myWheel.set(() -> log.add("far"), 10_000 * MILLI + number * 1_000L, 0);
+            countedWheel.set(() -> log.add("far"), 10_000 * MILLI + number * 1_000L, 0);
         }
-        myWheel.set(() -> log.add("tick"), MILLI, MILLI);
+        countedWheel.set(() -> log.add("tick"), MILLI, MILLI);
         clock.advance(Duration.ofMillis(600));
         int passes = 0;
-        while (myWheel.isDue()) {
-            assertThat(myWheel.runDue(Runnable::run)).isEqualTo(1);
+        while (countedWheel.isDue()) {
+            assertThat(countedWheel.runDue(Runnable::run)).isEqualTo(1);
             passes++;
         }
         assertThat(passes).isEqualTo(600);
         assertThat(log).hasSize(600).containsOnly("tick");
         assertThat(heap.comparisons).isLessThan(10);
-        assertThat(myWheel.size()).isEqualTo(100_001);
+        assertThat(countedWheel.size()).isEqualTo(100_001);
     }
 
     @Test
     void timersThatAreCancelled_leaveNothingBehind() {
         var timers = new ArrayList<Timer>();
         for (int number = 0; number < 1_000; number++) {
-            timers.add(wheel.set(() -> log.add("never"), number * 700_000L, 0));
+            timers.add(set("never", number * 700_000L, 0));
         }
         timers.forEach(timer -> assertThat(timer.cancel()).isTrue());
         assertThat(wheel.isEmpty()).isTrue();
@@ -172,15 +142,13 @@ class TimerWheelTest {
 
     @Test
     void timerSetByARunningOne_andDueAtOnce_runsBehindTheOthersThatAreDue() {
-        wheel.set(
-                () -> {
-                    log.add("first");
-                    wheel.set(() -> log.add("new"), 0, 0);
-                },
-                MILLI,
-                0);
-        wheel.set(() -> log.add("second"), 2 * MILLI, 0);
-        wheel.set(() -> log.add("third"), 5 * MILLI, 0);
+        Runnable first = () -> {
+            log.add("first");
+            set("new", 0, 0);
+        };
+        wheel.set(first, MILLI, 0);
+        set("second", 2 * MILLI, 0);
+        set("third", 5 * MILLI, 0);
         advanceMillis(5);
         assertThat(log).containsExactly("first", "second", "third", "new");
     }
@@ -197,14 +165,11 @@ class TimerWheelTest {
 
     @Test
     void fixedDelay_countsFromTheEndOfARun() {
-        wheel.set(
-                () -> {
-                    log.add("from " + clock.nanos() / MILLI);
-                    clock.advance(Duration.ofMillis(30)); // the duration of the run
-                },
-                100 * MILLI,
-                100 * MILLI,
-                Schedule.FIXED_DELAY);
+        Runnable task = () -> {
+            log.add("from " + clock.nanos() / MILLI);
+            clock.advance(Duration.ofMillis(30)); // the duration of the run
+        };
+        wheel.set(task, 100 * MILLI, 100 * MILLI, Schedule.FIXED_DELAY);
         advanceMillis(250);
         assertThat(log).containsExactly("from 250");
         advanceMillis(99);
@@ -215,14 +180,11 @@ class TimerWheelTest {
 
     @Test
     void fixedDelay_ofATaskThatThrows_goesOn() {
-        wheel.set(
-                () -> {
-                    log.add("run");
-                    throw new IllegalStateException("broken");
-                },
-                100 * MILLI,
-                100 * MILLI,
-                Schedule.FIXED_DELAY);
+        Runnable task = () -> {
+            log.add("run");
+            throw new IllegalStateException("broken");
+        };
+        wheel.set(task, 100 * MILLI, 100 * MILLI, Schedule.FIXED_DELAY);
         for (int run = 0; run < 2; run++) {
             clock.advance(Duration.ofMillis(100));
             assertThatThrownBy(() -> wheel.runDue(Runnable::run)).hasMessage("broken");
@@ -231,29 +193,10 @@ class TimerWheelTest {
         assertThat(wheel.size()).isEqualTo(1);
     }
 
-    /** A clock that claims to run by itself, so that a timer can be late. */
-    private static final class RunningClock implements Clock {
-        private long nanos;
-
-        @Override
-        public long nanos() {
-            return nanos;
-        }
-
-        @Override
-        public Runnable onMove(Runnable wake) {
-            return () -> {};
-        }
-
-        @Override
-        public boolean runsByItself() {
-            return true;
-        }
-    }
+    private final SteppedClock running = new SteppedClock();
 
     @Test
     void fixedRate_onAClockThatRunsByItself_makesUpForOneSecondAtMost() {
-        var running = new RunningClock();
         var myWheel = new TimerWheel(running);
         myWheel.set(() -> log.add("tick"), 10 * MILLI, 10 * MILLI);
         running.nanos += 60_000 * MILLI + 5 * MILLI;
@@ -266,7 +209,6 @@ class TimerWheelTest {
 
     @Test
     void wheelOfAClockThatBeganBelowZero_runsItsTimers() {
-        var running = new RunningClock();
         running.nanos = -5 * MILLI;
         var myWheel = new TimerWheel(running);
         for (long millis : new long[] {1, 4, 5, 6, 500, 100_000, 10_000_000}) {
@@ -279,80 +221,65 @@ class TimerWheelTest {
         assertThat(log).containsExactly("at -4", "at -1", "at 0", "at 1", "at 495", "at 99995", "at 9999995");
     }
 
-    @Test
-    void randomTimers_runExactlyAsASortedListWould() {
-        for (long seed = 1; seed <= 200; seed++) {
-            new RandomTimers(seed).play();
-        }
+    // ---- random timers, compared with a list sorted by deadline and number
+
+    private record Expected(long deadline, int number, Timer timer) {}
+
+    private final List<Expected> expected = new ArrayList<>();
+    private final List<Integer> actual = new ArrayList<>();
+
+    static LongStream seeds() {
+        return LongStream.rangeClosed(1, 200);
     }
 
-    /** A wheel, and a list sorted by deadline and number to compare it with. */
-    private static final class RandomTimers {
-        private final long seed;
-        private final Random random;
-        private final ManualClock clock = new ManualClock();
-        private final TimerWheel wheel = new TimerWheel(clock);
-        private final List<Expected> expected = new ArrayList<>();
-        private final List<Integer> actual = new ArrayList<>();
-
-        private record Expected(long deadline, int number, Timer timer) {}
-
-        private RandomTimers(long seed) {
-            this.seed = seed;
-            this.random = new Random(seed);
-        }
-
-        private void play() {
-            int number = 0;
-            for (int round = 0; round < 60; round++) {
-                for (int more = random.nextInt(8); more > 0; more--) {
-                    set(number++);
-                }
-                for (int fewer = random.nextInt(3); fewer > 0 && !expected.isEmpty(); fewer--) {
-                    assertThat(expected.remove(random.nextInt(expected.size()))
-                                    .timer
-                                    .cancel())
-                            .isTrue();
-                }
-                checkNextDeadline();
-                clock.advanceTo(clock.nanos() + random.nextLong(1L << random.nextInt(1, 45)));
-                runDue();
+    @ParameterizedTest(name = "seed {0}")
+    @MethodSource("seeds")
+    void randomTimers_runExactlyAsASortedListWould(long seed) {
+        var random = new Random(seed);
+        int number = 0;
+        for (int round = 0; round < 60; round++) {
+            for (int more = random.nextInt(8); more > 0; more--) {
+                setRandom(random, number++);
             }
-            var rest = expected.stream().map(Expected::number).toList();
-            clock.advanceTo(Long.MAX_VALUE);
-            actual.clear();
-            wheel.runDue(Runnable::run);
-            assertThat(actual).as("seed %d", seed).isEqualTo(rest);
-            assertThat(wheel.isEmpty()).isTrue();
+            for (int fewer = random.nextInt(3); fewer > 0 && !expected.isEmpty(); fewer--) {
+                Expected removed = expected.remove(random.nextInt(expected.size()));
+                assertThat(removed.timer.cancel()).isTrue();
+            }
+            checkNextDeadline();
+            clock.advanceTo(clock.nanos() + random.nextLong(1L << random.nextInt(1, 45)));
+            runDueAndCompare();
         }
+        var rest = expected.stream().map(Expected::number).toList();
+        clock.advanceTo(Long.MAX_VALUE);
+        actual.clear();
+        wheel.runDue(Runnable::run);
+        assertThat(actual).isEqualTo(rest);
+        assertThat(wheel.isEmpty()).isTrue();
+    }
 
-        private void set(int number) {
-            long delay = random.nextInt(4) == 0
-                    ? random.nextInt(5) * MILLI // so that some are equal
-                    : random.nextLong(1L << random.nextInt(1, 50));
-            Timer timer = wheel.set(() -> actual.add(number), delay, 0);
-            expected.add(new Expected(clock.nanos() + delay, number, timer));
-            expected.sort(Comparator.comparingLong(Expected::deadline).thenComparing(Expected::number));
-        }
+    private void setRandom(Random random, int number) {
+        long delay = random.nextInt(4) == 0
+                ? random.nextInt(5) * MILLI // so that some are equal
+                : random.nextLong(1L << random.nextInt(1, 50));
+        Timer timer = wheel.set(() -> actual.add(number), delay, 0);
+        expected.add(new Expected(clock.nanos() + delay, number, timer));
+        expected.sort(Comparator.comparingLong(Expected::deadline).thenComparing(Expected::number));
+    }
 
-        private void checkNextDeadline() {
-            long deadline = expected.isEmpty() ? Long.MAX_VALUE : expected.getFirst().deadline;
-            assertThat(wheel.nextDeadline()).as("seed %d", seed).isLessThanOrEqualTo(deadline);
-            assertThat(wheel.isDue()).as("seed %d", seed).isEqualTo(deadline <= clock.nanos());
-            assertThat(wheel.size()).as("seed %d", seed).isEqualTo(expected.size());
-        }
+    private void checkNextDeadline() {
+        long deadline = expected.isEmpty() ? Long.MAX_VALUE : expected.getFirst().deadline;
+        assertThat(wheel.nextDeadline()).isLessThanOrEqualTo(deadline);
+        assertThat(wheel.isDue()).isEqualTo(deadline <= clock.nanos());
+        assertThat(wheel.size()).isEqualTo(expected.size());
+    }
 
-        private void runDue() {
-            var due = expected.stream()
-                    .filter(each -> each.deadline <= clock.nanos())
-                    .toList();
-            actual.clear();
-            assertThat(wheel.isDue()).as("seed %d", seed).isEqualTo(!due.isEmpty());
-            wheel.runDue(Runnable::run);
-            assertThat(actual)
-                    .as("seed %d", seed)
-                    .isEqualTo(due.stream().map(Expected::number).toList());
-            expected.removeAll(due);
-        }
+    private void runDueAndCompare() {
+        var due =
+                expected.stream().filter(each -> each.deadline <= clock.nanos()).toList();
+        actual.clear();
+        assertThat(wheel.isDue()).isEqualTo(!due.isEmpty());
+        wheel.runDue(Runnable::run);
+        assertThat(actual).isEqualTo(due.stream().map(Expected::number).toList());
+        expected.removeAll(due);
     }
 }

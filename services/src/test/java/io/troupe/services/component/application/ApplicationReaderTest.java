@@ -10,7 +10,6 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
-import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -84,17 +83,23 @@ class ApplicationReaderTest {
                 .hasMessageStartingWith(message);
     }
 
-    @Test
-    void topicsOfDifferentTypes_cannotBeConnected() {
-        assertThatThrownBy(() ->
-                        read("application demo\ncomponent r is player\nconnect robot1/sonar to robot1/velocity\n"))
-                .hasMessageStartingWith(
-                        "my.app:3:25: robot1/velocity is of Velocity, expected a topic of SonarReading as robot1/sonar is");
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "component r is player; my.app:1:1: the application has no name, expected a line \"application NAME\"",
+                "application demo/component r is player/component r is player; my.app:3:16: demo has two components named r, expected one"
+            })
+    void mistakeOfTheWholeText_isNamedByItsPlace(String lines, String message) {
+        assertThatThrownBy(() -> read(lines.replace('/', '\n') + "\n")).hasMessage(message);
     }
 
     @Test
-    void wiresInACircle_orTwice_areRefused() {
+    void wiresBetweenDifferentTypes_inACircle_orTwice_areRefused() {
         String two = "application demo\ncomponent r is player robots=1,2\nconnect robot1/velocity to robot2/velocity\n";
+        assertThatThrownBy(() -> read(two + "connect robot1/sonar to robot1/velocity\n"))
+                .hasMessageStartingWith(
+                        "my.app:4:25: robot1/velocity is of Velocity, expected a topic of SonarReading as robot1/sonar is");
         assertThatThrownBy(() -> read(two + "connect robot2/velocity to robot1/velocity\n"))
                 .hasMessage("my.app:4:28: over robot2/velocity -> robot1/velocity values would go round in a circle,"
                         + " expected wires that end somewhere");
@@ -112,30 +117,17 @@ class ApplicationReaderTest {
                 .isInstanceOf(ApplicationFileException.class)
                 .hasMessage(file + ":2:3: the byte here is no UTF-8, expected a text in UTF-8");
         Files.writeString(file, "\uFEFFapplication a\n");
-        assertThat(ApplicationReader.read(file, ComponentKinds.standard(), Map.of())
-                        .name())
-                .isEqualTo("a");
+        var plan = ApplicationReader.read(file, ComponentKinds.standard(), Map.of());
+        assertThat(plan.name()).isEqualTo("a");
         assertThatThrownBy(() -> ApplicationReader.text(directory))
                 .hasMessage(directory + ": a directory, expected the file of a declaration");
-    }
-
-    @Test
-    void namelessApplication_isRefused() {
-        assertThatThrownBy(() -> read("component r is player\n"))
-                .hasMessage("my.app:1:1: the application has no name, expected a line \"application NAME\"");
-    }
-
-    @Test
-    void twoComponentsOfOneName_areRefused() {
-        assertThatThrownBy(() -> read("application demo\ncomponent r is player\ncomponent r is player\n"))
-                .hasMessage("my.app:3:16: demo has two components named r, expected one");
     }
 
     @Test
     void catalogue_describesItsKinds() {
         assertThat(ComponentKinds.standard().all())
                 .extracting(kind -> kind.name())
-                .isEqualTo(List.of("player", "wallFollower", "spaceWanderer", "behaviour", "colourFinder", "process"));
+                .containsExactly("player", "wallFollower", "spaceWanderer", "behaviour", "colourFinder", "process");
         assertThat(ComponentKinds.standard().find("process").orElseThrow().describe())
                 .contains("run=", "has to be given");
     }

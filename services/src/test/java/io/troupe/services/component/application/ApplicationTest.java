@@ -1,23 +1,24 @@
 package io.troupe.services.component.application;
 
+import static io.troupe.services.subsumption.FakeRobots.STOP;
+import static io.troupe.services.subsumption.FakeRobots.ahead;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.testkit.TestSpace;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.MissingServiceException;
-import io.troupe.bus.Bus;
-import io.troupe.bus.BusSettings;
-import io.troupe.bus.BusTopic;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Component;
+import io.troupe.services.component.ComponentBench;
 import io.troupe.services.component.ComponentState;
-import io.troupe.services.component.DataConversion;
-import io.troupe.services.component.RecordingObserver;
+import io.troupe.services.component.DataConversion.Losses;
+import io.troupe.services.component.ScriptedComponent;
 import io.troupe.services.component.kinds.BehaviourComponent;
 import io.troupe.services.component.kinds.ComponentKinds;
+import io.troupe.services.component.kinds.PlayerComponent;
 import io.troupe.services.component.kinds.RobotTopics;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
 import io.troupe.services.component.kinds.RobotTopics.SonarReading;
@@ -29,13 +30,15 @@ import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
-class ApplicationTest {
-    private static final DeviceCommand.Velocity STOP = new DeviceCommand.Velocity(0, 0, 0, true);
-    private static final DeviceCommand.Velocity FOLLOWER_AHEAD = new DeviceCommand.Velocity(0.2, 0, 0, true);
-    private static final DeviceCommand.Velocity WANDERER_AHEAD = new DeviceCommand.Velocity(0.5, 0, 0, true);
+class ApplicationTest extends ComponentBench {
+    private static final DeviceCommand.Velocity FOLLOWER_AHEAD = ahead(0.2);
+    private static final DeviceCommand.Velocity WANDERER_AHEAD = ahead(0.5);
     private static final String TWO_ROBOTS = """
             application two-robots
             component robots   is player port=7001 robots=1,2
@@ -46,23 +49,24 @@ class ApplicationTest {
             robot1 needs service wallFollower
             robot2 needs capability wanders
             """;
-
     private static final String ONE_ROBOT = TWO_ROBOTS.replace("robot1 needs service wallFollower\n", "");
 
-    private final TestSpace test = new TestSpace();
     private final FakeRobots robots = new FakeRobots(test, 2);
-    private final RecordingObserver notes = new RecordingObserver();
     private final List<String> events = new ArrayList<>();
     private Application application;
-    private Bus bus;
 
     @AfterEach
     void nothingIsLeft() {
-        test.get(application.stop().handle((ended, error) -> true));
-        test.crank();
         robots.close();
+        var stopped = application.stop();
+        stopped.handle((ended, error) -> true);
+        test.crank();
+        for (int second = 0; second < 20 && !stopped.isDone(); second++) {
+            test.advance(Duration.ofSeconds(1)); // the limit for a hanging provider
+        }
+        assertThat(stopped.isDone()).isTrue();
+        test.crank();
         assertThat(robots.connections()).as("connections left open").isZero();
-        test.close();
     }
 
     private static ApplicationPlan plan(String text) {
@@ -71,14 +75,16 @@ class ApplicationTest {
 
     private void start(ApplicationPlan plan) {
         test.run(() -> {
-            bus = Bus.inProcess("here", BusSettings.on(test.space()));
-            application = Application.start(
-                    plan,
-                    bus,
-                    Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {})),
-                    ApplicationSettings.DEFAULT.withObservers(notes, this::note));
+            var broker = Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
+            var settings = ApplicationSettings.DEFAULT.withObservers(notes, this::note);
+            application = Application.start(plan, bus, broker, settings);
             application.started().handle((runs, error) -> error); // handled here; the test reads the result later
         });
+    }
+
+    private void run(ApplicationPlan plan) {
+        start(plan);
+        test.get(application.started());
     }
 
     private void note(ApplicationEvent event) {
@@ -98,10 +104,13 @@ class ApplicationTest {
         return application.componentInterface(component).state();
     }
 
+    private Losses losses(String component) {
+        return application.componentInterface(component).conversion().losses();
+    }
+
     @Test
     void paperRobots_areDrivenByTheServicesThatTheBrokerStarts_andOnlyThose() {
-        start(plan(TWO_ROBOTS));
-        test.get(application.started().thenApply(runs -> true));
+        run(plan(TWO_ROBOTS));
         assertThat(events)
                 .containsExactly(
                         "two-robots uses robots []",
@@ -116,37 +125,14 @@ class ApplicationTest {
     }
 
     @Test
-    void theSameApplication_inCode() {
-        var inCode = ApplicationPlan.named("two-robots");
-        for (var component : plan(TWO_ROBOTS).components().entrySet()) {
-            inCode = inCode.with(component.getKey(), component.getValue());
-        }
-        start(inCode.needing("two-robots", "player")
-                .needing("robot1", "wallFollower")
-                .needing("robot2", "spaceWanderer"));
-        test.get(application.started().thenApply(runs -> true));
+    void stop_endsEverythingThatWasStarted_robotsStandStill_andChangesAreRefused() {
+        run(plan(TWO_ROBOTS));
         robots.tick(100);
-        assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
-        assertThat(robots.lastCommand(1)).isEqualTo(WANDERER_AHEAD);
-    }
-
-    @Test
-    void stop_endsEverythingThatWasStarted_robotsStandStill() {
-        start(plan(TWO_ROBOTS));
-        test.crank();
-        robots.tick(100);
-        test.get(application.stop().thenApply(ended -> true));
+        test.get(application.stop());
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
         assertThat(robots.lastCommand(1)).isEqualTo(STOP);
         assertThat(List.of(state("robots"), state("follower"), state("wanderer")))
                 .containsOnly(ComponentState.TERMINATED);
-    }
-
-    @Test
-    void stoppedApplication_refusesChanges() {
-        start(plan(TWO_ROBOTS));
-        test.get(application.started().thenApply(runs -> true));
-        test.get(application.stop().thenApply(ended -> true));
         var component = BehaviourComponent.of("late", "driving", List.of(), () -> senses -> Optional.empty());
         var refusals = new ArrayList<Throwable>();
         test.run(() -> application.add("late", component).handle((added, error) -> refusals.add(error)));
@@ -167,54 +153,36 @@ class ApplicationTest {
         var error = test.error(application.started());
         assertThat(error)
                 .isInstanceOf(MissingServiceException.class)
-                .hasMessageContainingAll(
-                        "robot1",
-                        "wallFolower",
-                        "did you mean \"wallFollower\"",
-                        "registered:",
-                        "player",
-                        "spaceWanderer");
+                .hasMessageContainingAll("robot1", "wallFolower", "did you mean \"wallFollower\"")
+                .hasMessageContainingAll("registered:", "player", "spaceWanderer");
         assertThat(error.getMessage()).doesNotContain("\n");
         assertThat(state("robots")).isEqualTo(ComponentState.TERMINATED);
         assertThat(robots.connections()).isZero();
         assertThat(application.ended().error()).isSameAs(error);
     }
 
-    @Test
-    void twoProvidersThatWouldDriveOneRobot_endTheApplication() {
-        start(plan(TWO_ROBOTS + "robot1 needs service idling\n"));
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            value = {
+                "robot1 needs service idling | robot1/velocity would be fed twice, because robot1 needs wallFollower and because robot1 needs idling, expected once",
+                "connect idle/velocity to robot1/velocity | robot1/velocity would be fed twice, because idle/velocity -> robot1/velocity is declared and because robot1 needs wallFollower, expected once",
+                "connect robot1/velocity to follower/velocity | over follower/velocity -> robot1/velocity values would go round in a circle, expected wires that end somewhere"
+            })
+    void twoThatWouldDriveOneRobot_orValuesInACircle_endTheApplication(String line, String message) {
+        start(plan(TWO_ROBOTS + line + "\n"));
         assertThat(test.error(application.started()))
                 .isInstanceOf(ApplicationException.class)
-                .hasMessage("robot1/velocity would be fed twice, because robot1 needs wallFollower and because robot1"
-                        + " needs idling, expected once");
+                .hasMessage(message);
         assertThat(robots.connections()).isZero();
     }
 
-    @Test
-    void declaredWireAndNeedThatWouldDriveOneRobot_endTheApplication() {
-        start(plan(TWO_ROBOTS + "connect idle/velocity to robot1/velocity\n"));
-        assertThat(test.error(application.started()))
-                .isInstanceOf(ApplicationException.class)
-                .hasMessage(
-                        "robot1/velocity would be fed twice, because idle/velocity -> robot1/velocity is declared and"
-                                + " because robot1 needs wallFollower, expected once");
-    }
-
-    @Test
-    void needThatWouldSendValuesInACircle_endsTheApplication() {
-        start(plan(TWO_ROBOTS + "connect robot1/velocity to follower/velocity\n"));
-        assertThat(test.error(application.started()))
-                .isInstanceOf(ApplicationException.class)
-                .hasMessage(
-                        "over follower/velocity -> robot1/velocity values would go round in a circle, expected wires"
-                                + " that end somewhere");
-    }
+    // ---- replacements
 
     @Test
     void componentThatHasTakenAPlace_isReplacedUnderThatService_evenByTheOneBefore() {
-        start(plan(TWO_ROBOTS + "component relief is spaceWanderer\n"
+        run(plan(TWO_ROBOTS + "component relief is spaceWanderer\n"
                 + "at 150ms replace follower by relief\nat 250ms replace relief by follower\n"));
-        test.get(application.started().thenApply(runs -> true));
         test.advance(Duration.ofMillis(160));
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(WANDERER_AHEAD);
@@ -227,6 +195,37 @@ class ApplicationTest {
     }
 
     @Test
+    void providerIsReplacedWhileTheApplicationRuns_noTickIsWithoutACommand_andNothingIsLost() {
+        run(plan(TWO_ROBOTS + "component other is spaceWanderer\nat 450ms replace follower by other\n"));
+        assertThat(state("other")).isEqualTo(ComponentState.NOT_INVOKED);
+        for (int tick = 1; tick <= 10; tick++) {
+            test.advance(Duration.ofMillis(100));
+            robots.tick(100);
+            assertThat(robots.commands(0)).as("commands at tick %d", tick).hasSize(tick);
+        }
+        assertThat(robots.commands(0).subList(0, 4)).containsOnly(FOLLOWER_AHEAD);
+        assertThat(robots.commands(0).subList(4, 10)).containsOnly(WANDERER_AHEAD);
+        assertThat(events).contains("other in the place of follower");
+        assertThat(state("follower")).isEqualTo(ComponentState.TERMINATED);
+        assertThat(List.of("robots", "follower", "other"))
+                .allSatisfy(component -> assertThat(losses(component)).isEqualTo(new Losses(0, 0, 0)));
+    }
+
+    @Test
+    void replacementThatDoesNotStart_leavesTheOldOneInUse() {
+        var broken = BehaviourComponent.of("broken", "breaking", List.of(), () -> {
+            throw new IllegalStateException("no law");
+        });
+        run(plan(TWO_ROBOTS).with("broken", broken).replacing(Duration.ofMillis(150), "follower", "broken"));
+        test.advance(Duration.ofMillis(200));
+        assertThat(events.getLast()).startsWith("not replaced: ").contains("no law");
+        robots.tick(100);
+        assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
+    }
+
+    // ---- providers that die
+
+    @Test
     void reconnectLimit_countsFromTheLossThatLasts_notFromOneBefore() {
         var dizzy = new AtomicBoolean();
         var flickering = BehaviourComponent.of("flickering", "driving", List.of(), () -> senses -> {
@@ -235,8 +234,7 @@ class ApplicationTest {
             }
             return Optional.of(new Velocity(0.1, 0));
         });
-        start(plan(ONE_ROBOT).with("flickering", flickering).needing("robot1", "driving"));
-        test.get(application.started().thenApply(runs -> true));
+        run(plan(ONE_ROBOT).with("flickering", flickering).needing("robot1", "driving"));
         for (int loss = 1; loss <= 2; loss++) {
             dizzy.set(true);
             robots.tick(100);
@@ -250,53 +248,29 @@ class ApplicationTest {
         }
     }
 
-    @Test
-    void providerIsReplacedWhileTheApplicationRuns_noTickIsWithoutACommand_andNothingIsLost() {
-        start(plan(TWO_ROBOTS + "component other is spaceWanderer\nat 450ms replace follower by other\n"));
-        test.get(application.started().thenApply(runs -> true));
-        assertThat(state("other")).isEqualTo(ComponentState.NOT_INVOKED);
-        for (int tick = 1; tick <= 10; tick++) {
-            int commands = robots.commands(0).size();
-            test.advance(Duration.ofMillis(100));
-            robots.tick(100);
-            assertThat(robots.commands(0).size())
-                    .as("commands at tick %d", tick)
-                    .isEqualTo(commands + 1);
-            assertThat(robots.lastCommand(0)).as("command at tick %d", tick).isNotEqualTo(STOP);
-        }
-        assertThat(robots.commands(0).subList(0, 4)).containsOnly(FOLLOWER_AHEAD);
-        assertThat(robots.commands(0).subList(4, 10)).containsOnly(WANDERER_AHEAD);
-        assertThat(events).contains("other in the place of follower");
-        assertThat(state("follower")).isEqualTo(ComponentState.TERMINATED);
-        for (String component : List.of("robots", "follower", "other")) {
-            var losses = application.componentInterface(component).conversion().losses();
-            assertThat(losses.dropped() + losses.superseded() + losses.refused())
-                    .as("lost by " + component)
-                    .isZero();
-        }
-    }
-
-    @Test
-    void replacementThatDoesNotStart_leavesTheOldOneInUse() {
-        var broken = BehaviourComponent.of("broken", "breaking", List.of(), () -> {
-            throw new IllegalStateException("no law");
+    /** Starts a driver whose first run fails at its first reading; if it dies for good, restarts fail, too. */
+    private void runWithDriverThatDies(boolean forGood) {
+        var runs = new AtomicInteger();
+        Component<?, ?> mortal = BehaviourComponent.of("mortal", "dying", List.of(), () -> {
+            if (runs.incrementAndGet() > 1 && forGood) {
+                throw new IllegalStateException("dizzy for good");
+            }
+            return senses -> {
+                if (runs.get() == 1) {
+                    throw new IllegalStateException("dizzy");
+                }
+                return Optional.of(new Velocity(0.1, 0));
+            };
         });
-        start(plan(TWO_ROBOTS).with("broken", broken).replacing(Duration.ofMillis(150), "follower", "broken"));
-        test.get(application.started().thenApply(runs -> true));
-        test.advance(Duration.ofMillis(200));
-        assertThat(events.getLast()).startsWith("not replaced: ").contains("no law");
+        run(plan(ONE_ROBOT).with("mortal", mortal).needing("robot1", "dying"));
         robots.tick(100);
-        assertThat(robots.lastCommand(0)).isEqualTo(FOLLOWER_AHEAD);
+        assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
     }
 
     @Test
     void providerThatDies_isStartedAgainWithinTheReconnectLimit_andTheRobotStandsStillMeanwhile() {
-        var deaths = new ArrayList<Integer>(List.of(1));
-        start(plan(ONE_ROBOT).with("mortal", mortal(deaths)).needing("robot1", "dying"));
-        test.get(application.started().thenApply(runs -> true));
-        robots.tick(100);
+        runWithDriverThatDies(false);
         assertThat(robots.commands(0)).contains(STOP);
-        assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
         test.advance(Duration.ofSeconds(2)); // the broker pauses before it restarts the provider
         assertThat(events.getLast()).startsWith("robot1 uses mortal");
         assertThat(application.ended().isDone()).isFalse();
@@ -304,10 +278,7 @@ class ApplicationTest {
 
     @Test
     void providerThatStaysDead_endsTheApplication() {
-        var deaths = new ArrayList<Integer>(List.of(1, 2, 3, 4, 5, 6, 7, 8, 9));
-        start(plan(ONE_ROBOT).with("mortal", mortal(deaths)).needing("robot1", "dying"));
-        test.get(application.started().thenApply(runs -> true));
-        robots.tick(100);
+        runWithDriverThatDies(true);
         for (int step = 0; step < 50 && !application.ended().isDone(); step++) {
             test.advance(Duration.ofMillis(100));
         }
@@ -319,32 +290,21 @@ class ApplicationTest {
 
     @Test
     void componentThatIsAddedOnTheFly_takesOverFromOneThatDied() {
-        var deaths = new ArrayList<Integer>(List.of(1, 2, 3, 4, 5, 6, 7, 8, 9));
-        start(plan(ONE_ROBOT).with("mortal", mortal(deaths)).needing("robot1", "dying"));
-        test.get(application.started().thenApply(runs -> true));
-        robots.tick(100);
-        assertThat(events.getLast()).isEqualTo("robot1 has lost its provider");
-        test.run(() -> application.add(
-                "heir",
-                BehaviourComponent.of("heir", "dying", List.of(), () -> senses -> Optional.of(new Velocity(0.3, 0)))));
+        runWithDriverThatDies(true);
+        var heir = BehaviourComponent.of("heir", "dying", List.of(), () -> senses -> Optional.of(new Velocity(0.3, 0)));
+        test.run(() -> application.add("heir", heir));
         assertThat(events.getLast()).startsWith("robot1 uses heir [robot1/position -> heir/position");
         robots.tick(100);
-        assertThat(robots.lastCommand(0)).isEqualTo(new DeviceCommand.Velocity(0.3, 0, 0, true));
+        assertThat(robots.lastCommand(0)).isEqualTo(ahead(0.3));
         test.advance(Duration.ofSeconds(10));
         assertThat(application.ended().isDone()).isFalse();
     }
 
-    /** Subscribes to a topic and collects its values. */
-    private <T extends Record> List<T> listenTo(BusTopic<T> topic) {
-        List<T> heard = new ArrayList<>();
-        test.run(() -> bus.attach("listener").subscribe(topic, (value, from) -> heard.add(value)));
-        return heard;
-    }
+    // ---- topics
 
     @Test
     void colourFinder_seesWhatTheCameraOfItsRobotSees_andSaysEachColourOnce() {
-        start(plan(TWO_ROBOTS + "component finder is colourFinder\nrobot2 needs service colourFinder\n"));
-        test.get(application.started().thenApply(runs -> true));
+        run(plan(TWO_ROBOTS + "component finder is colourFinder\nrobot2 needs service colourFinder\n"));
         assertThat(events.getLast()).isEqualTo("robot2 uses finder [robot2/blobs -> finder/blobs]");
         var seen = listenTo(RobotTopics.colours("finder"));
         robots.show(0, NamedColours.GREEN); // the camera of the other robot has no effect
@@ -360,44 +320,102 @@ class ApplicationTest {
     }
 
     @Test
-    void declaredWire_carriesValues_fromTheStart() {
-        start(plan(TWO_ROBOTS + "connect robot1/sonar to idle/sonar\ntwo-robots needs service idling\n"));
-        test.get(application.started().thenApply(runs -> true));
+    void declaredWire_carriesValues_fromTheStart_toAComponentThatNobodyElseIsConnectedWith() {
+        run(plan(TWO_ROBOTS + "connect robot1/sonar to idle/sonar\ntwo-robots needs service idling\n"));
         var sonar = listenTo(RobotTopics.sonar("idle"));
-        assertThat(state("idle")).isEqualTo(ComponentState.RUNNING);
-        robots.range(0, 3, 1.25);
-        robots.tick(100);
-        robots.tick(100);
-        assertThat(sonar).extracting(SonarReading::timeSeconds).containsExactly(0.1, 0.2);
-        assertThat(sonar).extracting(reading -> reading.rangesM().get(3)).containsOnly(1.25);
-        assertThat(application.componentInterface("idle").conversion().losses())
-                .isEqualTo(new DataConversion.Losses(0, 0, 0));
-    }
-
-    @Test
-    void declaredWire_feedsAComponentThatNobodyElseIsConnectedWith() {
-        start(plan(TWO_ROBOTS + "connect robot1/sonar to idle/sonar\ntwo-robots needs service idling\n"));
-        test.get(application.started().thenApply(runs -> true));
         var velocities = listenTo(RobotTopics.velocity("idle"));
+        assertThat(state("idle")).isEqualTo(ComponentState.RUNNING);
         robots.tick(100);
         assertThat(velocities).containsExactly(new Velocity(0.5, 0));
         assertThat(robots.commands(0)).as("it drives nobody").containsExactly(FOLLOWER_AHEAD);
+        robots.range(0, 3, 1.25);
+        robots.tick(100);
+        assertThat(sonar).extracting(SonarReading::timeSeconds).containsExactly(0.1, 0.2);
+        assertThat(sonar).extracting(reading -> reading.rangesM().get(3)).containsExactly(5.0, 1.25);
+        assertThat(losses("idle")).isEqualTo(new Losses(0, 0, 0));
     }
 
-    /** A driver whose first run fails at its first reading. While more than one death is left, restarts fail, too. */
-    private static Component<?, ?> mortal(List<Integer> deaths) {
-        var runs = new ArrayList<Integer>();
-        return BehaviourComponent.of("mortal", "dying", List.of(), () -> {
-            runs.add(runs.size());
-            if (runs.size() > 1 && deaths.size() > 1) {
-                throw new IllegalStateException("dizzy for good");
-            }
-            return senses -> {
-                if (runs.size() == 1) {
-                    throw new IllegalStateException("dizzy");
-                }
-                return Optional.of(new Velocity(0.1, 0));
-            };
-        });
+    // ---- providers that hang or answer late: a robot has only one driver at a time
+
+    private final ScriptedComponent<SonarReading, Velocity> first = driver("first", 0.1);
+
+    /** Outputs one fixed velocity for each sonar reading, or without a reading. */
+    private static ScriptedComponent<SonarReading, Velocity> driver(String name, double forwardMps) {
+        var driver = new ScriptedComponent<SonarReading, Velocity>(
+                input -> (SonarReading) input.value(),
+                output -> new ApplicationData<>(RobotTopics.velocity(name), output));
+        driver.data = reading -> driver.signals().data(new Velocity(forwardMps, 0));
+        return driver;
+    }
+
+    private void startDrivers() {
+        var next = driver("next", 0.3).component("driving", RobotTopics.sonar("next"), RobotTopics.velocity("next"));
+        start(ApplicationPlan.named("one-robot")
+                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", 7001, List.of(1), false)))
+                .with("first", first.component("driving", RobotTopics.sonar("first"), RobotTopics.velocity("first")))
+                .with("next", next)
+                .needing("one-robot", "player")
+                .needing("robot1", "driving"));
+    }
+
+    private List<String> usedByRobot1() {
+        return events.stream()
+                .filter(event -> event.startsWith("robot1 uses"))
+                .map(event -> event.split(" ")[2])
+                .toList();
+    }
+
+    /** The robot receives this command only, in one tick. */
+    private void assertTick(int tick, double forwardMps) {
+        int before = robots.commands(0).size();
+        robots.tick(100);
+        assertThat(robots.commands(0).subList(before, robots.commands(0).size()))
+                .as("commands of tick %d", tick)
+                .containsExactly(ahead(forwardMps));
+    }
+
+    @Test
+    void providerWhoseHealthHangs_isFailedOver_andTheRobotObeysTheNextOnly() {
+        first.health = ScriptedComponent::later;
+        first.terminate = ScriptedComponent::later; // control hangs, but the driver still outputs velocities
+        startDrivers();
+        test.get(application.started());
+        for (int tick = 1; tick < 60; tick++) {
+            test.advance(Duration.ofMillis(100));
+            assertTick(tick, 0.1);
+        }
+        assertThat(usedByRobot1()).as("after two misses").containsExactly("first");
+        test.advance(Duration.ofMillis(100)); // the third missed check: sent after 5 s, overdue after 6 s
+        assertThat(usedByRobot1()).containsExactly("first", "next");
+        int before = robots.commands(0).size();
+        for (int tick = 61; tick < 120; tick++) {
+            test.run(() -> first.signals().data(new Velocity(0.1, 0)));
+            assertTick(tick, 0.3);
+            test.advance(Duration.ofMillis(100));
+        }
+        assertThat(robots.commands(0)).hasSize(before + 59);
+        assertThat(first.calls).containsExactly("invoke", "terminate");
+        assertThat(application.ended().isDone()).isFalse();
+    }
+
+    @Test
+    void providerThatStartsLate_isNotWired_andIsTerminatedAgain() {
+        var late = ScriptedComponent.later();
+        first.invoke = () -> late;
+        startDrivers();
+        test.advance(Duration.ofSeconds(9));
+        assertThat(usedByRobot1()).isEmpty();
+        test.advance(Duration.ofSeconds(1));
+        test.get(application.started());
+        assertThat(usedByRobot1()).containsExactly("next");
+        test.run(() -> late.resolve(null));
+        assertThat(first.calls).containsExactly("invoke", "terminate", "terminate");
+        assertThat(state("first")).isEqualTo(ComponentState.TERMINATED);
+        for (int tick = 1; tick <= 5; tick++) {
+            test.run(() -> first.signals().data(new Velocity(0.1, 0)));
+            assertTick(tick, 0.3);
+        }
+        assertThat(robots.commands(0)).hasSize(5);
+        assertThat(usedByRobot1()).containsExactly("next");
     }
 }

@@ -11,17 +11,27 @@ import io.troupe.broker.ProviderException;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
+import io.troupe.services.component.ComponentCommunication;
 import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.ProcessComponent.TextLine;
+import java.io.IOException;
+import java.io.UncheckedIOException;
+import java.lang.reflect.Proxy;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
+import java.util.concurrent.CopyOnWriteArrayList;
+import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.ForkJoinPool;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -29,12 +39,18 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
-/** Uses real processes, and so real threads and real time. Every wait is ended by an event of the process. */
+/**
+ * Processes as components, and their process trees. Uses real processes, and so real threads and real time. Every wait
+ * is ended by an event of a process.
+ */
 @Timeout(120)
 class ExternalProcessTest {
     private static final Duration PATIENCE = Duration.ofSeconds(60);
     private static final Duration SHORT = Duration.ofMillis(200);
+    private static final Duration EVER = Duration.ofSeconds(Long.MAX_VALUE);
     private static final Path SHELL = Path.of("/bin/sh");
 
     private final ActorSpace space = ActorSpace.create(SpaceSettings.named("processes"));
@@ -42,6 +58,7 @@ class ExternalProcessTest {
     private final BusPort user = bus.attach("user");
     private final RecordingObserver notes = new RecordingObserver();
     private final LinkedBlockingQueue<String> lines = new LinkedBlockingQueue<>();
+    private final List<ProcessTree> trees = new CopyOnWriteArrayList<>();
 
     @TempDir
     private Path directory;
@@ -59,6 +76,8 @@ class ExternalProcessTest {
         var left = alive();
         left.forEach(ProcessHandle::destroyForcibly);
         assertThat(left).as("processes left").isEmpty();
+        assertThat(trees)
+                .allSatisfy(tree -> assertThat(tree.end(PATIENCE, PATIENCE)).isEmpty());
     }
 
     /**
@@ -75,18 +94,9 @@ class ExternalProcessTest {
         return alive().stream().anyMatch(each -> String.valueOf(each.pid()).equals(pid));
     }
 
-    /** A process has no command line for a moment while it executes another program. */
-    private void awaitAlive(String pid) throws InterruptedException {
-        while (!isAlive(pid)) {
-            Thread.sleep(1);
-        }
-    }
-
     private ComponentInterface<?, ?> open(Duration startLimit, Duration stopLimit, String... command) throws Exception {
-        var component = ProcessComponent.of(
-                "script",
-                "scripting",
-                new ProcessComponent.Settings(List.of(command), directory, startLimit, stopLimit));
+        var settings = new ProcessComponent.Settings(List.of(command), directory, startLimit, stopLimit);
+        var component = ProcessComponent.of("script", "scripting", settings);
         var opened = new CompletableFuture<ComponentInterface<?, ?>>();
         space.execute(() -> {
             user.subscribe(ProcessComponent.output("script"), (line, from) -> lines.add(line.text()));
@@ -96,48 +106,73 @@ class ExternalProcessTest {
     }
 
     private ComponentInterface<?, ?> shell(Duration startLimit, Duration stopLimit, String script) throws Exception {
-        return open(
-                startLimit,
-                stopLimit,
-                SHELL.toString(),
-                "-c",
-                script.replace("SLEEP", "tail -f " + directory.resolve("empty")),
-                directory.toString());
+        String text = script.replace("SLEEP", "tail -f " + directory.resolve("empty"));
+        return open(startLimit, stopLimit, SHELL.toString(), "-c", text, directory.toString());
     }
 
-    /** A script that ends on request. */
-    private ComponentInterface<?, ?> shell(String script) throws Exception {
-        return shell(PATIENCE, PATIENCE, script);
+    /** Starts a script that ends on request. A limit of ever is no error. */
+    private ComponentInterface<?, ?> started(String script) throws Exception {
+        var provider = shell(EVER, EVER, script);
+        done(provider.start());
+        return provider;
     }
 
     private static @Nullable Void done(Promise<@Nullable Void> promise) throws Exception {
         return promise.get(PATIENCE);
     }
 
+    private void send(String line) {
+        user.publish(ProcessComponent.input("script"), new TextLine(line));
+    }
+
     private String line() throws InterruptedException {
         return String.valueOf(lines.poll(60, TimeUnit.SECONDS));
     }
 
+    /** Reads a line with the number of a process. It has no command line while it executes another program. */
+    private String lineOfProcess() throws InterruptedException {
+        String pid = line();
+        while (!isAlive(pid)) {
+            Thread.sleep(1);
+        }
+        return pid;
+    }
+
+    private void awaitNote(String text) throws InterruptedException {
+        while (notes.take().stream().noneMatch(note -> note.contains(text))) {
+            Thread.sleep(1);
+        }
+    }
+
+    private static boolean hasSessions() {
+        return Files.isReadable(Path.of("/proc/self/stat"))
+                && Stream.of("/usr/bin/setsid", "/bin/setsid").map(Path::of).anyMatch(Files::isExecutable);
+    }
+
+    /** Without a session, a process whose parent has ended is not found. */
+    private static void assumeSessions() {
+        assumeTrue(hasSessions(), "there is no setsid on this machine");
+    }
+
+    // ---- a component that is a process
+
     @Test
     void process_runsFromItsFirstLine_andItsDataAreLines() throws Exception {
-        var provider = shell("echo ready; while read line; do echo \"heard $line\"; done");
-        done(provider.start());
+        var provider = started("echo ready; while read line; do echo \"heard $line\"; done");
         assertThat(line()).isEqualTo("ready");
         done(provider.check());
-        user.publish(ProcessComponent.input("script"), new TextLine("one"));
-        user.publish(ProcessComponent.input("script"), new TextLine("two"));
-        assertThat(line()).isEqualTo("heard one");
-        assertThat(line()).isEqualTo("heard two");
+        send("one");
+        send("two");
+        assertThat(List.of(line(), line())).containsExactly("heard one", "heard two");
         done(provider.stop());
         assertThatThrownBy(() -> done(provider.check())).hasMessage("here/script has been terminated");
     }
 
     @Test
     void processThatEndsByItself_hasFailed_withItsStatusAndItsLastErrors() throws Exception {
-        var provider = shell("echo ready; read line; echo 'out of wheels' >&2; exit 7");
-        done(provider.start());
+        var provider = started("echo ready; read line; echo 'out of wheels' >&2; exit 7");
         assertThat(line()).isEqualTo("ready");
-        user.publish(ProcessComponent.input("script"), new TextLine("go"));
+        send("go");
         awaitNote("script has failed");
         assertThatThrownBy(() -> done(provider.check()))
                 .isInstanceOf(ProviderException.class)
@@ -145,9 +180,8 @@ class ExternalProcessTest {
     }
 
     @Test
-    void processThatEndsBeforeItsFirstLine_isNotStarted() throws Exception {
-        var provider = shell("echo 'no such robot' >&2; exit 1");
-        assertThatThrownBy(() -> done(provider.start()))
+    void processThatEndsBeforeItsFirstLine_isNotStarted() {
+        assertThatThrownBy(() -> started("echo 'no such robot' >&2; exit 1"))
                 .hasMessageStartingWith("here/script has failed: ")
                 .hasMessageEndingWith("ended with status 1; it said: no such robot");
     }
@@ -169,12 +203,23 @@ class ExternalProcessTest {
         assertThat(alive()).as("processes beside what is started instead").isEmpty();
     }
 
-    @Test
-    void startLimitOfEver_isNoError() throws Exception {
-        var provider =
-                shell(Duration.ofSeconds(Long.MAX_VALUE), Duration.ofSeconds(Long.MAX_VALUE), "echo ready; SLEEP");
-        done(provider.start());
-        done(provider.stop());
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "trap : TERM; while :; do SLEEP & echo $!; wait $!; done",
+                "trap 'SLEEP & exit 0' TERM; SLEEP & echo ready; wait"
+            })
+    void programThatAScriptStartsWhenItIsTerminated_endsWithIt_andTheCommonPoolIsFree(String script) throws Exception {
+        var provider = shell(PATIENCE, SHORT, script);
+        for (int life = 0; life < 4; life++) {
+            done(provider.start());
+            done(provider.stop());
+            assertThat(alive()).isEmpty();
+        }
+        for (int task = 0; task < ForkJoinPool.getCommonPoolParallelism(); task++) {
+            assertThat(ForkJoinPool.commonPool().submit(() -> "done").get(60, TimeUnit.SECONDS))
+                    .isEqualTo("done");
+        }
     }
 
     /**
@@ -184,56 +229,37 @@ class ExternalProcessTest {
     @Test
     void programThatIsStartedAmidTheTermination_isTerminatedToo() throws Exception {
         assumeSessions();
-        var ever = Duration.ofSeconds(Long.MAX_VALUE);
-        var provider = shell(ever, ever, "trap 'SLEEP & exit' TERM; echo ready; SLEEP & wait");
-        done(provider.start());
-        done(provider.stop());
+        done(started("trap 'SLEEP & exit' TERM; echo ready; SLEEP & wait").stop());
         assertThat(alive()).isEmpty();
     }
 
-    @Test
-    void processThatIsDeafToTermination_isKilled() throws Exception {
-        var provider = shell(PATIENCE, SHORT, "trap '' TERM; echo $$; while :; do SLEEP; done");
+    @ParameterizedTest
+    @ValueSource(strings = {"trap '' TERM; echo $$; while :; do SLEEP; done", "SLEEP & echo $!; wait"})
+    void processThatIsDeafToTermination_orStartedByTheScript_endsWithTheComponent(String script) throws Exception {
+        var provider = shell(PATIENCE, SHORT, script);
         for (int life = 0; life < 2; life++) {
             done(provider.start());
-            var pid = line();
-            awaitAlive(pid);
+            var pid = lineOfProcess();
             done(provider.stop());
-            assertThat(isAlive(pid)).as("process %s has ended", pid).isFalse();
+            assertThat(isAlive(pid)).as("process %s is alive", pid).isFalse();
         }
-    }
-
-    @Test
-    void programThatAScriptHasStarted_endsWithIt() throws Exception {
-        var provider = shell("SLEEP & echo $!; wait");
-        done(provider.start());
-        var started = line();
-        awaitAlive(started);
-        done(provider.stop());
-        assertThat(isAlive(started)).isFalse();
-    }
-
-    @Test
-    void programThatAScriptStartsAgainWhenItIsTerminated_endsWithIt() throws Exception {
-        var provider = shell(PATIENCE, SHORT, "trap : TERM; while :; do SLEEP & echo $!; wait $!; done");
-        done(provider.start());
-        line();
-        done(provider.stop());
-        assertThat(alive()).isEmpty();
     }
 
     @Test
     void processThatEndsBeforeItsChild_hasFailed_whenTheChildHasEnded() throws Exception {
         assumeSessions();
-        var provider = shell("SLEEP & echo $!; read line; exit 7");
-        done(provider.start());
-        var child = line();
-        awaitAlive(child);
+        var provider = started("SLEEP & echo $!; read line; exit 7");
+        var child = lineOfProcess();
         var livesBesideTheNext = provider.whenEnded().handle((ended, error) -> isAlive(child));
-        user.publish(ProcessComponent.input("script"), new TextLine("go"));
+        send("go");
         assertThat(livesBesideTheNext.get(PATIENCE)).isFalse();
         assertThatThrownBy(() -> done(provider.check())).hasMessageContaining("ended with status 7");
         awaitNote("has ended with status 7, before processes that it had started; these are ended too: " + child);
+        while (Thread.getAllStackTraces().keySet().stream() // the readers end with the child that holds their pipes
+                .map(Thread::getName)
+                .anyMatch(name -> name.matches("std(out|err) of " + SHELL))) {
+            Thread.sleep(1);
+        }
     }
 
     @Test
@@ -241,65 +267,26 @@ class ExternalProcessTest {
         assumeSessions();
         var provider = shell(PATIENCE, SHORT, "(trap '' TERM; exec SLEEP) & echo $!; read line; exit 7");
         done(provider.start());
-        var child = line();
-        awaitAlive(child);
-        user.publish(ProcessComponent.input("script"), new TextLine("go"));
+        var child = lineOfProcess();
+        send("go");
         while (provider.check().handle((well, error) -> error == null).get(PATIENCE)) {
             Thread.sleep(1);
         }
         assertThat(isAlive(child)).isFalse();
     }
 
-    /** Without a session, a process whose parent has ended is not found. */
-    private static void assumeSessions() {
-        boolean found =
-                Stream.of("/usr/bin/setsid", "/bin/setsid").map(Path::of).anyMatch(Files::isExecutable);
-        assumeTrue(found && Files.isReadable(Path.of("/proc/self/stat")), "there is no setsid on this machine");
-    }
-
-    @Test
-    void readersEnd_withTheChildThatHoldsTheirPipes() throws Exception {
-        assumeSessions();
-        var provider = shell("SLEEP & echo $!; read line; exit 7");
-        done(provider.start());
-        user.publish(ProcessComponent.input("script"), new TextLine("go"));
-        awaitNote("script has failed");
-        while (Thread.getAllStackTraces().keySet().stream()
-                .map(Thread::getName)
-                .anyMatch(name -> name.matches("std(out|err) of " + SHELL))) {
-            Thread.sleep(1);
-        }
-        assertThatThrownBy(() -> done(provider.check())).hasMessageContaining("ended with status 7");
-    }
-
-    @Test
-    void processThatStartsAnotherWhenItIsTerminated_endsWithIt_andTheCommonPoolIsFree() throws Exception {
-        var provider = shell(PATIENCE, SHORT, "trap 'SLEEP & exit 0' TERM; SLEEP & echo ready; wait");
-        for (int life = 0; life < 4; life++) {
-            done(provider.start());
-            done(provider.stop());
-        }
-        for (int task = 0; task < ForkJoinPool.getCommonPoolParallelism(); task++) {
-            assertThat(ForkJoinPool.commonPool().submit(() -> "done").get(60, TimeUnit.SECONDS))
-                    .isEqualTo("done");
-        }
-        assertThat(alive()).isEmpty();
-    }
-
     @Test
     void lineThatDoesNotEnd_isCut_andThisIsReported() throws Exception {
         int longest = ExternalProcess.LONGEST_LINE_CHARACTERS;
-        var provider = shell("echo ready; head -c " + longest + " /dev/zero | tr '\\0' x; echo;"
+        var provider = started("echo ready; head -c " + longest + " /dev/zero | tr '\\0' x; echo;"
                 + " head -c 1000000 /dev/zero | tr '\\0' y; echo; echo last; SLEEP");
-        done(provider.start());
         assertThat(line()).isEqualTo("ready");
         assertThat(line()).isEqualTo("x".repeat(longest));
         assertThat(line()).isEqualTo("y".repeat(longest));
         assertThat(line()).isEqualTo("last");
         assertThat(notes.take())
                 .filteredOn(note -> note.contains("a line of more than"))
-                .hasSize(1)
-                .first()
+                .singleElement()
                 .asString()
                 .endsWith(" wrote a line of more than 65536 characters to its standard output; the rest of the line is"
                         + " lost");
@@ -308,29 +295,250 @@ class ExternalProcessTest {
 
     @Test
     void linesThatAProcessDoesNotRead_areTold() throws Exception {
-        var provider = shell("exec <&-; echo ready; exec SLEEP");
-        done(provider.start());
+        var provider = started("exec <&-; echo ready; exec SLEEP");
         assertThat(line()).isEqualTo("ready");
-        user.publish(ProcessComponent.input("script"), new TextLine("one"));
+        send("one");
         awaitNote("reads its standard input no more");
-        user.publish(ProcessComponent.input("script"), new TextLine("two"));
-        awaitQuiet();
-        done(provider.stop());
-        awaitNote("1 lines for");
-    }
-
-    private void awaitNote(String text) throws InterruptedException {
-        while (notes.take().stream().noneMatch(note -> note.contains(text))) {
-            Thread.sleep(1);
-        }
-    }
-
-    /** Waits until earlier published lines have reached the process. */
-    private void awaitQuiet() throws Exception {
-        for (int turn = 0; turn < 3; turn++) {
+        send("two");
+        for (int turn = 0; turn < 3; turn++) { // until the line has reached the process
             var over = new CompletableFuture<Boolean>();
             space.execute(() -> over.complete(true));
             over.get(60, TimeUnit.SECONDS);
         }
+        done(provider.stop());
+        awaitNote("1 lines for");
+    }
+
+    // ---- the tree of a process
+
+    private static ProcessComponent.Settings script(Path directory, Duration stopLimit, String script) {
+        return new ProcessComponent.Settings(List.of(SHELL.toString(), "-c", script), directory, PATIENCE, stopLimit);
+    }
+
+    private ProcessComponent.Settings script(String script) {
+        return script(directory, PATIENCE, script);
+    }
+
+    /** Starts a process tree, which ends after the test. */
+    private ProcessTree tree(ProcessComponent.Settings settings) throws IOException {
+        trees.add(ProcessTree.start(settings));
+        return trees.getLast();
+    }
+
+    private static ProcessHandle firstLine(ProcessTree tree) throws Exception {
+        var reader = tree.root().inputReader(StandardCharsets.UTF_8);
+        return ProcessHandle.of(Long.parseLong(reader.readLine())).orElseThrow();
+    }
+
+    /** Signals of which only the information counts. */
+    private static ComponentCommunication.Signals<String> signals(Consumer<String> infos) {
+        return new ComponentCommunication.Signals<>() {
+            @Override
+            public void data(String line) {}
+
+            @Override
+            public void failed(Throwable why) {}
+
+            @Override
+            public void info(String what) {
+                infos.accept(what);
+            }
+        };
+    }
+
+    private static Promise<@Nullable Void> invoke(ExternalProcess process) {
+        return process.invoke(signals(what -> {}));
+    }
+
+    @Test
+    void withoutSessions_descendantsEndWithTheProgram() throws Exception {
+        trees.add(ProcessTree.start(script("sleep 1000 & echo $!; wait"), null));
+        var tree = trees.getFirst();
+        var child = firstLine(tree);
+        assertThat(tree.alive()).containsExactlyInAnyOrder(tree.root().toHandle(), child);
+        assertThat(tree.end(PATIENCE, PATIENCE)).isEmpty();
+        assertThat(tree.root().isAlive()).isFalse();
+        assertThat(tree.alive()).isEmpty();
+    }
+
+    @Test
+    void session_hasTheProcessesWhoseParentsHaveEnded() throws Exception {
+        assumeSessions();
+        var tree = tree(script("sh -c 'sleep 1000 & echo $!'; exec sleep 1000"));
+        var orphan = firstLine(tree);
+        while (orphan.parent().map(ProcessHandle::pid).orElse(0L) == tree.root().pid()
+                || tree.alive().size() > 2) {
+            Thread.sleep(1);
+        }
+        assertThat(tree.alive()).containsExactlyInAnyOrder(tree.root().toHandle(), orphan);
+    }
+
+    /** A zombie, which may never be reaped in a container without an init process. */
+    @Test
+    void zombie_isNotAlive() throws Exception {
+        assumeSessions();
+        var tree = tree(script("sleep 1000 & echo $!; exec sleep 1000"));
+        var child = firstLine(tree);
+        var root = tree.root().toHandle();
+        while (!List.of(root.info().arguments().orElse(new String[0])).equals(List.of("1000"))) {
+            Thread.sleep(1); // until the shell has become sleep: a shell would reap the zombie
+        }
+        child.destroyForcibly();
+        while (!Files.readString(Path.of("/proc/" + child.pid() + "/stat")).contains(") Z ")) {
+            Thread.sleep(1);
+        }
+        assertThat(child.isAlive()).as("what the machine says").isTrue();
+        assertThat(tree.alive()).containsExactly(root);
+    }
+
+    @Test
+    void processThatCannotBeKilled_isReported_andTheNextTerminationTriesAgain() throws Exception {
+        var shortest = Duration.ofMillis(50);
+        var kills = new AtomicInteger();
+        ExternalProcess.Starter starter = settings -> {
+            var tree = ProcessTree.start(settings, null);
+            tree.add(immortal(kills));
+            return tree;
+        };
+        var settings = script(directory, shortest, "echo ready; exec sleep 1000");
+        var process = new ExternalProcess(settings, starter, shortest, Duration.ZERO);
+        done(invoke(process));
+        assertThatThrownBy(() -> done(process.terminate()))
+                .isInstanceOf(ProviderException.class)
+                .hasMessageEndingWith("was killed, and PT0.05S later some of its processes are still alive: "
+                        + Long.MAX_VALUE + " (/bin/rock)");
+        int before = kills.get();
+        assertThat(before).isPositive();
+        assertThatThrownBy(() -> done(process.terminate())).hasMessageContaining("/bin/rock");
+        assertThat(kills.get()).isGreaterThan(before);
+    }
+
+    private static ProcessHandle immortal(AtomicInteger kills) {
+        var loader = ExternalProcessTest.class.getClassLoader();
+        var info = Proxy.newProxyInstance(
+                loader, new Class<?>[] {ProcessHandle.Info.class}, (proxy, method, values) -> Optional.of("/bin/rock"));
+        return (ProcessHandle) Proxy.newProxyInstance(
+                loader, new Class<?>[] {ProcessHandle.class}, (proxy, method, values) -> switch (method.getName()) {
+                    case "pid" -> Long.MAX_VALUE;
+                    case "info" -> info;
+                    case "descendants" -> Stream.empty();
+                    case "hashCode" -> 0;
+                    case "equals" -> proxy == values[0];
+                    case "destroyForcibly" -> kills.incrementAndGet() > 0;
+                    default -> true;
+                });
+    }
+
+    /** Runs the shutdown hook of a process, until it waits or ends. */
+    private static Thread startShutdown(ExternalProcess process) throws InterruptedException {
+        var hook = Thread.ofPlatform().start(process::endAtShutdown);
+        while (hook.getState() != Thread.State.TIMED_WAITING && hook.isAlive()) {
+            Thread.sleep(1);
+        }
+        return hook;
+    }
+
+    @Test
+    void shutdownDuringAStart_endsTheProcess() throws Exception {
+        var begun = new CountDownLatch(1);
+        var goOn = new CountDownLatch(1);
+        ExternalProcess.Starter starter = settings -> {
+            begun.countDown();
+            try {
+                goOn.await();
+            } catch (InterruptedException e) {
+                throw new IOException(e);
+            }
+            return tree(settings);
+        };
+        var process = new ExternalProcess(script("echo ready; exec sleep 1000"), starter, PATIENCE, Duration.ZERO);
+        var start = Thread.ofPlatform().start(() -> invoke(process).handle((runs, error) -> null));
+        begun.await();
+        var hook = startShutdown(process);
+        goOn.countDown();
+        start.join();
+        hook.join();
+        assertThat(trees.getFirst().root().isAlive()).isFalse();
+    }
+
+    @Test
+    void shutdown_leavesTheStopToTheApplicationFirst() throws Exception {
+        var process = new ExternalProcess(script("echo ready; exec sleep 1000"), this::tree, PATIENCE, PATIENCE);
+        done(invoke(process));
+        var hook = startShutdown(process);
+        try {
+            assertThat(trees.getFirst().root().isAlive()).isTrue();
+        } finally {
+            done(process.terminate());
+        }
+        hook.join();
+    }
+
+    @Test
+    void startThatThrows_leavesNoShutdownHook() {
+        ExternalProcess.Starter starter = settings -> {
+            throw new IllegalArgumentException("a null character in the command");
+        };
+        var process = new ExternalProcess(script("echo ready"), starter, PATIENCE, Duration.ZERO);
+        assertThatThrownBy(() -> done(invoke(process)))
+                .isInstanceOf(ProviderException.class)
+                .hasMessageEndingWith("cannot be started: a null character in the command");
+        assertThat(Runtime.getRuntime().removeShutdownHook(process.shutdownHook))
+                .isFalse();
+    }
+
+    @Test
+    void listenerThatThrowsAtTheEnd_leavesNoStartThatWaits() {
+        assumeSessions();
+        var process = new ExternalProcess(script("sleep 1000 & exit 7"));
+        var started = process.invoke(signals(what -> {
+            if (what.contains("has ended with status")) {
+                throw new IllegalStateException("no room for a message");
+            }
+        }));
+        assertThatThrownBy(() -> done(started)).hasMessageContaining("ended with status 7");
+        assertThatThrownBy(() -> done(process.health())).hasMessageContaining("does not run");
+    }
+
+    @Test
+    void lineOfTheProcessTable_thatMakesNoSense_isOfNoProcess() throws Exception {
+        int number = 1;
+        for (String line :
+                "1 (sh) S 0 1 1 0 -1|2 (a) Z) b) R 1 2 1 0|3 (gone) Z 1 3 3 0||5|6 (x|7 (x) S one 2 3".split("\\|")) {
+            Path process = Files.createDirectory(directory.resolve(String.valueOf(number++)));
+            Files.writeString(process.resolve("stat"), line);
+        }
+        assertThat(ProcessTree.entries(directory))
+                .containsExactlyInAnyOrder(new ProcessTree.Entry(1, 0, 1), new ProcessTree.Entry(2, 1, 1));
+        assertThatThrownBy(() -> ProcessTree.entries(directory.resolve("none")))
+                .isInstanceOf(UncheckedIOException.class)
+                .hasMessageStartingWith("the process table cannot be read at ");
+    }
+
+    /** Main program: starts a process, prints its number on the first line, and exits as Ctrl-C would. */
+    static final class Machine {
+        private Machine() {}
+
+        public static void main(String[] arguments) throws Exception {
+            var process = new ExternalProcess(script(Path.of("."), PATIENCE, "echo ready; exec sleep 1000"));
+            done(process.invoke(signals(what -> System.out.println(what.split("[ :]+")[1]))));
+            System.exit(0);
+        }
+    }
+
+    @Test
+    void endOfTheVirtualMachine_endsTheProcess() throws Exception {
+        String java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
+        String path = System.getProperty("java.class.path");
+        var machine = new ProcessBuilder(java, "-XX:TieredStopAtLevel=1", "-cp", path, Machine.class.getName())
+                .redirectErrorStream(true)
+                .start();
+        String said = new String(machine.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(machine.waitFor(60, TimeUnit.SECONDS)).isTrue();
+        assertThat(said.strip()).matches("[0-9]+");
+        var left = ProcessHandle.of(Long.parseLong(said.strip()))
+                .filter(each -> each.info().commandLine().isPresent());
+        left.ifPresent(ProcessHandle::destroyForcibly);
+        assertThat(left).isEmpty();
     }
 }

@@ -1,0 +1,147 @@
+package io.troupe.services.subsumption;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.actor.time.Clock;
+import io.troupe.common.text.NamedColours;
+import io.troupe.player.wire.DeviceCommand;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+
+/** Base of tests with two fake robots: records which services drive them, and the states of an arbitrator. */
+abstract class RobotsBench {
+    static final Service WF = Service.WALL_FOLLOWER;
+    static final Service SW = Service.SPACE_WANDERER;
+    static final DeviceCommand.Velocity FOLLOWER_AHEAD = FakeRobots.ahead(0.2);
+    static final DeviceCommand.Velocity WANDERER_AHEAD = FakeRobots.ahead(0.5);
+
+    final TestSpace test = new TestSpace();
+    final FakeRobots robots = new FakeRobots(test, 2);
+    final Charge charge = new Charge();
+    final List<String> events = Collections.synchronizedList(new ArrayList<>());
+    final List<Throwable> failures = new ArrayList<>(); // that the broker reports
+
+    /** Records which services drive which robot. */
+    static final class Charge implements ServiceObserver {
+        private final Map<Integer, List<Service>> inCharge = new TreeMap<>();
+        int most; // services that a robot had at the same time
+        int coloursSent;
+
+        @Override
+        public void serviceStarted(int robot, Service service) {
+            var services = inCharge.computeIfAbsent(robot, each -> new ArrayList<>());
+            services.add(service);
+            most = Math.max(most, services.size());
+        }
+
+        @Override
+        public void cycleEnded(int robot, Service service) {}
+
+        @Override
+        public void serviceEnded(int robot, Service service) {
+            inCharge.get(robot).remove(service);
+        }
+
+        @Override
+        public void colourSent(int robot, int colour) {
+            coloursSent++;
+        }
+
+        List<Service> of(int robot) {
+            return List.copyOf(inCharge.getOrDefault(robot, List.of()));
+        }
+    }
+
+    /** Records states and messages as events. */
+    final class Events implements Arbitrator.StateListener {
+        @Override
+        public void stateStarted(State state, @Nullable Integer seenBy) {
+            events.add("state " + state.number() + " by " + seenBy);
+        }
+
+        @Override
+        public void colourReceived(int robot, int colour) {
+            events.add(robot + " " + NamedColours.name(colour));
+        }
+
+        @Override
+        public void colourTooLate(int robot, int colour) {
+            events.add("too late");
+        }
+    }
+
+    /** Services that take calls and never report anything. */
+    static class SilentServices extends Actor implements RobotServices {
+        @Override
+        public Promise<ServiceEnd> drive(int robot, String service, int stateColour) {
+            throw new UnsupportedOperationException();
+        }
+
+        @Override
+        public void drive(int robot, String service, Callback<ColourReport> reports) {}
+
+        @Override
+        public Promise<@Nullable Void> stop(int robot) {
+            return Promise.done();
+        }
+    }
+
+    @AfterEach
+    void nothingIsLeft() {
+        robots.close();
+        test.crank();
+        assertThat(failures).isEmpty();
+        test.close();
+        assertThat(robots.connections()).as("connections left open").isZero();
+        assertThat(charge.most).as("services of a robot at the same time").isLessThanOrEqualTo(1);
+    }
+
+    RobotServicesActor.Settings settings(SubsumptionTable table) {
+        return RobotServicesActor.Settings.ofThePaper()
+                .withPort(FakeRobots.PORT)
+                .withTable(table)
+                .withObserver(charge);
+    }
+
+    RobotServices published(SubsumptionTable table) {
+        var settings = settings(table);
+        return SubsumptionRun.publishAndConnect(test.space(), () -> new RobotServicesActor(settings), failures::add);
+    }
+
+    SubsumptionRun.Settings run(Mode mode, int port, SubsumptionTable table) {
+        return new SubsumptionRun.Settings(mode, "localhost", port, table, Clock.system(), charge, new Events());
+    }
+
+    /** A table of one state. */
+    static SubsumptionTable table(Service... services) {
+        return SubsumptionTable.forRobots(services.length)
+                .when(NamedColours.BLUE, services)
+                .allowFinal()
+                .build();
+    }
+
+    /** The states as "number by robot". */
+    List<String> states() {
+        return List.copyOf(events).stream()
+                .filter(event -> event.startsWith("state "))
+                .map(event -> event.substring("state ".length()))
+                .toList();
+    }
+
+    void assertInCharge(Service first, Service second) {
+        assertThat(List.of(charge.of(0), charge.of(1))).containsExactly(List.of(first), List.of(second));
+    }
+
+    void assertLastCommands(DeviceCommand.Velocity first, DeviceCommand.Velocity second) {
+        assertThat(List.of(robots.lastCommand(0), robots.lastCommand(1))).containsExactly(first, second);
+    }
+}

@@ -1,0 +1,180 @@
+package io.troupe.petri;
+
+import static java.util.stream.Collectors.joining;
+import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
+
+import io.troupe.petri.PaperNets.Reading;
+import java.util.LinkedHashSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import java.util.TreeSet;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+
+/** The nets and assertions that tests share; the same random numbers give the same net. */
+public final class Nets {
+    private Nets() {}
+
+    public static void refused(ThrowingCallable call, String message) {
+        assertThatIllegalArgumentException().isThrownBy(call).withMessage(message);
+    }
+
+    /** The messages of the exceptions of these calls, in a line each. */
+    public static String refusals(ThrowingCallable... calls) {
+        return Stream.of(calls)
+                .map(call -> assertThatIllegalArgumentException()
+                        .isThrownBy(call)
+                        .actual()
+                        .getMessage())
+                .collect(joining("\n"));
+    }
+
+    /** A small net in words: {@code net("carts", "parts=5 cart", "make: 2*parts > cart", "sell: cart >")}. */
+    public static PetriNet net(String name, String places, String... transitions) {
+        var net = PetriNet.builder(name);
+        for (var place : words(places)) {
+            var parts = place.split("=");
+            net.place(parts[0], parts.length == 1 ? 0 : Integer.parseInt(parts[1]));
+        }
+        for (var transition : transitions) {
+            var parts = transition.split(" *[:>]", -1);
+            net.transition(parts[0]);
+            for (var arc : words(parts[1])) {
+                net.arc(arc.replaceAll(".*\\*", ""), parts[0], weight(arc));
+            }
+            for (var arc : words(parts[2])) {
+                net.arc(parts[0], arc.replaceAll(".*\\*", ""), weight(arc));
+            }
+        }
+        return net.build();
+    }
+
+    private static int weight(String arc) {
+        return arc.contains("*") ? Integer.parseInt(arc.replaceAll("\\*.*", "")) : 1;
+    }
+
+    private static List<String> words(String text) {
+        return text.isBlank() ? List.of() : List.of(text.strip().split(" "));
+    }
+
+    public static PetriNet paper(Reading reading, boolean corrected) {
+        return corrected ? PaperNets.corrected(reading) : PaperNets.uncorrected(reading);
+    }
+
+    /** Some components of reading A with the melds of these requests. */
+    public static PetriNet part(String components, String requests) {
+        var all =
+                Stream.of(PaperNets.robot(), PaperNets.player(), PaperNets.middleware(), PaperNets.service(Reading.A));
+        return Composition.compose(
+                components,
+                all.filter(net -> words(components).contains(net.name())).toList(),
+                PaperNets.melds().stream()
+                        .filter(meld -> words(requests).contains(meld.request()))
+                        .toList());
+    }
+
+    /** n switches that are switched once, in any order: 2^n markings, n 2^(n-1) edges, one dead marking. */
+    static PetriNet switches(int count) {
+        var net = PetriNet.builder("switches");
+        for (var i = 0; i < count; i++) {
+            net.place("off" + i, 1).place("on" + i).transition("t" + i, List.of("off" + i), List.of("on" + i));
+        }
+        return net.build();
+    }
+
+    /** Each of n steps goes left or right, irrevocably: 2^n dead markings, n firings away. */
+    static PetriNet choices(int count) {
+        var net = PetriNet.builder("choices").place("p0", 1);
+        for (var i = 0; i < count; i++) {
+            net.place("l" + i).place("r" + i).place("p" + (i + 1));
+            net.transition("left" + i, List.of("p" + i), List.of("l" + i, "p" + (i + 1)));
+            net.transition("right" + i, List.of("p" + i), List.of("r" + i, "p" + (i + 1)));
+        }
+        return net.build();
+    }
+
+    /** Up to 7 places and 7 transitions; every arc has a weight from 1 to {@code maxWeight}. */
+    public static PetriNet sparse(long seed, int maxWeight) {
+        var random = new Random(seed);
+        var net = PetriNet.builder("seed " + seed);
+        var places = 2 + random.nextInt(6);
+        IntStream.range(0, places).forEach(p -> net.place("p" + p, random.nextInt(3) == 0 ? 1 + random.nextInt(2) : 0));
+        var transitions = 1 + random.nextInt(7);
+        for (var t = 0; t < transitions; t++) {
+            net.transition("t" + t);
+            for (var place : drawn(random, places)) {
+                net.arc("p" + place, "t" + t, 1 + random.nextInt(maxWeight));
+            }
+            for (var place : drawn(random, places)) {
+                net.arc("t" + t, "p" + place, 1 + random.nextInt(maxWeight));
+            }
+        }
+        return net.build();
+    }
+
+    /** Mostly one or two different places. */
+    private static Set<Integer> drawn(Random random, int places) {
+        var drawn = new TreeSet<Integer>();
+        for (var count = random.nextInt(10) == 0 ? 0 : 1 + random.nextInt(2); count > 0; count--) {
+            drawn.add(random.nextInt(places));
+        }
+        return drawn;
+    }
+
+    /** One of the two kinds below. */
+    public static PetriNet any(Random random) {
+        return random.nextInt(3) == 0 ? tangle(random, random.nextInt(3) == 0) : components(random);
+    }
+
+    /** Any arcs and weights, often unbounded. */
+    private static PetriNet tangle(Random random, boolean prioritised) {
+        var net = PetriNet.builder("tangle");
+        var places = 2 + random.nextInt(6);
+        for (var p = 0; p < places; p++) {
+            net.place("p" + p, random.nextInt(2) == 0 ? 1 + random.nextInt(4) : 0);
+        }
+        var transitions = 2 + random.nextInt(6);
+        for (var t = 0; t < transitions; t++) {
+            net.transition("t" + t).priority("t" + t, prioritised ? random.nextInt(3) : 0);
+            for (var p = 0; p < places; p++) {
+                if (random.nextInt(3) == 0) {
+                    net.arc("p" + p, "t" + t, 1 + random.nextInt(2));
+                }
+                if (random.nextInt(4) == 0) {
+                    net.arc("t" + t, "p" + p, 1 + random.nextInt(2));
+                }
+            }
+        }
+        return net.build();
+    }
+
+    /** State machines, each with one or two tokens, which share some of their steps; always bounded. */
+    private static PetriNet components(Random random) {
+        var net = PetriNet.builder("components");
+        var components = 2 + random.nextInt(4);
+        var places = 2 + random.nextInt(4);
+        for (var c = 0; c < components; c++) {
+            net.place("c" + c + "p0", random.nextInt(6) == 0 ? 2 : 1);
+            for (var p = 1; p < places; p++) {
+                net.place("c" + c + "p" + p);
+            }
+        }
+        var transitions = components * (2 + random.nextInt(4));
+        for (var t = 0; t < transitions; t++) {
+            net.transition("t" + t);
+            var partners = new LinkedHashSet<Integer>();
+            for (var i = random.nextInt(4) / 2; i >= 0; i--) {
+                partners.add(random.nextInt(components));
+            }
+            for (var c : partners) {
+                var from = random.nextInt(places);
+                var to = random.nextInt(5) == 0 ? from : random.nextInt(places);
+                net.arc("c" + c + "p" + from, "t" + t);
+                net.arc("t" + t, "c" + c + "p" + to);
+            }
+        }
+        return net.build();
+    }
+}
