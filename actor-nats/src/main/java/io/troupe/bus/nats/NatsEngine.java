@@ -397,7 +397,11 @@ final class NatsEngine implements BusEngine {
         }
 
         @Override
-        public void connectionEvent(Connection source, ConnectionListener.Events event) {
+        @SuppressWarnings("deprecation") // abstract, so it must be there; the client calls the other one
+        public void connectionEvent(Connection source, ConnectionListener.Events event) {}
+
+        @Override
+        public void connectionEvent(Connection source, ConnectionListener.Events event, Long time, String details) {
             switch (event) {
                 case DISCONNECTED, CLOSED -> disconnected();
                 case RESUBSCRIBED -> connected();
