@@ -11,6 +11,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 class LibrariesTest {
     @ParameterizedTest
     @CsvSource({
+        "io.nats..,                io.troupe.bus.nats",
         "org.jbox2d..,             io.troupe.sim.physics io.troupe.bench.worlds",
         "org.dyn4j..,              io.troupe.bench.worlds",
         "org.objectweb.asm..,      io.troupe.actor",

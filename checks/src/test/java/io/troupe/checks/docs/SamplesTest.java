@@ -34,6 +34,7 @@ class SamplesTest {
                 "docs/guide/09-components.md",
                 "actor-core/README.md",
                 "actor-service/README.md",
+                "actor-nats/README.md",
                 "playerlike-sim/README.md",
                 "services/README.md",
                 "verification/README.md",
