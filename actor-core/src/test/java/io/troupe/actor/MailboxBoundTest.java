@@ -29,12 +29,12 @@ class MailboxBoundTest extends InTestSpace {
         }
     }
 
-    private static ActorSettings three(Overflow overflow) {
+    private static ActorSettings roomForThree(Overflow overflow) {
         return ActorSettings.named("sink").withMailbox(3, overflow);
     }
 
     private Sink spawn(Overflow overflow) {
-        return test.spawn(Sink.class, Sink::new, three(overflow));
+        return test.spawn(Sink.class, Sink::new, roomForThree(overflow));
     }
 
     private static void takeFive(Sink sink) {
@@ -108,7 +108,7 @@ class MailboxBoundTest extends InTestSpace {
     void block_outside_waitsForRoom_andLosesNothing() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("bounded"))) {
             var gate = new CountDownLatch(1);
-            Sink sink = space.spawn(Sink.class, Sink::new, three(Overflow.BLOCK));
+            Sink sink = space.spawn(Sink.class, Sink::new, roomForThree(Overflow.BLOCK));
             var sender = waitingForRoom(space, gate, () -> {
                 for (int number = 0; number < 1_000; number++) {
                     sink.take(number);
@@ -127,7 +127,7 @@ class MailboxBoundTest extends InTestSpace {
         var letters = new LinkedBlockingQueue<DeadLetter>();
         try (var space = ActorSpace.create(SpaceSettings.named("bounded").withOnDeadLetter(letters::add))) {
             var gate = new CountDownLatch(1);
-            Sink sink = space.spawn(Sink.class, Sink::new, three(Overflow.BLOCK));
+            Sink sink = space.spawn(Sink.class, Sink::new, roomForThree(Overflow.BLOCK));
             var interrupted = new AtomicBoolean();
             var sender = waitingForRoom(space, gate, () -> {
                 takeFive(sink);

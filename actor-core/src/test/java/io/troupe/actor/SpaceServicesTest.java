@@ -24,7 +24,7 @@ class SpaceServicesTest extends InTestSpace {
     private static final Duration LONG = Duration.ofHours(1);
     private static final Duration PATIENCE = Duration.ofSeconds(50);
 
-    private final Deferred<String> never = new Deferred<>(test.space());
+    private final Deferred<String> pending = new Deferred<>(test.space());
 
     @Test
     void delay_followsTheSpacesClock() {
@@ -213,13 +213,13 @@ class SpaceServicesTest extends InTestSpace {
     void await_throwsWhatThePromiseWasRejectedWith_unwrapped() {
         Promise<String> answer = test.space().sequential(() -> {
             try {
-                return never.await();
+                return pending.await();
             } catch (Exception e) {
                 return "caught " + e.getMessage();
             }
         });
         test.crank();
-        never.reject(new IOException("no map"));
+        pending.reject(new IOException("no map"));
         assertThat(test.get(answer)).isEqualTo("caught no map");
     }
 
@@ -249,11 +249,11 @@ class SpaceServicesTest extends InTestSpace {
 
     @Test
     void await_onTheSpacesThreadOrOutside_throwsAndNamesTheAlternative() {
-        test.run(() -> assertThatThrownBy(never::await)
+        test.run(() -> assertThatThrownBy(pending::await)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContainingAll(
                         "would stop the whole space", "then(..)", "thenCompose(..)", "sequential(..)"));
-        assertThatThrownBy(never::await)
+        assertThatThrownBy(pending::await)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContainingAll("sequential(..)", "get(Duration)");
     }

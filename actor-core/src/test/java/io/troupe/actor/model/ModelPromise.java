@@ -11,7 +11,7 @@ final class ModelPromise {
      * A listener, which needs the outcome until its own result is settled.
      *
      * @param hasTurn true if it runs in a separate turn, false if it runs on the thread that settles its source
-     * @param tell true = behind the listeners that were notified from outside
+     * @param tell notifies it; if the argument is true, behind the listeners that were notified from outside
      */
     record Listener(ModelPromise result, boolean hasTurn, Consumer<Boolean> tell) {
         boolean isAtHome() {

@@ -39,7 +39,18 @@ final class CallRaces {
 
     private record Asked(Mark mark, Promise<Mark> answer) {}
 
-    class Target extends Actor {
+    interface Target {
+        void tell(Mark mark);
+
+        Promise<Mark> ask(Mark mark);
+
+        /** Answered by the next call, or rejected at the end. */
+        Promise<Mark> askLater(Mark mark);
+
+        void fail();
+    }
+
+    private final class Served extends Actor implements Target {
         private Deferred<Mark> open = new Deferred<>();
         private Mark last = nextMark();
 
@@ -50,17 +61,19 @@ final class CallRaces {
             }
         }
 
+        @Override
         public void tell(Mark mark) {
             mark.served.incrementAndGet();
             open.resolve(last);
         }
 
+        @Override
         public Promise<Mark> ask(Mark mark) {
             tell(mark);
             return Promise.of(mark);
         }
 
-        /** Answered by the next call, or rejected at the end. */
+        @Override
         public Promise<Mark> askLater(Mark mark) {
             tell(mark);
             open = new Deferred<>();
@@ -68,6 +81,7 @@ final class CallRaces {
             return open;
         }
 
+        @Override
         public void fail() {
             throw new IllegalStateException("on purpose");
         }
@@ -81,7 +95,7 @@ final class CallRaces {
     private final Round round;
     private final ActorSpace space;
     private final ActorSpace other;
-    private int failingStarts; // of 4
+    private int failingStarts; // of each four starts
 
     CallRaces(Round round, String name) {
         this.round = round;
@@ -148,7 +162,7 @@ final class CallRaces {
     }
 
     void close() throws Exception {
-        Target target = space.spawn(Target.class, Target::new);
+        Target target = space.spawn(Target.class, Served::new);
         boolean fromInside = round.random.nextBoolean();
         int when = round.random.nextInt(CALLS);
         call(target, true, (number, i, random) -> {
@@ -184,7 +198,7 @@ final class CallRaces {
                     if (instances.incrementAndGet() == 3 && factoryThrows) {
                         throw new IllegalStateException("cannot be made");
                     }
-                    return new Target();
+                    return new Served();
                 },
                 settings);
         boolean stops = round.random.nextBoolean();
@@ -211,7 +225,7 @@ final class CallRaces {
         boolean closes = round.random.nextInt(3) == 0;
         boolean inside = !closes && round.random.nextBoolean();
         var settings = ActorSettings.DEFAULT.withMailbox(1 + round.random.nextInt(6), overflow);
-        Target target = space.spawn(Target.class, Target::new, settings);
+        Target target = space.spawn(Target.class, Served::new, settings);
         call(target, inside, (number, i, random) -> {
             if (closes && number == 1 && i == CALLS / 2) {
                 other.execute(space::close); // some wait for room now

@@ -47,19 +47,15 @@ final class StreamRaces {
             assertThat(ends.get()).as("ends").isEqualTo(1);
         }
 
-        void subscribe(Topic<Value> topic, ActorSpace space) throws Exception {
-            var subscribed = new Deferred<Boolean>();
-            space.execute(() -> {
-                topic.subscribe(stream);
-                subscribed.resolve(true);
-            });
-            Round.get(subscribed);
-        }
-
         /** Subscribes in a space and cancels there: afterwards it receives nothing. */
         static Got comeAndGo(Topic<Value> topic, ActorSpace space, SplittableRandom random) throws Exception {
             var got = new Got();
-            got.subscribe(topic, space);
+            var subscribed = new Deferred<Boolean>();
+            space.execute(() -> {
+                topic.subscribe(got.stream);
+                subscribed.resolve(true);
+            });
+            Round.get(subscribed);
             Round.pause(random);
             space.execute(() -> {
                 got.stream.cancel();
@@ -97,7 +93,10 @@ final class StreamRaces {
         var outside = new Got();
         topic.subscribe(outside.stream);
         var inside = new Got();
-        inside.subscribe(topic, other);
+        Round.get(other.sequential(() -> {
+            topic.subscribe(inside.stream);
+            return true;
+        }));
         var shared = new Got();
         if (round.random.nextBoolean()) {
             holder.open(shared.stream);

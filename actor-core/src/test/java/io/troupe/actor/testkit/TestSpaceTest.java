@@ -152,7 +152,7 @@ class TestSpaceTest extends InTestSpace {
 
     @Test
     void unservedMessage_failsTheTestAtTheEnd() {
-        test.spawn(Patient.class, Patient::new).wait(1, 0);
+        test.spawn(Patient.class, Patient::new).wait(1, 0); // does nothing
         assertFails(test::close, "messages waited");
     }
 }
