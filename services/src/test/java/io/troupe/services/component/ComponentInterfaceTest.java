@@ -443,15 +443,14 @@ class ComponentInterfaceTest extends ComponentBench {
         var provider = running();
         if (failed) {
             fail("burnt out");
-        } else {
-            provider.stop();
         }
+        Promise<?> stopped = failed ? Promise.done() : provider.stop();
         var first = provider.start();
         var second = provider.start();
         test.crank();
         assertThat(script.calls).containsExactly("invoke", "terminate");
         test.run(() -> slow.resolve(null));
-        assertThat(first.isDone() && second.isDone()).isTrue();
+        assertThat(stopped.isDone() && first.isDone() && second.isDone()).isTrue();
         assertThat(script.calls).containsExactly("invoke", "terminate", "invoke");
         test.get(provider.check());
     }

@@ -104,7 +104,7 @@ class RobotServicesTest extends RobotsBench {
 
     @Test
     void robotThatDoesNotExist_rejectsThePromise() {
-        for (var each : List.of(published(SubsumptionTable.ofThePaper()), services)) { // the first has not started
+        for (var each : List.of(published(SubsumptionTable.ofThePaper()), services)) {
             assertThat(test.error(each.drive(7, WF.name(), BLUE)))
                     .isExactlyInstanceOf(PlayerException.class)
                     .hasMessageContaining("position2d:7 is not in the device list")
@@ -143,7 +143,7 @@ class RobotServicesTest extends RobotsBench {
     @Test
     void serviceThatTheTableDoesNotHave_isRefused_andTheOthersAreNamed() {
         String message = "there is no service wallFolower, expected one of wallFollower, spaceWanderer";
-        for (var each : List.of(published(SubsumptionTable.ofThePaper()), services)) { // the first has not started
+        for (var each : List.of(published(SubsumptionTable.ofThePaper()), services)) {
             assertThat(test.error(each.drive(0, "wallFolower", BLUE)))
                     .isExactlyInstanceOf(IllegalArgumentException.class)
                     .hasMessage(message);
@@ -299,13 +299,18 @@ class RobotServicesTest extends RobotsBench {
     // ---- services that follow each other, and services that fail
 
     @Test
+    void robot_isStoppedByItsServerIfItsServiceEnds_andASilentServerIsNoticed() {
+        wallFollower(1);
+        assertThat(robots.limits).containsExactly("silence PT5S", "robot 2 troupe_command_limit_ms 400");
+    }
+
+    @Test
     void secondService_beginsWhenTheFirstHasStopped() {
-        wallFollower(0);
-        assertThat(robots.limits).containsExactly("silence PT5S", "robot 1 troupe_command_limit_ms 400");
-        robots.tick(100);
+        services.drive(0, WF.name(), BLUE); // has not started at the second call
         assertThat(test.error(drive(0, SW, BLUE)))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContainingAll("robot 1 is in the charge of wallFollower", "stop the first before");
+        robots.tick(100);
         services.stop(0);
         drive(0, SW, BLUE);
         assertThat(charge.of(0)).containsExactly(SW);

@@ -78,6 +78,8 @@ class SubsumptionTableTest {
 
     @Test
     void ignoredAndNamedColours_areWords_andReasonsHaveNoComment() {
+        assertThatThrownBy(one().ignoring(BLUE, "walls")::build)
+                .hasMessage("blue leads to state 1, but the table ignores it (walls), expected one or the other");
         assertThatThrownBy(() -> one().ignoring(RED, "robot #1")).hasMessageContaining("without '#'");
         assertThatThrownBy(() -> one().ignoring(-1, "")).hasMessageContaining("expected 0x000000 to 0xFFFFFF");
         assertThatThrownBy(() -> one().colour("two words", 1)).hasMessageContaining("expected a word");

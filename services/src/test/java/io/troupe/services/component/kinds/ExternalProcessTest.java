@@ -40,6 +40,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
@@ -234,9 +235,12 @@ class ExternalProcessTest {
     }
 
     @ParameterizedTest
-    @ValueSource(strings = {"trap '' TERM; echo $$; while :; do SLEEP; done", "SLEEP & echo $!; wait"})
-    void processThatIsDeafToTermination_orStartedByTheScript_endsWithTheComponent(String script) throws Exception {
-        var provider = shell(PATIENCE, SHORT, script);
+    @CsvSource(
+            quoteCharacter = '`',
+            value = {"PT0.2S, trap '' TERM; echo $$; while :; do SLEEP; done", "PT60S, SLEEP & echo $!; wait"})
+    void processThatIsDeafToTermination_orStartedByTheScript_endsWithTheComponent(Duration stopLimit, String script)
+            throws Exception {
+        var provider = shell(PATIENCE, stopLimit, script);
         for (int life = 0; life < 2; life++) {
             done(provider.start());
             var pid = lineOfProcess();
