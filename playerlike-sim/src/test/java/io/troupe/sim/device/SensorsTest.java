@@ -261,7 +261,8 @@ class SensorsTest {
 
     @Test
     void blob_fillsTheColumnsThatAFaceSpans_withTheHeightOfItsMeanRange() {
-        // its outermost corners, seen from the camera: near left (2, 0.5) and far right (2.2, 0.3)
+        // its outermost corners, seen from the camera: near left (2, 0.5) at 14.04 degrees and far right (2.2, 0.3) at
+        // 7.77; the middle of column 0 is at 29.625 degrees, and each next one 0.75 degrees to the right
         ColourBlob blob = see(box(2.1, 0.4, 0.2, 0.2, RED)).getFirst();
         assertThat(List.of(blob.colour(), blob.left(), blob.right(), blob.x())).containsExactly(RED, 21, 29, 25);
         assertThat(blob.rangeM()).isBetween(2.0, 2.2);

@@ -37,7 +37,7 @@ class CrowdWorldTest {
                 .containsExactly(16.2, 32.2, 32.2, 48.2);
         assertThat(CrowdWorld.scenario(65).world().obstacles()).hasSize(2 * 3 + 2 * 9);
         assertThat(Integer.toHexString(CrowdWorld.text(65).hashCode()))
-                .as("what it always was")
+                .as("the text of a crowd never changed")
                 .isEqualTo("71cc2686");
     }
 

@@ -193,7 +193,7 @@ class EntityParserTest extends WorldFiles {
         String inTuple = "define m model ( block ( z [" + " 0".repeat(10_000) + " ] ) )\n";
         String entities = "define m model (" + " block ()".repeat(10_000) + " ) define n model ( m() )\n";
         String tooManyValues =
-                "t.world:502:1: more than 5000000 values in one file; those of a macro count in each use" + " of it";
+                "t.world:502:1: more than 5000000 values in one file; those of a macro count in each use of it";
         return Stream.of(
                 arguments(
                         named("nested without end", "model ( ".repeat(100_000)),

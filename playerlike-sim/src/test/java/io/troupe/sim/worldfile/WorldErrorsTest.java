@@ -208,7 +208,9 @@ class WorldErrorsTest extends WorldFiles {
         assertThat(world(WALLS + robot("home", 4.4, 0, 0)).robots()).hasSize(1);
         assertThat(world(open + robot("free", 0, 0, 0)).robots()).hasSize(1);
         assertThat(world(gated + robot("guest", -8, 0, 0)).robots()).hasSize(1);
-        assertThat(world("model () model ()").obstacles()).as("may overlap").hasSize(2);
+        assertThat(world("model () model ()").obstacles())
+                .as("obstacles that overlap")
+                .hasSize(2);
     }
 
     @Test
