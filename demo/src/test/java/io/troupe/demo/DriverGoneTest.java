@@ -177,6 +177,7 @@ class DriverGoneTest {
     /** The failure is reported after the tick in which it occurs. */
     @ParameterizedTest
     @EnumSource
+    @Timeout(60)
     void behaviourThatThrows_isThrownByCheck_andItsRobotStands(Mode mode) throws Exception {
         int goodCycles = 5;
         var failing = new Service("failing", true, () -> {
@@ -206,6 +207,7 @@ class DriverGoneTest {
 
     @ParameterizedTest
     @EnumSource
+    @Timeout(60)
     void portWithoutAWorld_isToldAtTheStart(Mode mode) {
         var nowhere = settings(mode, PORT - 1, SubsumptionTable.ofThePaper(), (state, seenBy) -> {});
         assertThatThrownBy(() -> SubsumptionRun.start(nowhere))
