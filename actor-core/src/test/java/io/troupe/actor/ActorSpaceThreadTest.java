@@ -22,6 +22,7 @@ import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
+import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -42,7 +43,7 @@ class ActorSpaceThreadTest {
 
     // ---- calls
 
-    /** The numbers that arrived of each sender, who sends 0, 1, 2 and so on while the others do. */
+    /** The numbers that arrived, per sender; each sends 0, 1, 2 and so on, all at the same time. */
     private static List<ArrayList<Integer>> numbersOf(int senders, int calls, SpaceSettings space, ActorSettings sink) {
         var taken = IntStream.range(0, senders)
                 .mapToObj(sender -> new ArrayList<Integer>())
@@ -111,8 +112,9 @@ class ActorSpaceThreadTest {
     @Test
     void get_onTheSpacesThread_throwsAndNamesTheAlternative() throws Exception {
         try (var space = space("own")) {
-            Promise<Integer> never = new Deferred<>(space);
-            Throwable thrown = onItsThread(space, () -> catchThrowable(() -> never.get(LONG)));
+            Doer actor = space.spawn(Doer.class, Doer::new);
+            ThrowingCallable wait = () -> actor.ask(me -> Promise.of(1)).get(LONG);
+            Throwable thrown = onItsThread(space, () -> catchThrowable(wait));
             assertThat(thrown).isInstanceOf(IllegalStateException.class).hasMessageContaining("then(..)");
         }
     }
@@ -225,7 +227,7 @@ class ActorSpaceThreadTest {
         void run(ActorSpace space) throws Exception;
     }
 
-    /** The first stall of a task that holds the thread. */
+    /** The first stall of a task that calls {@link #holdTheThread}, which its stack must name. */
     private Stall stallOf(Task task) throws Exception {
         var stalls = new ArrayList<Stall>();
         Consumer<Stall> onStall = stall -> {

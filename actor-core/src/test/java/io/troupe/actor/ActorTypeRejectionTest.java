@@ -26,7 +26,7 @@ import org.junit.jupiter.params.provider.MethodSource;
 
 /** What cannot be an actor type, and what its author reads at {@code spawn}; and types of other class loaders. */
 class ActorTypeRejectionTest extends InTestSpace {
-    /** Types, and below each that is rejected the parts of the text, in which @ stands for the name of the type. */
+    /** Types; the line below one that is rejected has the parts of the error's text, where @ is the type's name. */
     private static final String TYPES = """
             interface Thermometer { int degrees(); }
               Thermometer.degrees() | returns int | Promise<Integer>

@@ -214,7 +214,7 @@ class ClassActorTest extends InTestSpace {
             return Promise.of(Collections.max(values));
         }
 
-        static final String TEXT = "static";
+        static final String TEXT = "static"; // only fields of an instance must be private
 
         static String unrelated() {
             return TEXT;
@@ -306,20 +306,28 @@ class ClassActorTest extends InTestSpace {
         assertThat(log).containsExactly("a", "b", "step c", "object 1", "text d", "callback");
     }
 
-    private static class Hidden extends Actor {
-        public Promise<String> name() {
-            return Promise.of(secret());
-        }
+    private abstract static class Hidden extends Actor {
+        public abstract Promise<String> name();
 
-        String secret() {
-            return "hidden";
-        }
+        abstract String secret();
     }
 
     @Test
-    void privateClass_canBeAnActorType() {
-        Hidden hidden = test.spawn(Hidden.class, Hidden::new);
+    void privateAbstractClass_canBeAnActorType() {
+        Hidden hidden = test.spawn(Hidden.class, () -> new Hidden() {
+            @Override
+            public Promise<String> name() {
+                return Promise.of(secret());
+            }
+
+            @Override
+            String secret() {
+                return "hidden";
+            }
+        });
         assertThat(values(hidden.name())).containsExactly("hidden");
-        assertThatThrownBy(hidden::secret).hasMessageContaining("Hidden.secret()");
+        assertThatThrownBy(hidden::secret)
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessageContaining("Hidden.secret()");
     }
 }

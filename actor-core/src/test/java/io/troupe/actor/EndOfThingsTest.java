@@ -245,7 +245,7 @@ class EndOfThingsTest extends InTestSpace {
         space.crank();
         runIn(space, () -> {
             space.close(); // the calls below are queued behind it
-            sink.take("x".repeat(81));
+            sink.take("x".repeat(81)); // longer than the text of an argument may be
             request.set(source.stream((result, error) -> {}));
         });
         Leftovers leftovers = space.close(SECOND);

@@ -14,9 +14,9 @@ import org.junit.jupiter.params.provider.ValueSource;
 class KeyedTimersTest extends InTestSpace {
     private static final Duration SECOND = Duration.ofSeconds(1);
 
-    private final Doer object = new Doer(); // also that of a restart
-    private final Doer actor =
-            test.spawn(Doer.class, () -> object, ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
+    private final Doer instance = new Doer(); // the factory answers it at a restart, too
+    private final Doer actor = test.spawn(
+            Doer.class, () -> instance, ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
 
     private void run(Consumer<Doer> task) {
         actor.run(task);
@@ -83,7 +83,7 @@ class KeyedTimersTest extends InTestSpace {
 
     private void backOff() {
         log.add("turn");
-        object.after("key", SECOND.multipliedBy(10), this::backOff);
+        instance.after("key", SECOND.multipliedBy(10), this::backOff);
     }
 
     @Test
@@ -94,7 +94,7 @@ class KeyedTimersTest extends InTestSpace {
         advanceSeconds(10);
         advanceSeconds(10);
         assertThat(log).containsExactly("turn", "turn", "turn");
-        assertThat(object.keyedTimers().size()).isOne();
+        assertThat(instance.keyedTimers().size()).isOne();
     }
 
     @Test
@@ -134,7 +134,7 @@ class KeyedTimersTest extends InTestSpace {
             throw new IllegalStateException("on purpose");
         });
         assertThat(test.takeProblems()).hasSize(1);
-        assertThat(object.keyedTimers().size()).isZero();
+        assertThat(instance.keyedTimers().size()).isZero();
         run(me -> log.add("waiting: " + me.cancelTimer("key")));
         run(me -> set(me, false, "new"));
         advanceSeconds(3);
@@ -148,9 +148,9 @@ class KeyedTimersTest extends InTestSpace {
                 me.after(i, SECOND, () -> {});
             }
         });
-        assertThat(object.keyedTimers().size()).isEqualTo(1_000);
+        assertThat(instance.keyedTimers().size()).isEqualTo(1_000);
         advanceSeconds(1);
-        assertThat(object.keyedTimers().size()).isZero();
+        assertThat(instance.keyedTimers().size()).isZero();
     }
 
     @Test
@@ -161,7 +161,7 @@ class KeyedTimersTest extends InTestSpace {
                 me.after(i, SECOND, () -> log.add("cancelled")).cancel();
             }
         });
-        assertThat(object.keyedTimers().size()).isLessThanOrEqualTo(16);
+        assertThat(instance.keyedTimers().size()).isLessThanOrEqualTo(16);
         advanceSeconds(1);
         assertThat(log).containsExactly("kept");
     }
@@ -180,10 +180,10 @@ class KeyedTimersTest extends InTestSpace {
             rejects(NullPointerException.class, "key", () -> me.after(null, SECOND, () -> {}));
             rejects(NullPointerException.class, "key", () -> me.cancelTimer(null));
         });
-        assertThatThrownBy(() -> set(object, false, "elsewhere"))
+        assertThatThrownBy(() -> set(instance, false, "elsewhere"))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("after(..) belongs on the thread of space test-space");
-        assertThatThrownBy(() -> object.cancelTimer("key"))
+        assertThatThrownBy(() -> instance.cancelTimer("key"))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("cancelTimer(..) belongs on the thread of space test-space");
         advanceSeconds(1);

@@ -182,7 +182,7 @@ class BrokerSoakTest {
         }
     }
 
-    /** Each is another object, other than a lambda. */
+    /** A class, because a lambda without state would be the same object each time. */
     private static final class Ignorant implements ScriptedBroker.Client {
         @Override
         public void use(ServiceRecord provider) {}

@@ -87,7 +87,8 @@ class BrokerTest extends ScriptedBroker {
             wait 10               | a did not start, stop a, require 1: missing
             require 1             | start a
             a answers             | late start of node/a
-            a answers, withdraw a | require 1: a WELL, stop a, withdraw a: done
+            a answers             | require 1: a WELL
+            withdraw a            | stop a, withdraw a: done
 
             startAnsweredWhileItIsBeingStopped_isStoppedOnceMore_beforeItIsStartedAgain
             never restart, offer a, a.start hangs, a.stop hangs, require 1 | start a
@@ -310,8 +311,8 @@ class BrokerTest extends ScriptedBroker {
 
             shutDown_whileSomethingStarts_stopsThatToo
             offer a, a.start hangs, require 1 | start a
-            shutDown                          |
-            a answers, shutDown               | require 1: missing, stop a, shutDown: [], shutDown: []
+            close                             |
+            a answers, shutDown               | require 1: missing, stop a, shutDown: []
             why                               | "robot 1" needs the service "player", and the broker is being closed
 
             shutDown_stopsInReverseOrderOfStarts_andSaysWhatDidNotStop
@@ -489,6 +490,7 @@ class BrokerTest extends ScriptedBroker {
             }
         }
         assertThat(refused).isEqualTo(needed ? many : 0);
+        assertThat(diary).as("none of them has run").containsExactly("stop a");
         play("""
                 offer last at a, require 1 |
                 a answers                  | withdraw a: done, start last, require 1: a WELL

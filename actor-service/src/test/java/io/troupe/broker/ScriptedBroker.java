@@ -19,6 +19,9 @@ import org.jspecify.annotations.Nullable;
  * the bar all that followed from them: calls of providers, notifications of clients, events, and results of the steps.
  */
 class ScriptedBroker extends BrokerBench {
+    /** A word, what it refers to, and options. */
+    private static final String STEP = "\\S+( \\S+)?( (with|for|at|by|after|to) \\S+)*";
+
     private final Map<String, FakeProvider> providers = new HashMap<>();
     private final List<String> reasons = new ArrayList<>(); // of all failures
     private String missing = ""; // the newest error
@@ -50,6 +53,7 @@ class ScriptedBroker extends BrokerBench {
     }
 
     final void take(String... step) {
+        assertThat(String.join(" ", step)).as("step").matches(STEP);
         String who = step.length > 1 ? step[1] : "";
         switch (step[0]) {
             case "offer" -> offer(step, provider(who));
@@ -59,6 +63,7 @@ class ScriptedBroker extends BrokerBench {
             case "withdraw" -> note(step, broker.withdraw(at(who)));
             case "replace" -> note(step, replace(who, step[3], option(step, "at", step[3])));
             case "registered" -> note(step, broker.registered());
+            case "close" -> broker.close();
             case "shutDown" -> note(step, broker.shutDown());
             case "health" -> diary.add(health(who).toString());
             case "why" -> diary.add(missing);
@@ -67,7 +72,9 @@ class ScriptedBroker extends BrokerBench {
             case "crank" -> test.crank();
             case "wait" -> seconds(Integer.parseInt(who));
             case "never" -> reopen(WITHOUT_RESTART);
-            case "restart" -> reopen(BrokerSettings.DEFAULT.withRestart(Duration.ofSeconds(1), Duration.ofSeconds(4)));
+            case "restart" ->
+                reopen(BrokerSettings.DEFAULT.withRestart(
+                        Duration.ofSeconds(Integer.parseInt(step[2])), Duration.ofSeconds(Integer.parseInt(step[4]))));
             case "join" -> {
                 user = test.spawn(Joiner.class, User::new);
                 user.join();
@@ -78,6 +85,9 @@ class ScriptedBroker extends BrokerBench {
     }
 
     private long countEvents(String type) {
+        assertThat(BrokerEvent.class.getPermittedSubclasses())
+                .extracting(Class::getSimpleName)
+                .contains(type);
         return events.stream()
                 .filter(each -> each.getClass().getSimpleName().equals(type))
                 .count();
@@ -103,7 +113,11 @@ class ScriptedBroker extends BrokerBench {
     }
 
     private Promise<ServiceRecord> replace(String old, String by, String address) {
-        return broker.replace(at(old), "player", List.of("better"), at(address), provider(by));
+        return broker.replace(at(old), "player", List.of("better"), at(address), provider(by))
+                .thenApply(record -> {
+                    assertThat(record.capabilities()).containsExactly("better");
+                    return record;
+                });
     }
 
     private static @Nullable String option(String[] step, String name, @Nullable String otherwise) {
@@ -177,11 +191,13 @@ class ScriptedBroker extends BrokerBench {
 
         FakeProvider(String name) {
             this.name = name;
+            List.of("start", "stop", "check").forEach(call -> manners.put(name + "." + call, "works"));
         }
 
         void take(String call, String manner) {
             switch (manner) {
-                case "works", "fails", "explodes", "hangs" -> manners.put(call, manner);
+                case "works", "fails", "explodes", "hangs" ->
+                    assertThat(manners.replace(call, manner)).as(call).isNotNull();
                 case "answers" -> unanswered.remove().resolve(null);
                 case "rejects" -> unanswered.remove().reject(new IllegalStateException("no"));
                 case "dies" -> end.reject(new IllegalStateException("power"));

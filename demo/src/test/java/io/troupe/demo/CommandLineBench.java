@@ -82,7 +82,7 @@ public abstract class CommandLineBench {
         assertFails(Main.USAGE, line, parts);
     }
 
-    /** The error is one line with the given parts. A part with "troupe: " begins the line. */
+    /** The error is one line with the given parts. The line begins with the first part if that has "troupe: ". */
     protected final void assertFails(int status, String line, String... parts) {
         err.getBuffer().setLength(0);
         assertThat(troupe(line)).isEqualTo(status);

@@ -153,6 +153,7 @@ class MainProcessTest extends CommandLineBench {
     // ---- on a full disk
 
     @Test
+    @Timeout(120)
     void log_thatCannotBeWritten_isNamed_andTheSummaryIsKept() throws Exception {
         assumeThat(FULL).exists();
         Files.createSymbolicLink(directory.resolve("run.jsonl"), FULL);
@@ -162,6 +163,7 @@ class MainProcessTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(120)
     void output_thatCannotBeWritten_isStatus1_butStatus4OfAProof_becauseStatus1IsAVerdict() throws Exception {
         assumeThat(FULL).exists();
         Pnml.write(PaperNets.corrected(Reading.A), directory.resolve("proved.pnml"));
@@ -225,6 +227,7 @@ class MainProcessTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void linksToTheScript_leadToItsInstallation_andItsJars_andLocaleCIsNotPassedOn() throws Exception {
         install();
         Path first = Files.createSymbolicLink(home.resolve("t"), Path.of("troupe"));
@@ -246,6 +249,7 @@ class MainProcessTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void installationOfAnotherUser_isNotBuiltAgain() throws Exception {
         install();
         Path pom = file("home/pom.xml", "");
@@ -281,6 +285,7 @@ class MainProcessTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void mavenWithoutAJdk_saysWhatToInstall() throws IOException {
         assertThat(Files.readString(Path.of("..", "pom.xml")))
                 .as("Maven prints the id of the execution that fails")

@@ -56,6 +56,6 @@ public final class RecordedDrive implements ServiceObserver, Arbitrator.StateLis
 
     @Override
     public void serviceEnded(int robot, Service service) {
-        inCharge.remove(robot);
+        assertThat(inCharge.remove(robot)).isEqualTo(service);
     }
 }

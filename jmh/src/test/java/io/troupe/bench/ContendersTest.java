@@ -84,7 +84,7 @@ class ContendersTest {
         assertThat(TurnResult.allocatedBytes() - before).isGreaterThanOrEqualTo(garbage.length);
     }
 
-    /** Produces as much garbage; large, so that garbage of other tests in this JVM does not matter. */
+    /** Produces as much garbage as is kept; large, so that garbage of other tests in this JVM does not matter. */
     @Test
     void bytesPerActor_areThoseThatAreKept() throws Exception {
         int bytes = 10_000;

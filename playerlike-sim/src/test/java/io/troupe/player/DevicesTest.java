@@ -334,8 +334,7 @@ class DevicesTest implements PlayerConstants {
         assertThat(client.readAll()).isEqualTo(PLAYER_MSGTYPE_SYNCH);
         assertThat(List.of(ranger.isDataReady(), ranger.isDataReady())).containsExactly(true, false);
         var first = son.getData();
-        float[] sonars = first.getRanges();
-        sonars[0] = -1;
+        first.getRanges()[0] = -1;
         double[] ranges = ranger.getData().getRanges();
         assertThat(ranges).containsExactly(3, 2);
         assertThat(ranger.getData().getRanges_count()).isEqualTo(2);
@@ -343,7 +342,7 @@ class DevicesTest implements PlayerConstants {
         read(4);
         assertThat(son.getData()).isNotSameAs(first);
         assertThat(son.getData().getRanges()).containsExactly(4f);
-        assertThat(sonars).containsExactly(-1f);
+        assertThat(first.getRanges()).containsExactly(-1f);
         assertThat(ranger.getData().getRanges()).containsExactly(4, 2);
         assertThat(ranges).containsExactly(-1, 2);
         assertThat(ranger.isDataIntnsReady()).isFalse();

@@ -274,7 +274,7 @@ class LockStepTest implements PlayerConstants {
     }
 
     @Test
-    void whatIsNotThere_namesWhatIs_andAPortIsOpenedOnce() {
+    void missingDeviceOrServer_namesThoseThereAre_andAPortIsOpenedOnce() {
         var client = new PlayerClient("localhost", PORT);
         assertThatThrownBy(() -> client.requestInterfaceSonar(7, PLAYER_OPEN_MODE))
                 .isInstanceOf(PlayerException.class)

@@ -382,7 +382,7 @@ class ProgramsTest implements PlayerConstants {
     private static List<Snapshot> run(Style style, long seed) throws InterruptedException {
         List<Program> programs =
                 List.of(() -> style.drive(0, new Random(seed)), () -> style.drive(1, new Random(seed + 1)));
-        return run(openTwoRobots(), new Pace.Unlimited(), 2, 150, programs);
+        return run(openTwoRobots(), new Pace.OfAnswers(), 2, 150, programs);
     }
 
     @ParameterizedTest

@@ -314,9 +314,9 @@ class SimulatedDevicesTest {
         client.tell(POSITION2D, 0, new DeviceCommand.VelocityHeading(0.1, -1));
         ticks(60);
         assertThat(pose(0).headingRad()).isCloseTo(-1, within(0.02));
-        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.1, 0, 0, enabled));
+        client.tell(POSITION2D, 0, new DeviceCommand.Velocity(0.2, 0, 0, enabled));
         ticks(2);
-        assertThat(robot(0).odometry().forwardMps()).isEqualTo(0.1);
+        assertThat(robot(0).odometry().forwardMps()).isEqualTo(0.2);
     }
 
     @Test
@@ -390,7 +390,7 @@ class SimulatedDevicesTest {
         resetSpeedReset(client);
         new WireClient(PORT, (self, frame) -> {
                     self.answer(frame);
-                    if (frame.tick() == 5) {
+                    if (self.frames.size() == 1) {
                         resetSpeedReset(self);
                     }
                 })

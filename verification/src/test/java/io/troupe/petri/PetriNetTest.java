@@ -124,7 +124,9 @@ class PetriNetTest {
         var withArc = net.toBuilder().arc("make", "wheels").build();
         var withPlace = net.toBuilder().place("nails").build();
         assertThat(reordered.sameStructureAs(net)).isTrue();
-        assertThat(List.of(ranked, withArc, withPlace, net.renamed("x", name -> name + "1")))
+        var withWheel = net("elsewhere", "carts wheels=3 parts=5", "sell: carts >", "make: wheels 2*parts > carts");
+        var withPart = net("elsewhere", "carts wheels=2 parts=5", "sell: carts >", "make: wheels 3*parts > carts");
+        assertThat(List.of(ranked, withArc, withPlace, withWheel, withPart, net.renamed("x", name -> name + "1")))
                 .noneMatch(different -> different.sameStructureAs(net));
     }
 

@@ -28,9 +28,11 @@ import java.util.Collections;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Queue;
 import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -203,7 +205,7 @@ class ModesTest {
     @EnumSource
     void observerAndListener_areCalledOnOneThread_andNotOnTheWorlds(Mode mode) throws Exception {
         Set<Thread> threads = ConcurrentHashMap.newKeySet();
-        List<String> called = Collections.synchronizedList(new ArrayList<>());
+        Queue<String> called = new ConcurrentLinkedQueue<>(); // read while callbacks are recorded
         Class<?>[] type = {Callbacks.class};
         var callbacks =
                 (Callbacks) Proxy.newProxyInstance(type[0].getClassLoader(), type, (proxy, method, arguments) -> {

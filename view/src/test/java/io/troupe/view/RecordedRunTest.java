@@ -110,7 +110,10 @@ class RecordedRunTest {
     void threeHundredSeconds_visitEveryState_withoutTouchingAWallWhileFollowingOne_andAlwaysWithOneServicePerRobot()
             throws Exception {
         RunResult result = run(1, 300, "run.jsonl");
-        assertThat(result.table().states()).allMatch(state -> result.visits(state) > 1);
+        assertThat(result.table().states())
+                .allSatisfy(state -> assertThat(result.visits(state))
+                        .as("visits of state %d", state.number())
+                        .isGreaterThan(1));
         assertThat(result.robots()).allSatisfy(robot -> {
             assertThat(robot.followingContacts()).isZero();
             assertThat(robot.chargeFaults()).isZero();

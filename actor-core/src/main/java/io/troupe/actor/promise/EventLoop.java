@@ -6,8 +6,10 @@ import org.jspecify.annotations.Nullable;
 /**
  * The thread on which promises run their listeners: the base class of {@code ActorSpace}.
  *
- * <p><b>Role.</b> Names the space in signatures of this package, which does not know actors. Users pass a space, and
- * never extend this class; it has no public members for them.
+ * <p>Users meet it as the parameter of {@link Deferred}, to which they pass a space.
+ *
+ * <p><b>Role.</b> Names the space in signatures of this package, which does not know actors. Users never extend this
+ * class; it has no public members for them.
  */
 public abstract class EventLoop {
     private final Home home;

@@ -138,9 +138,9 @@ public final class Svg {
                 tipX, tipY, baseX - half * y, baseY + half * x, baseX + half * y, baseY - half * x, colour);
     }
 
-    /** Ends the picture, and returns it. */
+    /** The picture as it is now; it may be called again, and more may be added in between. */
     public String end() {
-        return text.append("</svg>\n").toString();
+        return text + "</svg>\n";
     }
 
     /** The value with at most this number of decimals, without trailing zeros. */

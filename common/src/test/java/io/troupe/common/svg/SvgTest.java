@@ -49,7 +49,8 @@ class SvgTest {
     @Test
     void places_takeTheValuesInOrder() {
         var svg = Svg.fragment().add("%s %.1f %d %s %.2f", 1.25, 2.0, 3, "%s", 0.5);
-        assertThat(Svg.page(1, 1, 1, "t").append(svg).end()).contains("1.3 2.0 3 %s 0.50</svg>");
+        var page = Svg.page(1, 1, 1, "t").append(svg);
+        assertThat(page.end()).contains("1.3 2.0 3 %s 0.50</svg>").isEqualTo(page.end());
         assertThatThrownBy(() -> Svg.fragment().add("%s %s", "one"))
                 .hasMessage("there are only 1 values for the markup %s %s");
         assertThatThrownBy(() -> Svg.fragment().add("<g>", "one"))

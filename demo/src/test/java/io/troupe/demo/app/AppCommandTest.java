@@ -45,6 +45,7 @@ class AppCommandTest extends CommandLineBench {
     private static final String APP = "app --world worlds/paper-arena.cfg ";
 
     @Test
+    @Timeout(60)
     void shippedApplication_findsStartsConnectsReplacesAndSums() {
         assertThat(printed(APP + "applications/two-robots.app --seconds 32"))
                 .contains(
@@ -62,6 +63,7 @@ class AppCommandTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void shippedApplication_tellsWhichColoursComeIntoSightOfItsCamera() {
         assertThat(printed(APP + "applications/two-robots.app --seconds 120"))
                 .containsPattern(
@@ -70,6 +72,7 @@ class AppCommandTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void missingService_isStatus3_andOneLine_afterEverythingHasBeenStopped() throws IOException {
         String shipped = Files.readString(Path.of("applications", "two-robots.app"));
         file("my.app", shipped.replace("needs service wallFollower", "needs service wallFolower"));
@@ -84,6 +87,7 @@ class AppCommandTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void mistakes_areStatus2_andToldWithTheirPlace_andARobotThatTwoDriveStatus1() throws IOException {
         file("my.app", "application a\ncomponent r is plyer\n");
         String kind = "there is no kind of component \"plyer\"; did you mean \"player\"?";
@@ -109,6 +113,7 @@ class AppCommandTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void list_namesTheKindsAndWhatCanBeSaidOfThem_andAComponentMayHaveAnyName() throws IOException {
         assertThat(printed(APP + "--list"))
                 .contains("player", "wallFollower", "spaceWanderer", "colourFinder", "process", "robots=", "run=");

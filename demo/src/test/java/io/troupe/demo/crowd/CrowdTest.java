@@ -204,6 +204,7 @@ class CrowdTest {
     }
 
     @Test
+    @Timeout(120)
     void messagesOfATick_growAsTheCrowdDoes() throws Exception {
         double few = servedPerRobot(50);
         assertThat(few).isPositive();

@@ -148,6 +148,7 @@ class EvaluateCommandTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void jobAndValue_areReadAsTheyAreWritten() {
         assertThat(Job.parse(ALONE.line())).isEqualTo(ALONE);
         var value = new Job.Result.Value("both", Quantity.DELAY_P99, 0.1);
@@ -156,6 +157,7 @@ class EvaluateCommandTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void jobThatFails_isToldWithItsReason_andTheNextOneIsDone() throws IOException {
         try (var process = start(2, PAPER_ARENA)) {
             var nobodyThere = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 1);
@@ -169,6 +171,7 @@ class EvaluateCommandTest extends CommandLineBench {
     /** Two values, of which at most one is the number of processors of this machine. */
     @ParameterizedTest
     @ValueSource(ints = {1, 5})
+    @Timeout(60)
     void jvmThatMeasures_hasAsManyProcessorsAsItIsTold(int cores) throws IOException {
         try (var process = start(cores, PAPER_ARENA)) {
             assertThat(process.measure(LOOPS).values()).isNotEmpty(); // rejected if the JVM reports another number
@@ -176,6 +179,7 @@ class EvaluateCommandTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void jvmThatEnds_isToldWithItsStatus() throws IOException {
         try (var process = start(2, directory.resolve("no.world"))) {
             assertThatThrownBy(() -> process.measure(LOOPS))
@@ -217,6 +221,7 @@ class EvaluateCommandTest extends CommandLineBench {
     }
 
     @Test
+    @Timeout(60)
     void clientThatNeverAnswers_isGreetedAsByPlayer_andTheWorldGoesOnInRealTime() throws Exception {
         var passed = new CountDownLatch(1);
         try (var server = WORLD.serve(1, seconds -> {

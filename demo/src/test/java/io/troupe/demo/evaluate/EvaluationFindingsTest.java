@@ -221,6 +221,7 @@ class EvaluationFindingsTest {
         assertThat(verdict("repeatedly", "messages")).isEqualTo(DOES_NOT_HOLD);
 
         switches(Mode.PROMISE, Quantity.SENT, 10);
+        assertThat(verdict("only single time", "messages")).isEqualTo(HOLDS);
         switches(Mode.PROMISE, Quantity.STATE_CHANGES, 0);
         assertThat(verdict("only single time", "messages")).isEqualTo(CANNOT_BE_TOLD);
     }

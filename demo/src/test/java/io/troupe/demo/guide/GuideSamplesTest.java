@@ -174,6 +174,7 @@ class GuideSamplesTest {
     // ---- docs/guide/04-bring-your-player-program.md
 
     @Test
+    @Timeout(60)
     void program_andWorld_inOneJvm() {
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
         Snapshot end;

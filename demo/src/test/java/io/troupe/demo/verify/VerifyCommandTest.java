@@ -61,7 +61,7 @@ class VerifyCommandTest extends CommandLineBench {
     private int verify(PetriNet net, String options) {
         out.getBuffer().setLength(0);
         Pnml.write(net, directory.resolve("net.pnml"));
-        return troupe("verify --net DIR/net.pnml --out DIR " + options);
+        return troupe("verify --net DIR/net.pnml --out DIR/o " + options);
     }
 
     @Test
@@ -75,8 +75,8 @@ class VerifyCommandTest extends CommandLineBench {
                         "dead markings: 6, the nearest {P1, M1, S10, R7''}",
                         "live NO, reversible NO",
                         "44 minimal siphons: 20 of them may perhaps be emptied, which decides nothing by itself")
-                .endsWith(local("wrote, as .dot and .svg: DIR/net, DIR/net-deadlock, DIR/net-graph\n"));
-        assertWritten("net.svg", "net-deadlock.svg", "net-graph.dot");
+                .endsWith(local("wrote, as .dot and .svg: DIR/o/net, DIR/o/net-deadlock, DIR/o/net-graph\n"));
+        assertWritten("o/net.svg", "o/net-deadlock.svg", "o/net-graph.dot");
     }
 
     @Test
@@ -133,14 +133,14 @@ class VerifyCommandTest extends CommandLineBench {
         assertThat(out.toString())
                 .startsWith("ring: proved: no reachable marking is dead (300 markings by stubborn sets)\n")
                 .contains("no .svg of the net, which has 600 places and transitions (drawn up to 400)")
-                .contains(local("wrote, as .dot: DIR/net"));
-        assertWritten("net.dot");
-        assertMissing("net.svg");
+                .contains(local("wrote, as .dot: DIR/o/net"));
+        assertWritten("o/net.dot");
+        assertMissing("o/net.svg");
     }
 
     @Test
     void verdict_standsAlthoughNoPictureCanBeWritten_andAFileOfAnotherToolIsReadWithAWarning() throws IOException {
-        Files.createDirectory(directory.resolve("net.dot"));
+        Files.createDirectories(directory.resolve("o/net.dot"));
         assertThat(verify(PaperNets.corrected(Reading.A), "")).isZero();
         assertThat(out.toString()).startsWith("corrected A: proved");
         assertThat(err.toString()).startsWith("troupe: the pictures cannot be written: ");

@@ -144,6 +144,9 @@ class CodecTest {
         WireMessage message = Hex.message(Hex.bytes(golden.hex));
         Header header = message.header();
         assertThat(header.type()).isEqualTo(type(golden.content));
+        if (header.type() == MessageType.ACK || header.type() == MessageType.DATA) {
+            assertThat(header.address()).isEqualTo(at(header.address().interfaceCode()));
+        }
         assertBothWays(header.address().interfaceCode(), header.subtype(), message.payload(), golden.content);
         if (!Double.isNaN(golden.timeSeconds)) {
             var made = WireMessage.of(
@@ -169,7 +172,7 @@ class CodecTest {
         var closed = new PlayerReply.Access(at(5), PlayerRequest.CLOSE, "stage");
         var body = new DeviceReply.Position2dGeometry(-0.04, 0, 0, 0.44, 0.33);
         var velocity = new DeviceCommand.Velocity(vx, 0, va, true);
-        var standing = new DeviceCommand.Velocity(-0.2, 0, 0, false); // the state of a command may be zero
+        var backwards = new DeviceCommand.Velocity(-0.2, 0, 0, false); // the state of a command may be zero
         var going = new DeviceCommand.GoTo(1, 0, 0, 0, 0, 0, false);
         String mount = "00000001 00000001 3fb3333333333333 3fc0a3d70a3d70a4" + zero.repeat(3) + "3ff921fb54442d18";
         var sonar = new DeviceReply.SonarMount(0.075, 0.130, StrictMath.PI / 2);
@@ -178,7 +181,7 @@ class CodecTest {
                 new Payload(1, 3, "0100007f 00001a09 00000005 00000000 00000002" + stage, closed),
                 new Payload(1, 2, "00000007", 7),
                 new Payload(4, 1, "3fd3d49300000000" + zero + "3fed0d87e0000000 00000001", velocity),
-                new Payload(4, 1, "bfc999999999999a" + zero.repeat(2) + "00000000", standing),
+                new Payload(4, 1, "bfc999999999999a" + zero.repeat(2) + "00000000", backwards),
                 new Payload(4, 2, "3ff0000000000000" + zero.repeat(5) + "00000000", going),
                 new Payload(4, 3, "3fb999999999999a 3fa999999999999a", new DeviceCommand.Car(0.1, 0.05)),
                 new Payload(4, 2, pose + zero.repeat(3) + "00000001", new DeviceCommand.GoTo(1, 2, 0.5, 0, 0, 0, true)),

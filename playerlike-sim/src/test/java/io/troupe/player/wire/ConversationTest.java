@@ -108,6 +108,7 @@ class ConversationTest {
             client.ask(new PlayerRequest.NextData());
             client.sync(); // wait until the answer has arrived
             assertThat(ranger.answers).containsExactly(PlayerConnection.NO_TICK, 23L);
+            assertThat(ranger.commands).isEmpty();
         }
     }
 

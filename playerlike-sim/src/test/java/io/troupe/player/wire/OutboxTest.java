@@ -69,7 +69,7 @@ class OutboxTest {
         });
     }
 
-    /** Everything that would be written now, in short form: ACK/3, DATA 4 x=1.0, .. */
+    /** Everything that would be written now, in short form: ACK 3, position 1, .. */
     private List<String> sent() {
         var bytes = new ByteArrayOutputStream();
         try {

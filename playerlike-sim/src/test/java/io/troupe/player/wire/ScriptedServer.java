@@ -30,11 +30,12 @@ public class ScriptedServer implements PlayerServer, PlayerConnection {
     public final AtomicBoolean closed = new AtomicBoolean();
     public volatile boolean repliesLater;
     public volatile @Nullable Duration replyLimit;
+    /** Runs while a device is being subscribed. */
+    public volatile Runnable whileSubscribing = () -> {};
     /** Replies to the requests that {@link #reply} does not name. */
     public volatile Function<DeviceRequest, DeviceReply> replier = request -> new DeviceReply.Nack("not in the script");
 
     private final Map<DeviceRequest, DeviceReply> script = new ConcurrentHashMap<>();
-    public volatile Runnable whileSubscribing = () -> {};
     private final Set<DeviceAddress> subscribed = ConcurrentHashMap.newKeySet();
     private final List<DeviceAddress> devices;
     private @Nullable DataSink sink;
@@ -169,7 +170,11 @@ public class ScriptedServer implements PlayerServer, PlayerConnection {
     }
 
     @Override
-    public void answers(boolean whether) {}
+    public void answers(boolean whether) {
+        if (!whether) {
+            throw new AssertionError("it requests its data");
+        }
+    }
 
     @Override
     public void delivery(Delivery mode) {}

@@ -283,6 +283,7 @@ class StructureTest {
         var found = Invariants.ofPlaces(net);
         assertThat(found.isComplete()).isTrue();
         requireConstant(found.invariants(), net, 10_000, net.name());
+        assertThat(PaperNets.components(net)).hasSize(4);
         PaperNets.components(net).values().forEach(places -> {
             var ofComponent = new HashMap<Place, Long>();
             places.forEach(place -> ofComponent.put(place, 1L));
