@@ -7,6 +7,7 @@ import io.nats.client.Consumer;
 import io.nats.client.Dispatcher;
 import io.nats.client.ErrorListener;
 import io.nats.client.Message;
+import io.nats.client.MessageHandler;
 import io.nats.client.Nats;
 import io.nats.client.Options;
 import io.troupe.bus.BusEngine;
@@ -18,6 +19,8 @@ import java.nio.ByteBuffer;
 import java.nio.channels.UnresolvedAddressException;
 import java.security.NoSuchAlgorithmException;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
@@ -29,7 +32,7 @@ import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.regex.Pattern;
 import javax.net.ssl.SSLException;
 import org.jspecify.annotations.Nullable;
 
@@ -51,22 +54,27 @@ final class NatsEngine implements BusEngine {
     private static final Duration RECONNECT_WAIT = Duration.ofMillis(200);
     private static final Duration WHO_LIMIT = Duration.ofSeconds(1);
     private static final int MOST_QUEUED_OUT = 10_000;
-    private static final int MOST_QUEUED_IN = 100_000;
+    private static final int USUAL_MOST_QUEUED_IN = 100_000;
     private static final long MOST_BYTES_IN = 64L << 20;
     private static final int OLDEST_MAJOR = 2;
     private static final int OLDEST_MINOR = 2;
 
+    /** The words of the server, before the subject in quotation marks; NATS 2.2 and later. */
+    private static final Pattern VIOLATION =
+            Pattern.compile("(?i)permissions violation for (publish|subscription)[^\"]*\"([^\"]*)\"");
+
     private final NatsSettings settings;
+    private final int mostQueuedIn;
     private final Subjects subjects;
     private final AtomicBoolean isConnected = new AtomicBoolean();
     private final AtomicBoolean isClosed = new AtomicBoolean();
-    private final AtomicLong droppedBefore = new AtomicLong();
     private final Threads threads;
     private volatile boolean isEstablished;
     private volatile @Nullable String why = "it has not been started";
     private final CompletableFuture<Exception> firstProblem = new CompletableFuture<>();
     private @Nullable Connection connection;
-    private @Nullable Dispatcher publications;
+    private volatile List<Inflow> inflows = List.of();
+    private @Nullable Inflow publications;
     private String node = "";
     private long incarnation;
     private String replies = "";
@@ -94,7 +102,13 @@ final class NatsEngine implements BusEngine {
     }
 
     NatsEngine(NatsSettings settings) {
+        this(settings, USUAL_MOST_QUEUED_IN);
+    }
+
+    /** @param mostQueuedIn the most frames that wait for each of the two threads that deliver */
+    NatsEngine(NatsSettings settings, int mostQueuedIn) {
         this.settings = settings;
+        this.mostQueuedIn = mostQueuedIn;
         this.subjects = new Subjects(settings.application());
         this.threads = new Threads();
     }
@@ -111,12 +125,12 @@ final class NatsEngine implements BusEngine {
         checkVersion(opened);
         maxFrameBytes = (int) Math.min(Integer.MAX_VALUE, opened.getMaxPayload());
         var claim = new CompletableFuture<@Nullable Void>();
-        Dispatcher inbox = dispatcher(opened, listener);
+        var inbox = new Inflow(opened, listener);
         inbox.subscribe(subjects.who(node), message -> answerWho(opened, message, claim));
         inbox.subscribe(subjects.node(node), message -> listener.frame(message.getData()));
         inbox.subscribe(replies + "*", message -> receiveReply(message, listener, claim));
         inbox.subscribe(gone + ">", message -> receiveGone(message, listener));
-        publications = dispatcher(opened, listener);
+        publications = new Inflow(opened, listener);
         claimName(opened, claim);
         isEstablished = true;
         why = null;
@@ -234,6 +248,8 @@ final class NatsEngine implements BusEngine {
     private void claimName(Connection opened, CompletableFuture<@Nullable Void> claim) {
         try {
             opened.publish(subjects.who(node), replies + "who", who(false));
+            opened.flush(WHO_LIMIT);
+            checkPermissions(opened);
             claim.get(WHO_LIMIT.toMillis(), TimeUnit.MILLISECONDS);
         } catch (ExecutionException taken) {
             close();
@@ -245,6 +261,21 @@ final class NatsEngine implements BusEngine {
             Thread.currentThread().interrupt();
             throw cannotConnect("the thread was interrupted", interrupted);
         }
+    }
+
+    /** The server refuses a subscription by a message that comes before the end of a flush. */
+    private void checkPermissions(Connection opened) {
+        String error = opened.getLastError();
+        if (error != null && VIOLATION.matcher(error).find()) {
+            close();
+            throw new BusException("node " + node + " cannot be opened on " + String.join(", ", settings.servers())
+                    + ": " + missingPermission(error));
+        }
+    }
+
+    private String missingPermission(String error) {
+        return "the server does not permit it to node " + node + ": " + error.strip()
+                + "; the user needs publish and subscribe permission for \"" + settings.application() + ".>\"";
     }
 
     private BusException taken(String details) {
@@ -284,10 +315,63 @@ final class NatsEngine implements BusEngine {
 
     // ---- receiving
 
-    private Dispatcher dispatcher(Connection opened, Listener listener) {
-        Dispatcher dispatcher = opened.createDispatcher(message -> listener.frame(message.getData()));
-        dispatcher.setPendingLimits(MOST_QUEUED_IN, MOST_BYTES_IN);
-        return dispatcher;
+    /** A thread of the client that delivers, with a queue. If the queue is full, the client drops the newest frames. */
+    private final class Inflow {
+        private final Dispatcher dispatcher;
+        private final Listener listener;
+        private long reported; // guarded by this
+
+        Inflow(Connection opened, Listener listener) {
+            this.listener = listener;
+            dispatcher = opened.createDispatcher(message -> {
+                listener.frame(message.getData());
+                reportAtLast();
+            });
+            dispatcher.setPendingLimits(mostQueuedIn, MOST_BYTES_IN);
+            var all = new ArrayList<>(inflows);
+            all.add(this);
+            inflows = List.copyOf(all);
+        }
+
+        void subscribe(String subject, MessageHandler handler) {
+            dispatcher.subscribe(subject, message -> {
+                handler.onMessage(message);
+                reportAtLast();
+            });
+        }
+
+        /** To frames that are passed to the listener. */
+        void subscribe(String subject) {
+            dispatcher.subscribe(subject);
+        }
+
+        /** The client reports only the first of several frames that it drops. */
+        private void reportAtLast() {
+            if (dispatcher.getPendingMessageCount() == 0) {
+                report();
+            }
+        }
+
+        void unsubscribe(String subject) {
+            dispatcher.unsubscribe(subject);
+        }
+
+        boolean is(Consumer consumer) {
+            return dispatcher == consumer;
+        }
+
+        void report() {
+            long dropped;
+            synchronized (this) {
+                dropped = dispatcher.getDroppedCount() - reported;
+                reported += dropped;
+            }
+            if (dropped > 0) {
+                listener.lost(
+                        dropped,
+                        "node " + node + " receives more than it can handle: " + mostQueuedIn + " frames wait");
+            }
+        }
     }
 
     private void receiveReply(Message message, Listener listener, CompletableFuture<@Nullable Void> claim) {
@@ -434,16 +518,19 @@ final class NatsEngine implements BusEngine {
 
         @Override
         public void errorOccurred(Connection source, String error) {
-            if (error.contains("ermissions Violation")) {
-                listener.lost(
-                        1,
-                        "the server does not permit it to node " + node + ": " + error.strip()
-                                + "; the user needs publish and subscribe permission for \"" + settings.application()
-                                + ".>\"");
-            } else if (isEstablished) {
-                listener.lost(0, "the server reports: " + error.strip());
-            } else {
+            if (!isEstablished) {
                 firstProblem.complete(new IOException(error));
+                return;
+            }
+            var violation = VIOLATION.matcher(error);
+            if (!violation.find()) {
+                listener.lost(0, "the server reports: " + error.strip());
+            } else if (violation.group(2).startsWith(subjects.nodes())) {
+                String to = violation.group(2).substring(subjects.nodes().length());
+                listener.refused(Subjects.text(to), missingPermission(error));
+            } else {
+                boolean isOneMessage = violation.group(1).equalsIgnoreCase("publish");
+                listener.lost(isOneMessage ? 1 : 0, missingPermission(error));
             }
         }
 
@@ -454,11 +541,7 @@ final class NatsEngine implements BusEngine {
 
         @Override
         public void slowConsumerDetected(Connection source, Consumer slow) {
-            long dropped = slow.getDroppedCount();
-            long before = droppedBefore.getAndSet(dropped);
-            listener.lost(
-                    Math.max(1, dropped - before),
-                    "node " + node + " receives more than it can handle: " + MOST_QUEUED_IN + " frames wait");
+            inflows.stream().filter(each -> each.is(slow)).forEach(Inflow::report);
         }
 
         @Override
