@@ -26,6 +26,7 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
@@ -52,7 +53,6 @@ final class NatsEngine implements BusEngine {
 
     private static final int MOST_PINGS_OUT = 2;
     private static final Duration RECONNECT_WAIT = Duration.ofMillis(200);
-    private static final Duration WHO_LIMIT = Duration.ofSeconds(1);
     private static final int MOST_QUEUED_OUT = 10_000;
     private static final int USUAL_MOST_QUEUED_IN = 100_000;
     private static final long MOST_BYTES_IN = 64L << 20;
@@ -70,7 +70,9 @@ final class NatsEngine implements BusEngine {
     private final AtomicBoolean isClosed = new AtomicBoolean();
     private final Threads threads;
     private volatile boolean isEstablished;
+    private boolean hasName; // used by the thread of the inbox only
     private volatile @Nullable String why = "it has not been started";
+    private final CompletableFuture<Connection> connecting = new CompletableFuture<>();
     private final CompletableFuture<Exception> firstProblem = new CompletableFuture<>();
     private @Nullable Connection connection;
     private volatile List<Inflow> inflows = List.of();
@@ -170,14 +172,35 @@ final class NatsEngine implements BusEngine {
             } else if (settings.servers().stream().anyMatch(server -> server.startsWith("tls:"))) {
                 options.secure();
             }
-            return Nats.connect(options.build());
-        } catch (AuthenticationException refused) {
-            throw cannotConnect(refusal(), refused);
-        } catch (IOException failure) {
-            throw cannotConnect(reason(failure), failure);
+            return await(options.build());
         } catch (NoSuchAlgorithmException none) {
             throw cannotConnect("this Java has no TLS: " + none.getMessage(), none);
+        }
+    }
+
+    /** Connects on another thread, because the client waits for the whole limit after the server has refused it. */
+    private Connection await(Options options) {
+        Future<?> attempt = threads.workers.submit(() -> {
+            try {
+                Connection opened = Nats.connect(options);
+                if (!connecting.complete(opened)) {
+                    opened.close();
+                }
+            } catch (IOException | InterruptedException | RuntimeException | Error failure) {
+                connecting.completeExceptionally(failure);
+            }
+        });
+        try {
+            return connecting.get();
+        } catch (ExecutionException failure) {
+            attempt.cancel(true);
+            throw switch (failure.getCause()) {
+                case AuthenticationException refused -> cannotConnect(refusal(), refused);
+                case IOException other -> cannotConnect(reason(other), other);
+                case null, default -> cannotConnect(String.valueOf(failure.getCause()), failure);
+            };
         } catch (InterruptedException interrupted) {
+            attempt.cancel(true);
             Thread.currentThread().interrupt();
             throw cannotConnect("the thread was interrupted", interrupted);
         }
@@ -210,10 +233,14 @@ final class NatsEngine implements BusEngine {
         if (text.contains("SSL connection wanted")) {
             return "the server has no TLS: use an address that begins with nats://";
         }
-        if (text.contains("uthorization") || text.contains("uthentication")) {
+        if (isRefusal(text)) {
             return refusal();
         }
         return text;
+    }
+
+    private static boolean isRefusal(String error) {
+        return error.contains("uthorization") || error.contains("uthentication");
     }
 
     private BusException cannotConnect(String reason, Throwable cause) {
@@ -248,9 +275,9 @@ final class NatsEngine implements BusEngine {
     private void claimName(Connection opened, CompletableFuture<@Nullable Void> claim) {
         try {
             opened.publish(subjects.who(node), replies + "who", who(false));
-            opened.flush(WHO_LIMIT);
+            opened.flush(settings.connectLimit());
             checkPermissions(opened);
-            claim.get(WHO_LIMIT.toMillis(), TimeUnit.MILLISECONDS);
+            claim.get(settings.connectLimit().toMillis(), TimeUnit.MILLISECONDS);
         } catch (ExecutionException taken) {
             close();
             throw (BusException) taken.getCause();
@@ -292,9 +319,9 @@ final class NatsEngine implements BusEngine {
 
     private void answerWho(Connection opened, Message question, CompletableFuture<@Nullable Void> claim) {
         if (question.getReplyTo() != null) {
-            opened.publish(question.getReplyTo(), who(isEstablished));
+            opened.publish(question.getReplyTo(), who(hasName));
         }
-        if (!isEstablished) {
+        if (!hasName) {
             decide(question.getData(), claim);
         }
     }
@@ -309,7 +336,14 @@ final class NatsEngine implements BusEngine {
         if (other.get() != 0 || itsIncarnation < incarnation) {
             claim.completeExceptionally(taken("(its incarnation is " + itsIncarnation + ")"));
         } else {
-            claim.complete(null);
+            succeed(claim);
+        }
+    }
+
+    /** On the thread that answers the claims of others, so that none of them finds the name free from now on. */
+    private void succeed(CompletableFuture<@Nullable Void> claim) {
+        if (claim.complete(null)) {
+            hasName = true;
         }
     }
 
@@ -378,7 +412,7 @@ final class NatsEngine implements BusEngine {
         String number = message.getSubject().substring(replies.length());
         if (number.equals("who")) {
             if (message.isStatusMessage()) {
-                claim.complete(null); // no other process has the name
+                succeed(claim); // no other process has the name
             } else {
                 decide(message.getData(), claim);
             }
@@ -488,7 +522,7 @@ final class NatsEngine implements BusEngine {
         public void connectionEvent(Connection source, ConnectionListener.Events event, Long time, String details) {
             switch (event) {
                 case DISCONNECTED, CLOSED -> disconnected();
-                case RESUBSCRIBED -> connected();
+                case RESUBSCRIBED -> connected(source);
                 default -> {} // the others are steps between these
             }
         }
@@ -501,10 +535,23 @@ final class NatsEngine implements BusEngine {
             }
         }
 
-        private void connected() {
-            if (isEstablished && !isClosed.get() && isConnected.compareAndSet(false, true)) {
+        private void connected(Connection source) {
+            if (isEstablished && !isClosed.get() && hasSubscribed(source) && isConnected.compareAndSet(false, true)) {
                 why = null;
                 listener.connected();
+            }
+        }
+
+        /** The subscriptions were sent; waits until the server has them. */
+        private boolean hasSubscribed(Connection source) {
+            try {
+                source.flush(settings.connectLimit());
+                return true;
+            } catch (TimeoutException | IllegalStateException disconnected) {
+                return false; // another event will say that it is connected
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+                return false;
             }
         }
     }
@@ -520,6 +567,9 @@ final class NatsEngine implements BusEngine {
         public void errorOccurred(Connection source, String error) {
             if (!isEstablished) {
                 firstProblem.complete(new IOException(error));
+                if (isRefusal(error) && settings.servers().size() == 1) {
+                    connecting.completeExceptionally(new AuthenticationException(error));
+                }
                 return;
             }
             var violation = VIOLATION.matcher(error);

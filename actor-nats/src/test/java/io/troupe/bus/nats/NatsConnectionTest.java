@@ -35,8 +35,8 @@ class NatsConnectionTest extends NatsTest {
     @Test
     void nodes_askAndPublish_andAMissingOneIsKnownAtOnce() throws Exception {
         try (var server = NatsServer.start()) {
-            var near = open("near", NatsSettings.at(server.address())).attach("a");
-            var far = open("far away. 2", NatsSettings.at(server.address())).attach("b");
+            var near = open("near", server.settings()).attach("a");
+            var far = open("far away. 2", server.settings()).attach("b");
             far.answer(SPELL, NatsTest::spell);
             var received = new CompletableFuture<Count>();
             far.subscribe(COUNTS, (count, from) -> received.complete(count));
@@ -66,7 +66,7 @@ class NatsConnectionTest extends NatsTest {
     @Test
     void userAndPassword() throws Exception {
         try (var server = NatsServer.start(List.of("--user", "ada", "--pass", "secret"))) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             refused(at, "the server asks for a user and a password");
             refused(at.withUser("ada", "wrong"), "the server does not accept the user \"ada\" with that password");
             assertThat(open("x", at.withUser("ada", "secret")).node()).isEqualTo("x");
@@ -79,9 +79,9 @@ class NatsConnectionTest extends NatsTest {
         var trust = makeCertificate();
         try (var server = NatsServer.start(
                 List.of("--tls", "--tlscert", folder + "/cert.pem", "--tlskey", folder + "/key.pem"))) {
-            var plain = NatsSettings.at(server.address());
+            var plain = server.settings();
             refused(plain, "the server asks for TLS: use an address that begins with tls://");
-            var encrypted = NatsSettings.at("tls://localhost:" + server.port());
+            var encrypted = NatsSettings.at("tls://localhost:" + server.port()).withConnectLimit(LONG);
             assertThatThrownBy(() -> open("x", encrypted))
                     .isInstanceOf(BusException.class)
                     .hasMessageContaining("no encrypted connection: ");
@@ -180,7 +180,7 @@ class NatsConnectionTest extends NatsTest {
     @Test
     void nameThatIsTaken_isRefused_andOfTwoThatOpenAtOnce_oneGetsIt() throws Exception {
         try (var server = NatsServer.start()) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             open("robot", at);
             assertThatThrownBy(() -> open("robot", at))
                     .isInstanceOf(BusException.class)
@@ -218,7 +218,7 @@ class NatsConnectionTest extends NatsTest {
                 }
                 """;
         try (var server = NatsServer.configured(folder, configuration)) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             var all = open("all", at.withUser("all", "p")).attach("a");
             all.publish(TEXTS, new Text("x".repeat(5_000)));
             assertThat(next(losses)).contains("bytes, expected at most 4096");
@@ -234,7 +234,7 @@ class NatsConnectionTest extends NatsTest {
     @Test
     void serverThatIsKilled_isNoticed_nothingIsKeptForLater_andItConnectsAgain() throws Exception {
         try (var server = NatsServer.start()) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             var near = open("near", at).attach("a");
             var far = open("far", at).attach("b");
             far.answer(SPELL, NatsTest::spell);
@@ -251,7 +251,9 @@ class NatsConnectionTest extends NatsTest {
             server.startAgain();
             assertThat(List.of(next(events), next(events))).containsExactly("connected", "connected");
             near.publish(COUNTS, new Count(2));
-            assertThat(received.poll(60, TimeUnit.SECONDS)).isEqualTo(new Count(2));
+            assertThat(received.poll(60, TimeUnit.SECONDS))
+                    .as("%s %s", losses, events)
+                    .isEqualTo(new Count(2));
             assertThat(answer(near, far.address())).isEqualTo("number 7");
         }
     }
@@ -259,7 +261,7 @@ class NatsConnectionTest extends NatsTest {
     @Test
     void serverThatIsFrozen_isNoticed() throws Exception {
         try (var server = NatsServer.start()) {
-            open("near", NatsSettings.at(server.address()));
+            open("near", server.settings());
             server.signal("STOP");
             assertThat(next(events)).isEqualTo("disconnected");
             server.signal("CONT");

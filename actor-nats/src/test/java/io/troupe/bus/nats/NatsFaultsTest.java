@@ -64,7 +64,7 @@ class NatsFaultsTest extends NatsTest {
     @Test
     void clientThatReceivesMoreThanItCanHandle_dropsTheNewest_andEachIsCounted() throws Exception {
         try (var server = NatsServer.start()) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             var seen = new LinkedBlockingQueue<Object>();
             var observer = new Blocking(seen);
             var far = open("far", new NatsEngine(at, 100), BusSettings.on(space).withObserver(observer))
@@ -79,7 +79,7 @@ class NatsFaultsTest extends NatsTest {
                     .isEqualTo("number 7");
             observer.release.countDown();
 
-            var received = new ArrayList<Object>();
+            var received = new ArrayList<Integer>();
             long lost = 0;
             String text = "";
             while (received.size() + lost < 1000) {
@@ -97,7 +97,9 @@ class NatsFaultsTest extends NatsTest {
             assertThat(lost).isPositive();
             assertThat(received.size() + lost).isEqualTo(1000);
             assertThat(received)
-                    .isEqualTo(IntStream.range(0, received.size()).boxed().toList());
+                    .as("those that waited; one more if the first was taken late")
+                    .hasSizeBetween(100, 101)
+                    .startsWith(IntStream.range(0, 100).boxed().toArray(Integer[]::new));
             assertThat(text).endsWith("lost: node far receives more than it can handle: 100 frames wait");
         }
     }
@@ -105,7 +107,7 @@ class NatsFaultsTest extends NatsTest {
     @Test
     void valueAtTheLimitOfTheServer_isDelivered_andALargerOneIsReported() throws Exception {
         try (var server = NatsServer.configured(folder, "max_payload: 4096")) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             var received = new LinkedBlockingQueue<Integer>();
             var far = speller("far", at);
             far.subscribe(TEXTS, (text, from) -> received.add(text.value().length()));
@@ -129,7 +131,7 @@ class NatsFaultsTest extends NatsTest {
     @Test
     void floodOfValues_doesNotHoldUpRequests() throws Exception {
         try (var server = NatsServer.start()) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             var quiet = BusSettings.on(space).withObserver(loss -> {});
             var far = open("far", new NatsEngine(at), quiet).attach("port");
             far.answer(SPELL, NatsTest::spell);
@@ -174,7 +176,7 @@ class NatsFaultsTest extends NatsTest {
     @Test
     void permissionThatIsMissing_forATopic_orForReceivingAtAll_isReportedInOneLine() throws Exception {
         try (var server = NatsServer.configured(folder, PERMISSIONS)) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             open("one", at.withUser("noTopics", "p")).attach("a").subscribe(COUNTS, (count, from) -> {});
             assertThat(next(losses))
                     .startsWith("messages may have been lost: the server does not permit it to node one: ")
@@ -191,7 +193,7 @@ class NatsFaultsTest extends NatsTest {
     @Test
     void requestThatIsNotPermitted_isRejectedAtOnce() throws Exception {
         try (var server = NatsServer.configured(folder, PERMISSIONS)) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             speller("far 2", at.withUser("all", "p"));
             var asker = open("near", at.withUser("noRequests", "p")).attach("a");
             var to = new Address("far 2", "port");
@@ -214,7 +216,7 @@ class NatsFaultsTest extends NatsTest {
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("expected a user and a password, or neither");
         try (var server = NatsServer.start(List.of("--user", "ada", "--pass", "secret"))) {
-            var empty = NatsSettings.at(server.address()).withUser("ada", "");
+            var empty = server.settings().withUser("ada", "");
             assertThatThrownBy(() -> open("x", empty))
                     .hasMessage("node x cannot connect to " + server.address()
                             + ": the server does not accept the user \"ada\" with that password");
@@ -238,8 +240,8 @@ class NatsFaultsTest extends NatsTest {
         int otherRoute = NatsServer.freePort();
         var cluster =
                 new Cluster(member(configuration, oneRoute, otherRoute), member(configuration, otherRoute, oneRoute));
-        var probe = open("probe", NatsSettings.at(cluster.one.address())).attach("a");
-        var other = speller("other", NatsSettings.at(cluster.other.address()));
+        var probe = open("probe", cluster.one.settings()).attach("a");
+        var other = speller("other", cluster.other.settings());
         assertThat(answerAtLast(probe, other.address())).isEqualTo("number 7");
         losses.clear();
         return cluster;
@@ -263,7 +265,7 @@ class NatsFaultsTest extends NatsTest {
 
     /** Nodes that know only one server, at which the node {@code probe} is too. */
     private List<BusPort> nodesAt(NatsServer server) throws Exception {
-        var at = NatsSettings.at(server.address());
+        var at = server.settings();
         var nodes = List.of(speller("near", at), speller("far", at));
         assertThat(answer(nodes.getFirst(), nodes.getLast().address())).isEqualTo("number 7");
         return nodes;
@@ -315,7 +317,7 @@ class NatsFaultsTest extends NatsTest {
             try (var space = ActorSpace.create(SpaceSettings.named("child"));
                     var bus = NatsBus.open(
                             "child",
-                            NatsSettings.at(arguments[0]),
+                            NatsSettings.at(arguments[0]).withConnectLimit(LONG),
                             BusSettings.on(space).withObserver(loss -> {}))) {
                 bus.attach("a").subscribe(FRESH, (count, from) -> System.out.println(count.value()));
                 new CountDownLatch(1).await(); // until it is killed
@@ -335,8 +337,7 @@ class NatsFaultsTest extends NatsTest {
                     .redirectError(ProcessBuilder.Redirect.DISCARD)
                     .start();
             try (var publishing = Executors.newSingleThreadScheduledExecutor()) {
-                var values = new Values(
-                        open("near", NatsSettings.at(server.address())).attach("a"));
+                var values = new Values(open("near", server.settings()).attach("a"));
                 publishing.scheduleAtFixedRate(values::publishNext, 0, 10, TimeUnit.MILLISECONDS);
                 assertThatNothingOldArrives(child, values);
                 publishing.shutdownNow();

@@ -88,7 +88,7 @@ class NatsHostsTest extends NatsTest {
     }
 
     private static NatsSettings settingsAt(NatsServer server) {
-        return NatsSettings.at(server.address()).withUser("robots", "secret");
+        return server.settings().withUser("robots", "secret");
     }
 
     /** A request that was sent before the leaf noticed the end of the hub has no answer. */

@@ -51,7 +51,7 @@ class NatsPythonTest {
         String python = python();
         try (var server = NatsServer.start();
                 var space = ActorSpace.create(SpaceSettings.named("beside python"));
-                var bus = NatsBus.open("robot", NatsSettings.at(server.address()), BusSettings.on(space))) {
+                var bus = NatsBus.open("robot", server.settings(), BusSettings.on(space))) {
             var peer = new ProcessBuilder(python, PEER.toString(), server.address())
                     .redirectErrorStream(true)
                     .start();
@@ -88,7 +88,7 @@ class NatsPythonTest {
     }
 
     private static void hasItsNameAlone(NatsServer server, ActorSpace space) {
-        assertThatThrownBy(() -> NatsBus.open("python", NatsSettings.at(server.address()), BusSettings.on(space)))
+        assertThatThrownBy(() -> NatsBus.open("python", server.settings(), BusSettings.on(space)))
                 .isInstanceOf(BusException.class)
                 .hasMessageStartingWith("node python cannot be opened: another process has that name on ");
     }

@@ -10,6 +10,7 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
@@ -90,7 +91,12 @@ public final class NatsServer implements AutoCloseable {
 
     /** The engine of a node, for tests in other packages. */
     public BusEngine engine(String application) {
-        return new NatsEngine(NatsSettings.at(address()).withApplication(application));
+        return new NatsEngine(settings().withApplication(application));
+    }
+
+    /** With a long limit: the machine may be busy. */
+    NatsSettings settings() {
+        return NatsSettings.at(address()).withConnectLimit(Duration.ofSeconds(60));
     }
 
     String address() {
