@@ -5,6 +5,15 @@ dependencies {
     api(project(":common"))
 }
 
+// the contract of a bus, which other engines run too
+configurations.create("tests") { isCanBeResolved = false }
+artifacts {
+    add("tests", tasks.register<Jar>("testsJar") {
+        archiveClassifier.set("tests")
+        from(sourceSets.test.get().output)
+    })
+}
+
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.service") } }
 
 tasks.test {

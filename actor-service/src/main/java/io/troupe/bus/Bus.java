@@ -273,6 +273,11 @@ public final class Bus implements AutoCloseable {
         }
     }
 
+    /** No request from here gets to that node now. */
+    void rejectUnreachable(String node, String why) {
+        pendingRequests.numbersTo(node).forEach(number -> rejectUnreachable(number, why));
+    }
+
     /** The type of the topic's values, or null if this node does not subscribe to it. */
     @Nullable
     Class<?> subscribedType(String topic) {

@@ -80,6 +80,12 @@ public interface BusEngine {
         /** No node receives what was sent to this one under that number. */
         void unreachable(String node, long number, String why);
 
+        /**
+         * Frames of this node to that one are refused until further notice, for example because a permission is
+         * missing: nothing that was sent to it lately has arrived.
+         */
+        void refused(String node, String why);
+
         /** That life of a node has ended, or is cut off: nothing receives replies to it. */
         void gone(String node, long incarnation);
 

@@ -76,11 +76,18 @@ public sealed interface Loss {
         }
     }
 
-    /** The engine that carries messages to other nodes has lost some. */
+    /**
+     * The engine that carries messages to other nodes has lost some.
+     *
+     * @param messages how many; 0 if that is not known
+     */
     record LostOnTheWay(long messages, String why) implements Loss {
         @Override
         public String toString() {
-            return messages + " messages were lost: " + why;
+            String count = messages == 0
+                    ? "messages may have been"
+                    : messages == 1 ? "1 message was" : messages + " messages were";
+            return count + " lost: " + why;
         }
     }
 

@@ -7,6 +7,7 @@ import io.troupe.actor.promise.EventLoop;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.BusMessage.Purpose;
 import java.time.Duration;
+import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
@@ -119,6 +120,14 @@ final class PendingRequests {
         }
         reject(asked, why);
         return asked.request();
+    }
+
+    /** The numbers of the requests to a node. */
+    List<Long> numbersTo(String node) {
+        return pending.entrySet().stream()
+                .filter(each -> each.getValue().to.node().equals(node))
+                .map(Map.Entry::getKey)
+                .toList();
     }
 
     void rejectAllOf(BusPort requester, String why) {

@@ -6,6 +6,7 @@ import io.troupe.bus.internal.RecordCodec;
 import io.troupe.bus.internal.UnreadableException;
 import java.time.Duration;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -304,6 +305,24 @@ final class RemoteNodes implements BusEngine.Listener {
         } else {
             bus.rejectUnreachable(number, why);
         }
+    }
+
+    @Override
+    public void refused(String node, String why) {
+        List<BusMessage> refused;
+        synchronized (notices) {
+            refused = notices.values().stream()
+                    .filter(notice -> isTo(node, notice))
+                    .toList();
+            refused.forEach(notice -> notices.remove(notice.sequence()));
+        }
+        refused.forEach(notice -> bus.notifier.undeliverable(notice, why));
+        bus.rejectUnreachable(node, why);
+    }
+
+    private static boolean isTo(String node, BusMessage message) {
+        return message.purpose() instanceof Purpose.Notice notice
+                && notice.to().node().equals(node);
     }
 
     @Override

@@ -2,6 +2,7 @@ package io.troupe.bus;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Operation.Kind;
@@ -15,6 +16,14 @@ import org.junit.jupiter.api.AfterEach;
 
 /** Base class of the tests of a bus, with both sides on one node, or on two nodes that exchange only bytes. */
 abstract class BusContract {
+    /** Connects the nodes of a test. What a node sends is under way until it is carried. */
+    interface Pipe {
+        Bus open(String node, BusSettings settings);
+
+        /** Delivers everything that is under way, on the thread of the test. */
+        void carryAll();
+    }
+
     /** The placement of the two sides of a test. */
     enum Wiring {
         ONE_NODE,
@@ -50,7 +59,7 @@ abstract class BusContract {
     final List<Loss> losses = new ArrayList<>();
     final List<BusMessage> passed = new ArrayList<>();
     final List<Throwable> failures = new ArrayList<>();
-    final BytePipe pipe = new BytePipe(test.space());
+    final Pipe pipe = pipe(test.space());
     final Bus near;
     final Bus far;
 
@@ -62,6 +71,20 @@ abstract class BusContract {
             near = pipe.open("near", settings());
             far = pipe.open("far", settings());
         }
+    }
+
+    /**
+     * The pipe between two nodes; other engines have others. Called by the constructor.
+     *
+     * @param carrier carries what is under way when it is cranked
+     */
+    Pipe pipe(ActorSpace carrier) {
+        return new BytePipe(carrier);
+    }
+
+    /** Why a request to a node that does not exist is rejected. */
+    String noWayTo(String node) {
+        return "there is no way from node " + near.node() + " to node " + node;
     }
 
     final BusSettings settings() {

@@ -185,7 +185,7 @@ class BusContractTest extends BusContract {
                 starter.address(),
                 "it does not answer that; there are start",
                 new Address("moon", "base"),
-                "there is no way from node " + near.node() + " to node moon");
+                noWayTo("moon"));
         reasons.forEach((to, reason) -> {
             assertThat(refusalOf(asker.ask(to, SPELL, new Count(7), SECOND)))
                     .isEqualTo(asker.address() + " asked " + to + " for spell: " + reason);

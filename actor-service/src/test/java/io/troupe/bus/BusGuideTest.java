@@ -22,6 +22,12 @@ class BusGuideTest {
     static final Operation<Setpoint, Accepted> HEAT =
             new Operation<>("heat", Setpoint.class, Accepted.class, Operation.Kind.CONTROL);
 
+    record Velocity(double forwardMps, double turnRadps) {}
+
+    static final BusTopic<Velocity> DRIVE = new BusTopic<>("robot1/drive", Velocity.class)
+            .keepingOnlyLatest()
+            .droppingOlderThan(Duration.ofMillis(300));
+
     private final List<String> shown = new ArrayList<>();
 
     private void show(Object what) {
@@ -51,6 +57,28 @@ class BusGuideTest {
             test.crank();
             assertThat(shown).containsExactly("true");
             bus.close();
+        }
+    }
+
+    @Test
+    void commands_keepOnlyTheLatest_andNoneThatIsOld() {
+        try (var test = new TestSpace();
+                var bus = Bus.inProcess("robot1", BusSettings.on(test.space()).withObserver(loss -> show(loss)))) {
+            var wheels = bus.attach("wheels");
+            wheels.subscribe(DRIVE, (velocity, from) -> show(velocity.forwardMps()));
+            var driver = bus.attach("driver");
+            driver.publish(DRIVE, new Velocity(0.1, 0));
+            driver.publish(DRIVE, new Velocity(0.2, 0));
+            test.crank();
+            assertThat(shown).last().isEqualTo("0.2");
+            assertThat(shown).doesNotContain("0.1");
+            shown.clear();
+            driver.publish(DRIVE, new Velocity(0.3, 0));
+            test.clock().advance(Duration.ofSeconds(1));
+            test.crank();
+            assertThat(shown)
+                    .containsExactly("robot1/wheels does not hear publication on robot1/drive from robot1/driver"
+                            + " (number 3): it is 1000 ms old");
         }
     }
 

@@ -12,7 +12,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 
 /** A bus between nodes that exchange only bytes. Pending frames arrive by callbacks of a space. */
-final class BytePipe {
+final class BytePipe implements BusContract.Pipe {
     private static final int MOST_BYTES = 1 << 20;
 
     private record Parcel(End to, byte[] bytes) {}
@@ -26,7 +26,8 @@ final class BytePipe {
         this.carrier = carrier;
     }
 
-    Bus open(String name, BusSettings settings) {
+    @Override
+    public Bus open(String name, BusSettings settings) {
         return Bus.open(name, new End(), settings);
     }
 
@@ -35,8 +36,8 @@ final class BytePipe {
         return carried.get();
     }
 
-    /** Delivers all pending frames now. */
-    void carryAll() {
+    @Override
+    public void carryAll() {
         for (Parcel next = underWay.poll(); next != null; next = underWay.poll()) {
             carried.addAndGet(next.bytes().length);
             if (nodes.containsValue(next.to())) {

@@ -315,6 +315,24 @@ class RemoteNodesTest {
     }
 
     @Test
+    void whatWasSentToANodeThatIsRefused_isRejectedOrReported_andOtherNodesAreNot() {
+        var answer = heard(port.ask(FAR, SPELL, new Count(1), SECOND));
+        var other = heard(port.ask(new Address("third", "b"), SPELL, new Count(1), SECOND));
+        port.send(FAR, SPELL, new Count(2));
+        engine.listener().refused("far", "no permission");
+        assertThat(answer.error()).hasMessage("near/a asked far/b for spell: no permission");
+        assertThat(other.isDone()).isFalse();
+        assertThat(take(losses))
+                .containsExactlyInAnyOrder(
+                        "question to far/b for spell from near/a (number 1) cannot be delivered: no permission",
+                        "notice to far/b for spell from near/a (number 3) cannot be delivered: no permission");
+        engine.listener().refused("far", "no permission");
+        assertThat(losses).as("each is reported once").isEmpty();
+        other.cancel();
+        engine.sent.clear();
+    }
+
+    @Test
     void reply_toAnEarlierLife_orFromAnotherAddress_settlesNothing() {
         var answer = port.ask(FAR, SPELL, new Count(1), SECOND);
         long number = engine.sent.getFirst().number();

@@ -8,7 +8,7 @@ import io.troupe.bus.BusSettings;
  * Opens a bus between processes that a NATS server connects.
  *
  * {@snippet :
- * try (Bus bus = NatsBus.open("robot1", NatsSettings.at("nats://base:4222"), BusSettings.on(space))) {
+ * try (Bus bus = NatsBus.open("robot1", NatsSettings.at(address), BusSettings.on(space))) {
  *     bus.attach("sensor").publish(OUTSIDE, new Temperature(-3));
  * }
  * }

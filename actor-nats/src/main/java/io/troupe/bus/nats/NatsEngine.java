@@ -7,6 +7,7 @@ import io.nats.client.Consumer;
 import io.nats.client.Dispatcher;
 import io.nats.client.ErrorListener;
 import io.nats.client.Message;
+import io.nats.client.MessageHandler;
 import io.nats.client.Nats;
 import io.nats.client.Options;
 import io.troupe.bus.BusEngine;
@@ -18,18 +19,21 @@ import java.nio.ByteBuffer;
 import java.nio.channels.UnresolvedAddressException;
 import java.security.NoSuchAlgorithmException;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.ExecutorService;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
 import java.util.concurrent.ScheduledExecutorService;
 import java.util.concurrent.ThreadFactory;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
-import java.util.concurrent.atomic.AtomicLong;
+import java.util.regex.Pattern;
 import javax.net.ssl.SSLException;
 import org.jspecify.annotations.Nullable;
 
@@ -49,24 +53,30 @@ final class NatsEngine implements BusEngine {
 
     private static final int MOST_PINGS_OUT = 2;
     private static final Duration RECONNECT_WAIT = Duration.ofMillis(200);
-    private static final Duration WHO_LIMIT = Duration.ofSeconds(1);
     private static final int MOST_QUEUED_OUT = 10_000;
-    private static final int MOST_QUEUED_IN = 100_000;
+    private static final int USUAL_MOST_QUEUED_IN = 100_000;
     private static final long MOST_BYTES_IN = 64L << 20;
     private static final int OLDEST_MAJOR = 2;
     private static final int OLDEST_MINOR = 2;
 
+    /** The words of the server, before the subject in quotation marks; NATS 2.2 and later. */
+    private static final Pattern VIOLATION =
+            Pattern.compile("(?i)permissions violation for (publish|subscription)[^\"]*\"([^\"]*)\"");
+
     private final NatsSettings settings;
+    private final int mostQueuedIn;
     private final Subjects subjects;
     private final AtomicBoolean isConnected = new AtomicBoolean();
     private final AtomicBoolean isClosed = new AtomicBoolean();
-    private final AtomicLong droppedBefore = new AtomicLong();
     private final Threads threads;
     private volatile boolean isEstablished;
+    private boolean hasName; // used by the thread of the inbox only
     private volatile @Nullable String why = "it has not been started";
+    private final CompletableFuture<Connection> connecting = new CompletableFuture<>();
     private final CompletableFuture<Exception> firstProblem = new CompletableFuture<>();
     private @Nullable Connection connection;
-    private @Nullable Dispatcher publications;
+    private volatile List<Inflow> inflows = List.of();
+    private @Nullable Inflow publications;
     private String node = "";
     private long incarnation;
     private String replies = "";
@@ -94,7 +104,13 @@ final class NatsEngine implements BusEngine {
     }
 
     NatsEngine(NatsSettings settings) {
+        this(settings, USUAL_MOST_QUEUED_IN);
+    }
+
+    /** @param mostQueuedIn the most frames that wait for each of the two threads that deliver */
+    NatsEngine(NatsSettings settings, int mostQueuedIn) {
         this.settings = settings;
+        this.mostQueuedIn = mostQueuedIn;
         this.subjects = new Subjects(settings.application());
         this.threads = new Threads();
     }
@@ -111,12 +127,12 @@ final class NatsEngine implements BusEngine {
         checkVersion(opened);
         maxFrameBytes = (int) Math.min(Integer.MAX_VALUE, opened.getMaxPayload());
         var claim = new CompletableFuture<@Nullable Void>();
-        Dispatcher inbox = dispatcher(opened, listener);
+        var inbox = new Inflow(opened, listener);
         inbox.subscribe(subjects.who(node), message -> answerWho(opened, message, claim));
         inbox.subscribe(subjects.node(node), message -> listener.frame(message.getData()));
         inbox.subscribe(replies + "*", message -> receiveReply(message, listener, claim));
         inbox.subscribe(gone + ">", message -> receiveGone(message, listener));
-        publications = dispatcher(opened, listener);
+        publications = new Inflow(opened, listener);
         claimName(opened, claim);
         isEstablished = true;
         why = null;
@@ -156,14 +172,35 @@ final class NatsEngine implements BusEngine {
             } else if (settings.servers().stream().anyMatch(server -> server.startsWith("tls:"))) {
                 options.secure();
             }
-            return Nats.connect(options.build());
-        } catch (AuthenticationException refused) {
-            throw cannotConnect(refusal(), refused);
-        } catch (IOException failure) {
-            throw cannotConnect(reason(failure), failure);
+            return await(options.build());
         } catch (NoSuchAlgorithmException none) {
             throw cannotConnect("this Java has no TLS: " + none.getMessage(), none);
+        }
+    }
+
+    /** Connects on another thread, because the client waits for the whole limit after the server has refused it. */
+    private Connection await(Options options) {
+        Future<?> attempt = threads.workers.submit(() -> {
+            try {
+                Connection opened = Nats.connect(options);
+                if (!connecting.complete(opened)) {
+                    opened.close();
+                }
+            } catch (IOException | InterruptedException | RuntimeException | Error failure) {
+                connecting.completeExceptionally(failure);
+            }
+        });
+        try {
+            return connecting.get();
+        } catch (ExecutionException failure) {
+            attempt.cancel(true);
+            throw switch (failure.getCause()) {
+                case AuthenticationException refused -> cannotConnect(refusal(), refused);
+                case IOException other -> cannotConnect(reason(other), other);
+                case null, default -> cannotConnect(String.valueOf(failure.getCause()), failure);
+            };
         } catch (InterruptedException interrupted) {
+            attempt.cancel(true);
             Thread.currentThread().interrupt();
             throw cannotConnect("the thread was interrupted", interrupted);
         }
@@ -196,10 +233,14 @@ final class NatsEngine implements BusEngine {
         if (text.contains("SSL connection wanted")) {
             return "the server has no TLS: use an address that begins with nats://";
         }
-        if (text.contains("uthorization") || text.contains("uthentication")) {
+        if (isRefusal(text)) {
             return refusal();
         }
         return text;
+    }
+
+    private static boolean isRefusal(String error) {
+        return error.contains("uthorization") || error.contains("uthentication");
     }
 
     private BusException cannotConnect(String reason, Throwable cause) {
@@ -234,7 +275,9 @@ final class NatsEngine implements BusEngine {
     private void claimName(Connection opened, CompletableFuture<@Nullable Void> claim) {
         try {
             opened.publish(subjects.who(node), replies + "who", who(false));
-            claim.get(WHO_LIMIT.toMillis(), TimeUnit.MILLISECONDS);
+            opened.flush(settings.connectLimit());
+            checkPermissions(opened);
+            claim.get(settings.connectLimit().toMillis(), TimeUnit.MILLISECONDS);
         } catch (ExecutionException taken) {
             close();
             throw (BusException) taken.getCause();
@@ -245,6 +288,21 @@ final class NatsEngine implements BusEngine {
             Thread.currentThread().interrupt();
             throw cannotConnect("the thread was interrupted", interrupted);
         }
+    }
+
+    /** The server refuses a subscription by a message that comes before the end of a flush. */
+    private void checkPermissions(Connection opened) {
+        String error = opened.getLastError();
+        if (error != null && VIOLATION.matcher(error).find()) {
+            close();
+            throw new BusException("node " + node + " cannot be opened on " + String.join(", ", settings.servers())
+                    + ": " + missingPermission(error));
+        }
+    }
+
+    private String missingPermission(String error) {
+        return "the server does not permit it to node " + node + ": " + error.strip()
+                + "; the user needs publish and subscribe permission for \"" + settings.application() + ".>\"";
     }
 
     private BusException taken(String details) {
@@ -261,9 +319,9 @@ final class NatsEngine implements BusEngine {
 
     private void answerWho(Connection opened, Message question, CompletableFuture<@Nullable Void> claim) {
         if (question.getReplyTo() != null) {
-            opened.publish(question.getReplyTo(), who(isEstablished));
+            opened.publish(question.getReplyTo(), who(hasName));
         }
-        if (!isEstablished) {
+        if (!hasName) {
             decide(question.getData(), claim);
         }
     }
@@ -278,23 +336,83 @@ final class NatsEngine implements BusEngine {
         if (other.get() != 0 || itsIncarnation < incarnation) {
             claim.completeExceptionally(taken("(its incarnation is " + itsIncarnation + ")"));
         } else {
-            claim.complete(null);
+            succeed(claim);
+        }
+    }
+
+    /** On the thread that answers the claims of others, so that none of them finds the name free from now on. */
+    private void succeed(CompletableFuture<@Nullable Void> claim) {
+        if (claim.complete(null)) {
+            hasName = true;
         }
     }
 
     // ---- receiving
 
-    private Dispatcher dispatcher(Connection opened, Listener listener) {
-        Dispatcher dispatcher = opened.createDispatcher(message -> listener.frame(message.getData()));
-        dispatcher.setPendingLimits(MOST_QUEUED_IN, MOST_BYTES_IN);
-        return dispatcher;
+    /** A thread of the client that delivers, with a queue. If the queue is full, the client drops the newest frames. */
+    private final class Inflow {
+        private final Dispatcher dispatcher;
+        private final Listener listener;
+        private long reported; // guarded by this
+
+        Inflow(Connection opened, Listener listener) {
+            this.listener = listener;
+            dispatcher = opened.createDispatcher(message -> {
+                listener.frame(message.getData());
+                reportAtLast();
+            });
+            dispatcher.setPendingLimits(mostQueuedIn, MOST_BYTES_IN);
+            var all = new ArrayList<>(inflows);
+            all.add(this);
+            inflows = List.copyOf(all);
+        }
+
+        void subscribe(String subject, MessageHandler handler) {
+            dispatcher.subscribe(subject, message -> {
+                handler.onMessage(message);
+                reportAtLast();
+            });
+        }
+
+        /** To frames that are passed to the listener. */
+        void subscribe(String subject) {
+            dispatcher.subscribe(subject);
+        }
+
+        /** The client reports only the first of several frames that it drops. */
+        private void reportAtLast() {
+            if (dispatcher.getPendingMessageCount() == 0) {
+                report();
+            }
+        }
+
+        void unsubscribe(String subject) {
+            dispatcher.unsubscribe(subject);
+        }
+
+        boolean is(Consumer consumer) {
+            return dispatcher == consumer;
+        }
+
+        void report() {
+            long dropped;
+            synchronized (this) {
+                dropped = dispatcher.getDroppedCount() - reported;
+                reported += dropped;
+            }
+            if (dropped > 0) {
+                listener.lost(
+                        dropped,
+                        "node " + node + " receives more than it can handle: " + mostQueuedIn + " frames wait");
+            }
+        }
     }
 
     private void receiveReply(Message message, Listener listener, CompletableFuture<@Nullable Void> claim) {
         String number = message.getSubject().substring(replies.length());
         if (number.equals("who")) {
             if (message.isStatusMessage()) {
-                claim.complete(null); // no other process has the name
+                succeed(claim); // no other process has the name
             } else {
                 decide(message.getData(), claim);
             }
@@ -404,7 +522,7 @@ final class NatsEngine implements BusEngine {
         public void connectionEvent(Connection source, ConnectionListener.Events event, Long time, String details) {
             switch (event) {
                 case DISCONNECTED, CLOSED -> disconnected();
-                case RESUBSCRIBED -> connected();
+                case RESUBSCRIBED -> connected(source);
                 default -> {} // the others are steps between these
             }
         }
@@ -417,10 +535,23 @@ final class NatsEngine implements BusEngine {
             }
         }
 
-        private void connected() {
-            if (isEstablished && !isClosed.get() && isConnected.compareAndSet(false, true)) {
+        private void connected(Connection source) {
+            if (isEstablished && !isClosed.get() && hasSubscribed(source) && isConnected.compareAndSet(false, true)) {
                 why = null;
                 listener.connected();
+            }
+        }
+
+        /** The subscriptions were sent; waits until the server has them. */
+        private boolean hasSubscribed(Connection source) {
+            try {
+                source.flush(settings.connectLimit());
+                return true;
+            } catch (TimeoutException | IllegalStateException disconnected) {
+                return false; // another event will say that it is connected
+            } catch (InterruptedException interrupted) {
+                Thread.currentThread().interrupt();
+                return false;
             }
         }
     }
@@ -434,16 +565,22 @@ final class NatsEngine implements BusEngine {
 
         @Override
         public void errorOccurred(Connection source, String error) {
-            if (error.contains("ermissions Violation")) {
-                listener.lost(
-                        1,
-                        "the server does not permit it to node " + node + ": " + error.strip()
-                                + "; the user needs publish and subscribe permission for \"" + settings.application()
-                                + ".>\"");
-            } else if (isEstablished) {
-                listener.lost(0, "the server reports: " + error.strip());
-            } else {
+            if (!isEstablished) {
                 firstProblem.complete(new IOException(error));
+                if (isRefusal(error) && settings.servers().size() == 1) {
+                    connecting.completeExceptionally(new AuthenticationException(error));
+                }
+                return;
+            }
+            var violation = VIOLATION.matcher(error);
+            if (!violation.find()) {
+                listener.lost(0, "the server reports: " + error.strip());
+            } else if (violation.group(2).startsWith(subjects.nodes())) {
+                String to = violation.group(2).substring(subjects.nodes().length());
+                listener.refused(Subjects.text(to), missingPermission(error));
+            } else {
+                boolean isOneMessage = violation.group(1).equalsIgnoreCase("publish");
+                listener.lost(isOneMessage ? 1 : 0, missingPermission(error));
             }
         }
 
@@ -454,11 +591,7 @@ final class NatsEngine implements BusEngine {
 
         @Override
         public void slowConsumerDetected(Connection source, Consumer slow) {
-            long dropped = slow.getDroppedCount();
-            long before = droppedBefore.getAndSet(dropped);
-            listener.lost(
-                    Math.max(1, dropped - before),
-                    "node " + node + " receives more than it can handle: " + MOST_QUEUED_IN + " frames wait");
+            inflows.stream().filter(each -> each.is(slow)).forEach(Inflow::report);
         }
 
         @Override

@@ -24,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  * @param password null if there is no user
  * @param tls trusts the server and identifies this process; null = the machine's certificates, if the address begins
  *     with {@code tls:}
- * @param connectLimit the time limit of the first connection
+ * @param connectLimit the time limit of the first connection, and of the question whether the name is free
  */
 public record NatsSettings(
         List<String> servers,

@@ -6,9 +6,14 @@ import java.util.stream.Collectors;
 
 /** The NATS subjects of one application; documented in {@code docs/wire-format.md}. */
 record Subjects(String application) {
+    /** What the subjects of {@link #node} begin with. */
+    String nodes() {
+        return application + ".n.";
+    }
+
     /** Frames to a node. */
     String node(String node) {
-        return application + ".n." + token(node);
+        return nodes() + token(node);
     }
 
     /** Publications on a topic: {@code robot1/sonar} becomes {@code robot1.sonar}. */

@@ -3,18 +3,9 @@ package io.troupe.bus.nats;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.ActorSpace;
-import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusException;
-import io.troupe.bus.BusObserver;
-import io.troupe.bus.BusPort;
-import io.troupe.bus.BusSettings;
-import io.troupe.bus.BusTopic;
-import io.troupe.bus.Loss;
-import io.troupe.bus.Operation;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -24,97 +15,29 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.security.KeyStore;
-import java.time.Duration;
-import java.util.ArrayList;
 import java.util.Base64;
 import java.util.List;
-import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import javax.net.ssl.SSLContext;
 import javax.net.ssl.TrustManagerFactory;
-import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
-import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.io.TempDir;
 
 /** Connecting to a real server, being refused by it, and losing it. */
-@Tag("threads")
-@Timeout(value = 120, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
-class NatsConnectionTest {
-    record Count(int value) {}
-
-    record Text(String value) {}
-
-    private static final BusTopic<Count> COUNTS = new BusTopic<>("robot 1/counts.all", Count.class);
-    private static final BusTopic<Text> TEXTS = new BusTopic<>("texts", Text.class);
-    private static final Operation<Count, Text> SPELL =
-            new Operation<>("spell", Count.class, Text.class, Operation.Kind.DATA);
-    private static final Duration LONG = Duration.ofSeconds(60);
-
-    private final ActorSpace space = ActorSpace.create(SpaceSettings.named("nats test"));
-    private final BlockingQueue<String> losses = new LinkedBlockingQueue<>();
-    private final BlockingQueue<String> events = new LinkedBlockingQueue<>();
-    private final List<Bus> open = new ArrayList<>();
-
-    @TempDir
-    Path folder;
-
-    private final BusSettings settings = BusSettings.on(space).withObserver(new BusObserver() {
-        @Override
-        public void lost(Loss loss) {
-            losses.add(loss.toString());
-        }
-
-        @Override
-        public void disconnected(String why) {
-            events.add("disconnected");
-        }
-
-        @Override
-        public void connected() {
-            events.add("connected");
-        }
-    });
-
-    @AfterEach
-    void closeAll() {
-        open.forEach(Bus::close);
-        space.close();
-    }
-
-    private Bus open(String node, NatsSettings server) {
-        Bus bus = NatsBus.open(node, server, settings);
-        open.add(bus);
-        return bus;
-    }
-
+class NatsConnectionTest extends NatsTest {
     private void refused(NatsSettings server, String reason) {
         assertThatThrownBy(() -> open("x", server))
                 .isInstanceOf(BusException.class)
                 .hasMessage("node x cannot connect to " + server.servers().getFirst() + ": " + reason);
     }
 
-    private static Promise<Text> spell(Count count) {
-        return Promise.of(new Text("number " + count.value()));
-    }
-
-    private static String answer(BusPort asker, Address to) throws Exception {
-        return asker.ask(to, SPELL, new Count(7), LONG).get(LONG).value();
-    }
-
-    private String next(BlockingQueue<String> queue) throws InterruptedException {
-        return String.valueOf(queue.poll(60, TimeUnit.SECONDS));
-    }
-
     @Test
     void nodes_askAndPublish_andAMissingOneIsKnownAtOnce() throws Exception {
         try (var server = NatsServer.start()) {
-            var near = open("near", NatsSettings.at(server.address())).attach("a");
-            var far = open("far away. 2", NatsSettings.at(server.address())).attach("b");
-            far.answer(SPELL, NatsConnectionTest::spell);
+            var near = open("near", server.settings()).attach("a");
+            var far = open("far away. 2", server.settings()).attach("b");
+            far.answer(SPELL, NatsTest::spell);
             var received = new CompletableFuture<Count>();
             far.subscribe(COUNTS, (count, from) -> received.complete(count));
             assertThat(answer(near, far.address())).isEqualTo("number 7");
@@ -143,7 +66,7 @@ class NatsConnectionTest {
     @Test
     void userAndPassword() throws Exception {
         try (var server = NatsServer.start(List.of("--user", "ada", "--pass", "secret"))) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             refused(at, "the server asks for a user and a password");
             refused(at.withUser("ada", "wrong"), "the server does not accept the user \"ada\" with that password");
             assertThat(open("x", at.withUser("ada", "secret")).node()).isEqualTo("x");
@@ -156,15 +79,15 @@ class NatsConnectionTest {
         var trust = makeCertificate();
         try (var server = NatsServer.start(
                 List.of("--tls", "--tlscert", folder + "/cert.pem", "--tlskey", folder + "/key.pem"))) {
-            var plain = NatsSettings.at(server.address());
+            var plain = server.settings();
             refused(plain, "the server asks for TLS: use an address that begins with tls://");
-            var encrypted = NatsSettings.at("tls://localhost:" + server.port());
+            var encrypted = NatsSettings.at("tls://localhost:" + server.port()).withConnectLimit(LONG);
             assertThatThrownBy(() -> open("x", encrypted))
                     .isInstanceOf(BusException.class)
                     .hasMessageContaining("no encrypted connection: ");
             var near = open("near", encrypted.withTls(trust)).attach("a");
             var far = open("far", encrypted.withTls(trust)).attach("b");
-            far.answer(SPELL, NatsConnectionTest::spell);
+            far.answer(SPELL, NatsTest::spell);
             assertThat(answer(near, far.address())).isEqualTo("number 7");
         }
         try (var server = NatsServer.start()) {
@@ -257,7 +180,7 @@ class NatsConnectionTest {
     @Test
     void nameThatIsTaken_isRefused_andOfTwoThatOpenAtOnce_oneGetsIt() throws Exception {
         try (var server = NatsServer.start()) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             open("robot", at);
             assertThatThrownBy(() -> open("robot", at))
                     .isInstanceOf(BusException.class)
@@ -276,11 +199,7 @@ class NatsConnectionTest {
     private CompletableFuture<Bus> attempt(String node, NatsSettings at) {
         return CompletableFuture.supplyAsync(() -> {
             try {
-                Bus bus = NatsBus.open(node, at, settings);
-                synchronized (open) {
-                    open.add(bus);
-                }
-                return bus;
+                return open(node, at);
             } catch (BusException taken) {
                 return null;
             }
@@ -299,7 +218,7 @@ class NatsConnectionTest {
                 }
                 """;
         try (var server = NatsServer.configured(folder, configuration)) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             var all = open("all", at.withUser("all", "p")).attach("a");
             all.publish(TEXTS, new Text("x".repeat(5_000)));
             assertThat(next(losses)).contains("bytes, expected at most 4096");
@@ -315,10 +234,10 @@ class NatsConnectionTest {
     @Test
     void serverThatIsKilled_isNoticed_nothingIsKeptForLater_andItConnectsAgain() throws Exception {
         try (var server = NatsServer.start()) {
-            var at = NatsSettings.at(server.address());
+            var at = server.settings();
             var near = open("near", at).attach("a");
             var far = open("far", at).attach("b");
-            far.answer(SPELL, NatsConnectionTest::spell);
+            far.answer(SPELL, NatsTest::spell);
             var received = new LinkedBlockingQueue<Count>();
             far.subscribe(COUNTS, (count, from) -> received.add(count));
             assertThat(answer(near, far.address())).isEqualTo("number 7");
@@ -332,7 +251,9 @@ class NatsConnectionTest {
             server.startAgain();
             assertThat(List.of(next(events), next(events))).containsExactly("connected", "connected");
             near.publish(COUNTS, new Count(2));
-            assertThat(received.poll(60, TimeUnit.SECONDS)).isEqualTo(new Count(2));
+            assertThat(received.poll(60, TimeUnit.SECONDS))
+                    .as("%s %s", losses, events)
+                    .isEqualTo(new Count(2));
             assertThat(answer(near, far.address())).isEqualTo("number 7");
         }
     }
@@ -340,7 +261,7 @@ class NatsConnectionTest {
     @Test
     void serverThatIsFrozen_isNoticed() throws Exception {
         try (var server = NatsServer.start()) {
-            open("near", NatsSettings.at(server.address()));
+            open("near", server.settings());
             server.signal("STOP");
             assertThat(next(events)).isEqualTo("disconnected");
             server.signal("CONT");

@@ -2,6 +2,7 @@ package io.troupe.bus.nats;
 
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.troupe.bus.BusEngine;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -9,19 +10,23 @@ import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.TimeUnit;
 
 /** A real NATS server on loopback, as a process of its test. */
-final class NatsServer implements AutoCloseable {
+public final class NatsServer implements AutoCloseable {
     private final List<String> command;
+    private final Map<String, String> environment;
     private final int port;
     private Process process;
 
-    private NatsServer(int port, List<String> command) throws IOException {
+    private NatsServer(int port, List<String> command, Map<String, String> environment) throws IOException {
         this.port = port;
         this.command = command;
+        this.environment = environment;
         this.process = begin();
     }
 
@@ -32,17 +37,20 @@ final class NatsServer implements AutoCloseable {
         assumeTrue(isInstalled, "nats-server is not installed (Debian: apt-get install nats-server): not tested");
     }
 
-    static NatsServer start() throws IOException {
+    public static NatsServer start() throws IOException {
         return start(List.of());
     }
 
     /** @param options of the command, for example {@code --user} */
     static NatsServer start(List<String> options) throws IOException {
+        return start(freePort(), options, Map.of());
+    }
+
+    static NatsServer start(int port, List<String> options, Map<String, String> environment) throws IOException {
         assumeInstalled();
-        int port = freePort();
         var command = new ArrayList<>(List.of("nats-server", "-a", "127.0.0.1", "-p", String.valueOf(port)));
         command.addAll(options);
-        return new NatsServer(port, command);
+        return new NatsServer(port, command, environment);
     }
 
     /** A server with the settings of a configuration file, without its address. */
@@ -58,7 +66,9 @@ final class NatsServer implements AutoCloseable {
     }
 
     private Process begin() throws IOException {
-        var started = new ProcessBuilder(command).redirectErrorStream(true).start();
+        var builder = new ProcessBuilder(command).redirectErrorStream(true);
+        builder.environment().putAll(environment);
+        var started = builder.start();
         var log = new StringBuilder();
         var output = started.inputReader();
         for (String line = output.readLine(); line != null; line = output.readLine()) {
@@ -77,6 +87,16 @@ final class NatsServer implements AutoCloseable {
         } catch (IOException killed) {
             return;
         }
+    }
+
+    /** The engine of a node, for tests in other packages. */
+    public BusEngine engine(String application) {
+        return new NatsEngine(settings().withApplication(application));
+    }
+
+    /** With a long limit: the machine may be busy. */
+    NatsSettings settings() {
+        return NatsSettings.at(address()).withConnectLimit(Duration.ofSeconds(60));
     }
 
     String address() {
@@ -102,8 +122,12 @@ final class NatsServer implements AutoCloseable {
         }
     }
 
-    /** Freezes it ({@code STOP}), or lets it go on ({@code CONT}). */
+    /** Freezes it ({@code STOP}), lets it go on ({@code CONT}), or has it send its clients away ({@code USR2}). */
     void signal(String name) throws IOException, InterruptedException {
+        signal(process, name);
+    }
+
+    static void signal(Process process, String name) throws IOException, InterruptedException {
         new ProcessBuilder("kill", "-" + name, String.valueOf(process.pid()))
                 .start()
                 .waitFor();

@@ -25,7 +25,7 @@ record Build(String tool, String group, String version, Map<String, Module> modu
 
     /**
      * A library or module that a module depends on. {@code coordinates} are {@code group:artifact}, as are the excluded
-     * transitive dependencies in {@code without}.
+     * transitive dependencies in {@code without}; of the tests of a module they are {@code group:artifact:tests}.
      */
     record Dependency(Scope scope, String coordinates, String version, SortedSet<String> without) {
         Dependency(Scope scope, String coordinates, String version) {

@@ -130,6 +130,27 @@ class BuildReadersTest {
         assertThat(module.dependencies().getLast()).hasToString("compile org.ow2.asm:asm:9.9 without [a:b, c:d.e]");
     }
 
+    @Test
+    void testsOfAModule_areADependency_inBothBuilds() throws IOException {
+        write("core/build.gradle.kts", """
+                configurations.create("tests") { isCanBeResolved = false }
+                artifacts {
+                    add("tests", tasks.register<Jar>("testsJar") {
+                        archiveClassifier.set("tests")
+                        from(sourceSets.test.get().output)
+                    })
+                }
+                dependencies { testImplementation(project(path = ":core", configuration = "tests")) }
+                """);
+        var tests = new Dependency(Scope.TEST, "g:troupe-core:tests", "1");
+        assertThat(GradleReader.read(root).modules().get("core").dependencies()).endsWith(tests);
+        assertThat(read("<dependencies><dependency><groupId>g</groupId><artifactId>troupe-core</artifactId>"
+                                + "<version>1</version><type>test-jar</type><scope>test</scope>"
+                                + "</dependency></dependencies>")
+                        .dependencies())
+                .endsWith(tests);
+    }
+
     /** A line without a file belongs to the dependencies of {@code core}. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
@@ -144,6 +165,8 @@ class BuildReadersTest {
             core/build.gradle.kts | plugins { kotlin }         | core/build.gradle.kts: not understood: plugins {..}
             core/build.gradle.kts | configurations.all { } | \
             core/build.gradle.kts: not understood: configurations.all {..}
+            core/build.gradle.kts | artifacts { add("tests", x) } | \
+            core/build.gradle.kts: artifacts is not understood, expected the jar of the tests
             core/build.gradle.kts | apply(from = "x.kts") | core/build.gradle.kts: not understood: apply(from = "x.kts")
             core/build.gradle.kts | tasks.compileJava { options.release.set(17) } | \
             core/build.gradle.kts: "release" is not understood in: tasks.compileJava
@@ -258,6 +281,7 @@ class BuildReadersTest {
             <dependencies><dependency><groupId>a</groupId><optional>true</optional></dependency></dependencies> | \
             <optional> in a dependency
             <dependencies><dependency><version>${gone}</version></dependency></dependencies> | POM: no property gone
+            <dependencies><dependency><type>war</type></dependency></dependencies> | <type>war</type> is not understood
             <dependencies><dependency><scope>system</scope></dependency></dependencies> | scope system is not understood
             <build><x><release>17</release></x></build> | core/pom.xml: <release> is not understood
             <profiles><profile><dependencies/></profile></profiles> | core/pom.xml: <dependencies> in a profile

@@ -31,6 +31,8 @@ final class GradleReader {
     private static final Pattern PUBLISHED = Pattern.compile("val published = setOf\\((\\s*\"[\\w-]+\"\\s*,?)+\\)");
     private static final Pattern DESCRIPTION = Pattern.compile("description = \"([^\"]*)\"");
     private static final Pattern ON_MODULE = Pattern.compile("(\\w+)\\(project\\(\":([\\w-]+)\"\\)\\)");
+    private static final Pattern ON_TESTS =
+            Pattern.compile("(\\w+)\\(project\\(path = \":([\\w-]+)\", configuration = \"tests\"\\)\\)");
     private static final Pattern ON_LIBRARY = Pattern.compile("(\\w+)\\(libs\\.([\\w.]+)\\)");
     private static final Pattern EXCLUDE =
             Pattern.compile("exclude\\(group = \"([\\w.-]+)\", module = \"([\\w.-]+)\"\\)");
@@ -43,6 +45,14 @@ final class GradleReader {
             "\\b(dependencies|libs|findLibrary|project\\s*\\(|release|exclude|constraints|configurations|resolutionStrategy|platform|include|maven\\s*[({]|url\\s*=)");
     private static final String CATALOG_IN_ROOT =
             "val libs = rootProject.extensions.getByType<VersionCatalogsExtension>().named(\"libs\")";
+    /** The jar of a module's tests, for the tests of others, without white space. */
+    private static final Map<String, String> TESTS_JAR = Map.of(
+            "configurations.create(\"tests\")",
+            "isCanBeResolved=false",
+            "artifacts",
+            "add(\"tests\",tasks.register<Jar>(\"testsJar\"){archiveClassifier.set(\"tests\")"
+                    + "from(sourceSets.test.get().output)})");
+
     private static final String REPOSITORIES =
             "repositoriesMode.set(RepositoriesMode.FAIL_ON_PROJECT_REPOS) repositories { mavenCentral() }";
 
@@ -142,6 +152,10 @@ final class GradleReader {
                 statement.inner(file).forEach(inner -> dependencies.add(dependency(file, isPublished, inner)));
             } else if (statement.head().equals("tasks.jar") && named.matches()) {
                 automaticName = named.group(1);
+            } else if (TESTS_JAR.containsKey(statement.head())) {
+                NotUnderstood.unless(
+                        statement.body().replaceAll("\\s", "").equals(TESTS_JAR.get(statement.head())),
+                        file + ": " + statement.head() + " is not understood, expected the jar of the tests");
             } else if (statement.head().equals("plugins")
                     && !statement.body().strip().equals("application")) {
                 throw notUnderstood(file, statement);
@@ -161,6 +175,11 @@ final class GradleReader {
         if (!statement.block() && onModule.matches()) {
             var coordinates = property("group") + ":" + Module.artifact(onModule.group(2));
             return new Dependency(scope(isPublished, onModule.group(1)), coordinates, property("version"));
+        }
+        var onTests = ON_TESTS.matcher(statement.head());
+        if (!statement.block() && onTests.matches()) {
+            var coordinates = property("group") + ":" + Module.artifact(onTests.group(2)) + ":tests";
+            return new Dependency(scope(isPublished, onTests.group(1)), coordinates, property("version"));
         }
         var onLibrary = ON_LIBRARY.matcher(statement.head());
         if (onLibrary.matches()) {

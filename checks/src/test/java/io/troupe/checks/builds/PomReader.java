@@ -30,7 +30,7 @@ import org.xml.sax.SAXException;
 final class PomReader {
     private static final Set<String> UNDERSTOOD = words("modelVersion parent groupId artifactId version packaging name"
             + " description url inceptionYear licenses developers scm modules properties dependencies build profiles");
-    private static final Set<String> IN_DEPENDENCY = words("groupId artifactId version scope exclusions");
+    private static final Set<String> IN_DEPENDENCY = words("groupId artifactId version type scope exclusions");
     private static final Set<String> IN_PROFILE = words("id activation properties");
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
@@ -92,11 +92,16 @@ final class PomReader {
         var group = interpolate(text(dependency, "groupId"), properties);
         var artifact = interpolate(text(dependency, "artifactId"), properties);
         var version = interpolate(text(dependency, "version"), properties);
+        var type = text(dependency, "type");
+        NotUnderstood.unless(
+                type.isEmpty() || type.equals("test-jar"),
+                file + ": <type>" + type + "</type> is not understood, expected test-jar");
+        var tests = type.isEmpty() ? "" : ":tests";
         var excluded = all(dependency, "exclusions", "exclusion").stream()
                 .map(each -> text(each, "groupId") + ":" + text(each, "artifactId"))
                 .toList();
         var scope = scope(interpolate(text(dependency, "scope"), properties));
-        return new Dependency(scope, group + ":" + artifact, version).excluding(excluded);
+        return new Dependency(scope, group + ":" + artifact + tests, version).excluding(excluded);
     }
 
     private static Scope scope(String text) {
