@@ -2,10 +2,26 @@ package io.troupe.bus.nats;
 
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
 import java.util.stream.Collectors;
 
-/** The NATS subjects of one application; documented in {@code docs/wire-format.md}. */
-record Subjects(String application) {
+/**
+ * The NATS subjects of one application; documented in {@code docs/wire-format.md}.
+ *
+ * <p><b>Threads.</b> Any thread. <b>Cost.</b> The subjects of topics are remembered, since one is needed for each
+ * publication.
+ */
+final class Subjects {
+    private static final int MOST_REMEMBERED = 10_000;
+
+    private final String application;
+    private final Map<String, String> topics = new ConcurrentHashMap<>();
+
+    Subjects(String application) {
+        this.application = application;
+    }
+
     /** What the subjects of {@link #node} begin with. */
     String nodes() {
         return application + ".n.";
@@ -18,8 +34,17 @@ record Subjects(String application) {
 
     /** Publications on a topic: {@code robot1/sonar} becomes {@code robot1.sonar}. */
     String topic(String topic) {
-        return application + ".t."
+        String known = topics.get(topic);
+        if (known != null) {
+            return known;
+        }
+        if (topics.size() >= MOST_REMEMBERED) {
+            topics.clear(); // a program may invent names: memory must not grow with them
+        }
+        String subject = application + ".t."
                 + Arrays.stream(topic.split("/", -1)).map(Subjects::token).collect(Collectors.joining("."));
+        topics.put(topic, subject);
+        return subject;
     }
 
     /** Asks for the processes that have that name. */
@@ -45,10 +70,13 @@ record Subjects(String application) {
         if (text.isEmpty()) {
             return "%";
         }
+        if (isPlain(text)) {
+            return text;
+        }
         var token = new StringBuilder(text.length());
         for (byte each : text.getBytes(StandardCharsets.UTF_8)) {
             char character = (char) (each & 0xff);
-            if (character < 0x80 && (Character.isLetterOrDigit(character) || character == '-' || character == '_')) {
+            if (isPlain(character)) {
                 token.append(character);
             } else {
                 token.append('%')
@@ -57,6 +85,19 @@ record Subjects(String application) {
             }
         }
         return token.toString();
+    }
+
+    private static boolean isPlain(String text) {
+        for (int i = 0; i < text.length(); i++) {
+            if (!isPlain(text.charAt(i))) {
+                return false;
+            }
+        }
+        return true;
+    }
+
+    private static boolean isPlain(char character) {
+        return character < 0x80 && (Character.isLetterOrDigit(character) || character == '-' || character == '_');
     }
 
     /** The text that {@link #token} has encoded. */

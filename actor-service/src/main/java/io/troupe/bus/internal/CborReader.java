@@ -94,6 +94,10 @@ public final class CborReader {
     }
 
     public double readDouble() {
+        if (at < end - Double.BYTES && bytes[at] == (byte) CborWriter.DOUBLE) { // the usual case, without its checks
+            at += 1 + Double.BYTES;
+            return Double.longBitsToDouble((long) CborWriter.LONG.get(bytes, at - Double.BYTES));
+        }
         skipTags();
         int next = peek();
         switch (next) {
@@ -341,14 +345,18 @@ public final class CborReader {
         };
     }
 
+    /** @param length 1, 2, 4 or 8 */
     private long fixed(int length) {
         if (end - at < length) {
             throw new UnreadableException("expected more, and the bytes end here");
         }
-        long value = 0;
-        for (int i = 0; i < length; i++) {
-            value = value << 8 | bytes[at++] & 0xff;
-        }
-        return value;
+        int from = at;
+        at += length;
+        return switch (length) {
+            case Long.BYTES -> (long) CborWriter.LONG.get(bytes, from);
+            case Integer.BYTES -> Integer.toUnsignedLong((int) CborWriter.INT.get(bytes, from));
+            case Short.BYTES -> (bytes[from] & 0xff) << 8 | bytes[from + 1] & 0xff;
+            default -> bytes[from] & 0xff;
+        };
     }
 }

@@ -1,5 +1,8 @@
 package io.troupe.bus.internal;
 
+import java.lang.invoke.MethodHandles;
+import java.lang.invoke.VarHandle;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;
 
@@ -20,6 +23,9 @@ public final class CborWriter {
     static final int HALF = 0xf9;
     static final int FLOAT = 0xfa;
     static final int DOUBLE = 0xfb;
+
+    static final VarHandle LONG = MethodHandles.byteArrayViewVarHandle(long[].class, ByteOrder.BIG_ENDIAN);
+    static final VarHandle INT = MethodHandles.byteArrayViewVarHandle(int[].class, ByteOrder.BIG_ENDIAN);
 
     private static final int LONGEST_HEAD = 9;
 
@@ -61,15 +67,17 @@ public final class CborWriter {
             writeFloat(narrow);
         } else {
             makeRoom(LONGEST_HEAD);
-            bytes[size++] = (byte) DOUBLE;
-            put(Double.doubleToRawLongBits(value), 8);
+            bytes[size] = (byte) DOUBLE;
+            LONG.set(bytes, size + 1, Double.doubleToRawLongBits(value));
+            size += LONGEST_HEAD;
         }
     }
 
     public void writeFloat(float value) {
         makeRoom(LONGEST_HEAD);
         bytes[size++] = (byte) FLOAT;
-        put(Integer.toUnsignedLong(Float.floatToIntBits(value)), 4);
+        INT.set(bytes, size, Float.floatToIntBits(value));
+        size += Float.BYTES;
     }
 
     /** @throws IllegalArgumentException if the text has half a surrogate pair, which UTF-8 cannot express */
@@ -134,23 +142,19 @@ public final class CborWriter {
             bytes[size++] = (byte) (first | (int) value);
         } else if (value >= 0 && value < 0x100) {
             bytes[size++] = (byte) (first | 24);
-            put(value, 1);
+            bytes[size++] = (byte) value;
         } else if (value >= 0 && value < 0x1_0000) {
             bytes[size++] = (byte) (first | 25);
-            put(value, 2);
+            bytes[size++] = (byte) (value >> 8);
+            bytes[size++] = (byte) value;
         } else if (value >= 0 && value <= 0xffff_ffffL) {
             bytes[size++] = (byte) (first | 26);
-            put(value, 4);
+            INT.set(bytes, size, (int) value);
+            size += Integer.BYTES;
         } else {
             bytes[size++] = (byte) (first | 27);
-            put(value, 8);
-        }
-    }
-
-    /** Big-endian. */
-    private void put(long value, int length) {
-        for (int shift = 8 * (length - 1); shift >= 0; shift -= 8) {
-            bytes[size++] = (byte) (value >> shift);
+            LONG.set(bytes, size, value);
+            size += Long.BYTES;
         }
     }
 

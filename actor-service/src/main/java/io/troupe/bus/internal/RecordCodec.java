@@ -49,6 +49,13 @@ public final class RecordCodec {
     private static final Object MISSING = new Object();
 
     private final Map<Type, Plan> plans = new ConcurrentHashMap<>();
+    private final ClassValue<Plan> ofClasses = new ClassValue<>() { // found faster than in the map
+                @Override
+                protected Plan computeValue(Class<?> type) {
+                    Plan known = plans.get(type);
+                    return known != null ? known : new Planning().of(type);
+                }
+            };
 
     /** How values of one type are written and read. */
     interface Plan {
@@ -112,6 +119,9 @@ public final class RecordCodec {
      * @throws IllegalArgumentException if two permitted classes of a sealed interface have one simple name
      */
     Plan plan(Type type) {
+        if (type instanceof Class<?> plain) {
+            return ofClasses.get(plain);
+        }
         Plan known = plans.get(type);
         return known != null ? known : new Planning().of(type);
     }
@@ -199,6 +209,19 @@ public final class RecordCodec {
         void write(Object value, CborWriter out);
     }
 
+    /** In one class, because lists of them are frequent. */
+    private static final class DoublePlan implements Plan {
+        @Override
+        public void write(Object value, CborWriter out) {
+            out.writeDouble((Double) value);
+        }
+
+        @Override
+        public Object read(CborReader in) {
+            return in.readDouble();
+        }
+    }
+
     private record SimplePlan(Writing writing, Function<CborReader, Object> reading) implements Plan {
         @Override
         public void write(Object value, CborWriter out) {
@@ -215,7 +238,9 @@ public final class RecordCodec {
 
     private static Map<Class<?>, Plan> simplePlans() {
         var plans = new HashMap<Class<?>, Plan>();
-        both(plans, double.class, Double.class, (v, out) -> out.writeDouble((Double) v), CborReader::readDouble);
+        var doubles = new DoublePlan();
+        plans.put(double.class, doubles);
+        plans.put(Double.class, doubles);
         both(plans, float.class, Float.class, (v, out) -> out.writeFloat((Float) v), in -> (float) in.readDouble());
         both(
                 plans,
@@ -318,6 +343,12 @@ public final class RecordCodec {
         public void write(Object value, CborWriter out) throws Throwable {
             var list = (List<?>) value;
             out.writeArray(list.size());
+            if (element instanceof DoublePlan) { // a loop without calls that are not inlined
+                for (Object each : list) {
+                    out.writeDouble((Double) each);
+                }
+                return;
+            }
             for (Object each : list) {
                 element.write(each, out);
             }
@@ -334,7 +365,7 @@ public final class RecordCodec {
                     if (index == elements.length) {
                         elements = Arrays.copyOf(elements, 2 * index);
                     }
-                    elements[index] = element.read(in);
+                    elements[index] = element instanceof DoublePlan ? (Object) in.readDouble() : element.read(in);
                     index++;
                 }
             } catch (UnreadableException unreadable) {
@@ -602,11 +633,12 @@ public final class RecordCodec {
         }
 
         private void addMissing(@Nullable Object[] values) {
-            var missing = new ArrayList<String>();
+            List<String> missing = List.of();
             for (int i = 0; i < values.length; i++) {
                 if (values[i] == MISSING) {
                     values[i] = Optional.empty();
                     if (parts[i].type != Optional.class) {
+                        missing = missing.isEmpty() ? new ArrayList<>() : missing;
                         missing.add(parts[i].name);
                     }
                 }

@@ -107,17 +107,22 @@ public final class RecordCopier {
 
         /** An immutable list of the JDK is returned as it is if its elements need no copy. */
         private List<?> copyOfList(List<?> list, int level) {
-            var copy = new ArrayList<Object>(list.size());
-            boolean changed = false;
+            List<Object> copy = null; // made when the first element needs one
+            int index = 0;
             for (Object each : list) {
                 if (each == null) {
-                    throw rejection("a list in it has null at " + copy.size());
+                    throw rejection("a list in it has null at " + index);
                 }
                 Object part = copyOf(each, level + 1);
-                copy.add(part);
-                changed |= part != each;
+                if (copy == null && part != each) {
+                    copy = new ArrayList<>(list.subList(0, index));
+                }
+                if (copy != null) {
+                    copy.add(part);
+                }
+                index++;
             }
-            return changed ? List.copyOf(copy) : List.copyOf(list);
+            return List.copyOf(copy == null ? list : copy);
         }
 
         private Map<?, ?> copyOfMap(Map<?, ?> map, int level) {
