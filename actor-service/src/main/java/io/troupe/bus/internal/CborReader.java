@@ -3,6 +3,7 @@ package io.troupe.bus.internal;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * Reads the items of CBOR (RFC 8949), also those that {@link CborWriter} does not write: indefinite lengths, half
@@ -246,6 +247,13 @@ public final class CborReader {
             case CborWriter.MAP -> skipParts(info == INDEFINITE ? -1 : 2 * length(info, 2));
             default -> skipSimple(info);
         }
+    }
+
+    /** The bytes of the next item with everything inside it. */
+    byte[] readItem() {
+        int from = at;
+        skip();
+        return Arrays.copyOfRange(bytes, from, at);
     }
 
     private void skipSimple(int info) {
