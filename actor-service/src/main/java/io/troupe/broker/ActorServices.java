@@ -244,13 +244,7 @@ public final class ActorServices {
                 return Promise.failed(new ProviderException(
                         life.address() + " has stopped, and only who spawned it can spawn it again", null));
             }
-            try {
-                actors.enter(life, space, type);
-                return Promise.done();
-            } catch (RuntimeException taken) { // its name on the bus
-                return Promise.failed(
-                        new ProviderException(life.address() + " was not started: " + taken.getMessage(), taken));
-            }
+            return actors.begun(life, space, type);
         }
 
         @Override

@@ -309,7 +309,10 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
             PendingCall call = waiting.pollFirstEntry().getValue();
             refuse(call, notSent(call, "was not sent: the connection is closed"));
         }
-        for (PendingCall call : underWay.values()) {
+        for (PendingCall call : List.copyOf(underWay.values())) {
+            if (call.sentTo instanceof RemoteActor && call.sent != null) {
+                call.sent.cancel();
+            }
             call.reject(new ServiceCallException(
                     "the connection of \"" + need.by() + "\" was closed while it waited for the answer of "
                             + call.receiver() + " to " + call,

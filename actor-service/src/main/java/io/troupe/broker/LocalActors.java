@@ -1,6 +1,8 @@
 package io.troupe.broker;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import java.util.Arrays;
@@ -60,6 +62,25 @@ final class LocalActors {
         if (receiver != null) {
             receiver.close();
         }
+    }
+
+    /** Like {@link #enter}, from any space. */
+    Promise<@Nullable Void> begun(ActorProvider.Running actor, ActorSpace space, Class<?> type) {
+        if (bus == null) {
+            enter(actor, space, type);
+            return Promise.done();
+        }
+        var entered = new Deferred<@Nullable Void>(null);
+        space.execute(() -> {
+            try {
+                enter(actor, space, type);
+                entered.resolve(null);
+            } catch (RuntimeException taken) { // its name on the bus
+                entered.reject(
+                        new ProviderException(actor.address() + " was not started: " + taken.getMessage(), taken));
+            }
+        });
+        return entered;
     }
 
     /**

@@ -5,7 +5,9 @@ import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
+import io.troupe.bus.BusException;
 import io.troupe.bus.BusPort;
+import io.troupe.bus.BusTopic;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -72,7 +74,7 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
         broker.share(bus.node(), rank, () -> publish(false));
         lastTickNanos = nowNanos();
         connected = bus.connectedFor();
-        port.publish(OfferMessages.ASK, new OfferMessages.AskOffers());
+        send(OfferMessages.ASK, new OfferMessages.AskOffers());
         publish(true);
         ticking = every(PERIOD, Schedule.FIXED_DELAY, this::tick);
     }
@@ -113,17 +115,33 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
                 offerings.all().stream().map(this::offer).toList();
         if (always || !now.equals(published)) {
             published = now;
-            port.publish(OfferMessages.OFFERS, new OfferMessages.Offers(incarnation, ++count, now));
+            send(OfferMessages.OFFERS, new OfferMessages.Offers(incarnation, ++count, now));
         }
-        if (offerings.closing()) {
-            closed = true;
-            port.close();
-            if (ticking != null) {
-                ticking.cancel();
-            }
-            peers.values().forEach(Peer::endRetired);
-            peers.clear();
+        if (offerings.closing() && !closed) {
+            stopUsing("the broker of this process was closed");
         }
+    }
+
+    private <T extends Record> void send(BusTopic<T> topic, T value) {
+        try {
+            port.publish(topic, value);
+        } catch (BusException busClosed) {
+            end("the bus of this process was closed");
+        }
+    }
+
+    private void end(String why) {
+        stopUsing(why);
+        port.close();
+    }
+
+    private void stopUsing(String why) {
+        closed = true;
+        if (ticking != null) {
+            ticking.cancel();
+        }
+        peers.values().forEach(peer -> peer.end(why));
+        peers.clear();
     }
 
     private OfferMessages.Offer offer(BrokerActor.Offering offering) {
@@ -216,7 +234,13 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
     }
 
     private void receive(OfferMessages.Offers offers, Address from) {
-        if (isOwn(from) || closed) {
+        if (isOwn(from)) {
+            if (closed) {
+                port.close(); // these are the last ones
+            }
+            return;
+        }
+        if (closed) {
             return;
         }
         String node = from.node();
@@ -248,7 +272,7 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
         Duration before = connected;
         connected = bus.connectedFor();
         if (connected.compareTo(before) < 0 && !connected.isZero() && !closed) {
-            port.publish(OfferMessages.ASK, new OfferMessages.AskOffers()); // connected again
+            send(OfferMessages.ASK, new OfferMessages.AskOffers()); // connected again
         }
         publish(true);
         boolean paused = pausedNanos > PERIOD.toNanos();
@@ -279,8 +303,6 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
 
     @Override
     protected void stopped() {
-        closed = true;
-        port.close();
-        peers.values().forEach(peer -> peer.end("the broker of this process has ended"));
+        end("the broker of this process has ended");
     }
 }

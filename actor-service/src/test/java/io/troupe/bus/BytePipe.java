@@ -62,7 +62,7 @@ public final class BytePipe {
     }
 
     /** The number of bytes sent between nodes. */
-    long bytesCarried() {
+    public long bytesCarried() {
         return carried.get();
     }
 

@@ -240,7 +240,8 @@ public final class CborReader {
                 if (info == INDEFINITE) {
                     skipUntilBreak();
                 } else {
-                    at += length(info, 1);
+                    int length = length(info, 1); // advances, so that "at += length(..)" would be wrong
+                    at += length;
                 }
             }
             case CborWriter.ARRAY -> skipParts(info == INDEFINITE ? -1 : length(info, 1));
