@@ -44,6 +44,7 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
     private Duration connected = Duration.ZERO;
     private boolean asked; // the broker, for changes
     private boolean closed;
+    private boolean brokerEnded;
     private @Nullable Timer ticking;
 
     OfferExchange(OfferedProvider.Context context, BrokerActor broker, LocalActors actors, int rank) {
@@ -210,7 +211,9 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
                 if (used != null) {
                     retired.add(used);
                 }
-                broker.withdrawOffered(provider);
+                if (!brokerEnded) {
+                    broker.withdrawOffered(provider);
+                }
             }
         }
 
@@ -220,10 +223,6 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
                 provider.endUse(provider.address() + " has ended: " + why);
                 withdraw(provider.address().name());
             });
-            endRetired();
-        }
-
-        void endRetired() {
             retired.forEach(RemoteActor::end);
             retired.clear();
         }
@@ -303,6 +302,7 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
 
     @Override
     protected void stopped() {
+        brokerEnded = true;
         end("the broker of this process has ended");
     }
 }

@@ -31,7 +31,12 @@ public final class BytePipe {
     }
 
     public Bus open(String name, BusSettings settings) {
-        return Bus.open(name, new End(), settings);
+        return Bus.open(name, engine(), settings);
+    }
+
+    /** The engine of a further node. */
+    public BusEngine engine() {
+        return new End();
     }
 
     /** A node loses its connection, and the others notice at once. */
