@@ -5,76 +5,79 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
-import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
-import java.util.concurrent.ConcurrentMap;
+import java.lang.reflect.InvocationTargetException;
+import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** A provider that spawns an actor when the broker starts it. Called on the broker's space. */
 final class ActorProvider<A> implements Provider {
-    /** One running instance of an actor that provides a service. Used from any thread. */
-    static final class Running {
-        private final Address address;
+    /** A running actor of this process. Calls pass references. */
+    static final class Running extends RunningActor {
         private final Object proxy;
         private final Promise<@Nullable Void> ended;
-        private final Set<Deferred<@Nullable Void>> watches = ConcurrentHashMap.newKeySet();
 
         private Running(Address address, Object proxy, Promise<@Nullable Void> ended) {
-            this.address = address;
+            super(address);
             this.proxy = proxy;
             this.ended = ended;
         }
 
-        /** Creates an instance that is removed from the directory when its actor stops. */
-        static Running of(Address address, ActorSpace space, Object proxy, ConcurrentMap<Address, Running> directory) {
+        /** @param onEnd called when the actor has stopped, before those who watch */
+        static Running of(Address address, ActorSpace space, Object proxy, Consumer<Running> onEnd) {
             var life = new Running(address, proxy, space.whenStopped(proxy));
             life.ended.toCompletableFuture().whenComplete((nothing, error) -> {
-                directory.remove(address, life);
-                life.watches.forEach(watch -> watch.resolve(null));
-                life.watches.clear();
+                onEnd.accept(life);
+                life.settleWatches();
             });
             return life;
-        }
-
-        Address address() {
-            return address;
         }
 
         Object proxy() {
             return proxy;
         }
 
+        @Override
         boolean hasEnded() {
             return ended.isDone();
         }
 
-        /** Adds this instance to the directory, unless it has ended. */
-        void enter(ConcurrentMap<Address, Running> directory) {
-            directory.put(address, this);
-            if (hasEnded()) {
-                directory.remove(address, this);
+        @Override
+        boolean isOver() {
+            return hasEnded();
+        }
+
+        @Override
+        @Nullable
+        String mismatch(Class<?> type) {
+            return type.isInstance(proxy) ? null : "is a " + interfacesOf(proxy);
+        }
+
+        private static String interfacesOf(Object proxy) {
+            Class<?>[] interfaces = proxy.getClass().getInterfaces();
+            return interfaces.length > 0
+                    ? interfaces[0].getName()
+                    : proxy.getClass().getName();
+        }
+
+        @Override
+        @Nullable
+        Promise<?> send(CallDispatcher.Call call, RemoteCaller remote, Duration limit) throws NotSentException {
+            try {
+                return (Promise<?>) call.method.invoke(proxy, call.toInvoke());
+            } catch (InvocationTargetException thrown) {
+                throw new NotSentException(thrown.getTargetException());
+            } catch (IllegalAccessException impossible) {
+                throw new AssertionError("the connection was made with access to " + call, impossible);
             }
         }
 
-        /**
-         * Watches for the end of this instance.
-         *
-         * @return fulfilled when the instance ends. Pass it to {@link #unwatch} when it is no longer needed, because
-         *     connections are opened and closed while a provider runs
-         */
-        Deferred<@Nullable Void> watch() {
-            var watch = new Deferred<@Nullable Void>();
-            watches.add(watch);
-            if (hasEnded()) {
-                watch.resolve(null);
-            }
-            return watch;
-        }
-
-        void unwatch(Deferred<@Nullable Void> watch) {
-            watches.remove(watch);
+        @Override
+        @Nullable
+        Object result(CallDispatcher.Call call, @Nullable Object answer) {
+            return answer;
         }
     }
 
@@ -83,7 +86,7 @@ final class ActorProvider<A> implements Provider {
     private final Class<A> type;
     private final Supplier<? extends A> factory;
     private final ActorSettings settings;
-    private final ConcurrentMap<Address, Running> directory;
+    private final LocalActors actors;
     private @Nullable Running running;
 
     ActorProvider(
@@ -92,20 +95,20 @@ final class ActorProvider<A> implements Provider {
             Class<A> type,
             Supplier<? extends A> factory,
             ActorSettings settings,
-            ConcurrentMap<Address, Running> directory) {
+            LocalActors actors) {
         this.address = address;
         this.space = space;
         this.type = type;
         this.factory = factory;
         this.settings = settings;
-        this.directory = directory;
+        this.actors = actors;
     }
 
     @Override
     public Promise<@Nullable Void> start() {
         var failure = new AtomicReference<@Nullable Throwable>();
         A proxy = space.spawn(type, () -> make(failure), settings);
-        var life = Running.of(address, space, proxy, directory);
+        var life = actors.begin(address, space, proxy);
         running = life;
         var started = new Deferred<@Nullable Void>(null);
         // runs after the entry that starts the actor
@@ -115,8 +118,13 @@ final class ActorProvider<A> implements Provider {
                 started.reject(new ProviderException(
                         address + " stopped when it was started" + (why == null ? "" : ": " + Reasons.of(why)), why));
             } else {
-                life.enter(directory);
-                started.resolve(null);
+                try {
+                    actors.enter(life, space, type);
+                    started.resolve(null);
+                } catch (RuntimeException taken) { // its name on the bus
+                    space.stop(proxy);
+                    started.reject(new ProviderException(address + " was not started: " + taken.getMessage(), taken));
+                }
             }
         });
         return started;
@@ -137,7 +145,7 @@ final class ActorProvider<A> implements Provider {
         if (life == null) {
             return Promise.done();
         }
-        directory.remove(address, life);
+        actors.leave(life);
         space.stop(life.proxy());
         return space.whenStopped(life.proxy());
     }

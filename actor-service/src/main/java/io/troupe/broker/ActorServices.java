@@ -4,10 +4,12 @@ import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
+import io.troupe.bus.Bus;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentMap;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -41,7 +43,11 @@ public final class ActorServices {
     private final String node;
     private final ActorSpace home;
     private final BrokerObserver observer;
-    private final ConcurrentMap<Address, ActorProvider.Running> directory = new ConcurrentHashMap<>();
+    private final @Nullable Bus bus;
+    private final CallableInterfaces interfaces = new CallableInterfaces();
+    private final LocalActors actors;
+    private final RemoteActors others = new RemoteActors(interfaces);
+    private final AtomicLong callers = new AtomicLong();
     private final ConcurrentMap<String, Integer> published = new ConcurrentHashMap<>();
 
     /**
@@ -52,10 +58,58 @@ public final class ActorServices {
      * @param observer receives events about calls that were not delivered, and about late answers
      */
     public ActorServices(Broker broker, String node, ActorSpace home, BrokerObserver observer) {
+        this(broker, node, home, observer, null);
+    }
+
+    private ActorServices(Broker broker, String node, ActorSpace home, BrokerObserver observer, @Nullable Bus bus) {
+        this.bus = bus;
+        this.actors = new LocalActors(bus, interfaces);
         this.broker = Objects.requireNonNull(broker, "broker");
         this.node = Objects.requireNonNull(node, "node");
         this.home = Objects.requireNonNull(home, "home");
         this.observer = Objects.requireNonNull(observer, "observer");
+    }
+
+    /**
+     * Creates the actor services of one process whose actors are services for other processes, too, and which finds
+     * theirs.
+     *
+     * {@snippet :
+     * var bus = Bus.open("ship", engine, BusSettings.on(space));
+     * var broker = Broker.open(space, BrokerSettings.DEFAULT);
+     * var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
+     * services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+     * }
+     *
+     * <p><b>Role.</b> Once per bus: it takes the port {@code broker}, and a port with the name of each actor that runs.
+     * The broker registers what the brokers of other processes offer; each starts only providers of its process. Of
+     * providers that are equally healthy it chooses the one with the least rank, then the one whose node's name comes
+     * first, then the one that was registered first, in every process alike.
+     *
+     * <p><b>Errors.</b> Methods that publish throw an {@link IllegalArgumentException} if another process cannot call
+     * the actor: it has to be published by an interface whose methods return {@code void} or {@link Promise}, and whose
+     * parameters and results are values, or {@link io.troupe.actor.Callback}s of values. An exception of an actor
+     * arrives in another process as a {@link io.troupe.bus.RemoteFailure}. A one-way call that does not arrive is
+     * reported to the observer of the bus.
+     *
+     * <p>A process that has not renewed its offers for 3 s is suspect, and after 10 s its providers are withdrawn.
+     * Requests to the broker of another process have three quarters of the limits in this broker's settings.
+     *
+     * @param home the space of connections that are created outside every actor space
+     * @param observer receives events about calls that were not delivered, and about late answers
+     */
+    public static ActorServices over(Bus bus, Broker broker, ActorSpace home, BrokerObserver observer) {
+        return over(bus, broker, home, observer, 0);
+    }
+
+    /** The same with a rank of the providers of this process: the lower, the earlier they are chosen among equals. */
+    public static ActorServices over(Bus bus, Broker broker, ActorSpace home, BrokerObserver observer, int rank) {
+        var services = new ActorServices(broker, bus.node(), home, observer, bus);
+        var port = bus.attach(OfferMessages.PORT);
+        var context = new OfferedProvider.Context(bus, port, broker.settings(), services.others);
+        RemoteActors.Doubts exchange = broker.exchangeOffers(context, services.actors, rank);
+        services.others.setOnDoubt(exchange);
+        return services;
     }
 
     /**
@@ -68,6 +122,7 @@ public final class ActorServices {
      */
     public <A> Promise<ServiceRecord> publish(
             ActorSpace space, Class<A> type, String service, List<String> capabilities, Supplier<? extends A> factory) {
+        checkCallable(type);
         Address address = nextAddress(service);
         return broker.register(service, capabilities, address, provider(address, space, type, factory, named(address)));
     }
@@ -78,8 +133,12 @@ public final class ActorServices {
      */
     public <A> Promise<ServiceRecord> publishSpawned(
             ActorSpace space, String service, List<String> capabilities, A proxy) {
+        Class<?> type = LocalActors.interfaceOf(proxy);
+        checkCallable(type);
         Address address = nextAddress(service);
-        return broker.register(service, capabilities, address, new SpawnedProvider(address, space, proxy, directory));
+        actors.publish(address, type);
+        return broker.register(
+                service, capabilities, address, new SpawnedProvider(address, space, proxy, type, actors));
     }
 
     /** Publishes an actor in place of another one that may be in use; see {@link Broker#replace}. */
@@ -90,6 +149,7 @@ public final class ActorServices {
             String service,
             List<String> capabilities,
             Supplier<? extends A> factory) {
+        checkCallable(type);
         Address address = nextAddress(service);
         return broker.replace(
                 old, service, capabilities, address, provider(address, space, type, factory, named(address)));
@@ -98,7 +158,15 @@ public final class ActorServices {
     /** A provider for the broker that spawns an actor, with the given address and actor settings. */
     public <A> Provider provider(
             Address address, ActorSpace space, Class<A> type, Supplier<? extends A> factory, ActorSettings settings) {
-        return new ActorProvider<>(address, space, type, factory, settings, directory);
+        actors.publish(address, type);
+        return new ActorProvider<>(address, space, type, factory, settings, actors);
+    }
+
+    /** Throws if other processes may call the actor, and cannot. */
+    private void checkCallable(Class<?> type) {
+        if (bus != null) {
+            interfaces.of(type);
+        }
     }
 
     /** Connects with the default limits; see {@link #connect(Class, Need, ConnectionSettings)}. */
@@ -127,7 +195,24 @@ public final class ActorServices {
     }
 
     ActorProvider.@Nullable Running running(Address address) {
-        return directory.get(address);
+        return actors.running(address);
+    }
+
+    /** The running actor of this process or another one at an address, or null. */
+    @Nullable
+    RunningActor find(Address address) {
+        RunningActor here = actors.running(address);
+        return here != null ? here : others.running(address);
+    }
+
+    /** Sends the calls of a new connection to other processes. */
+    RemoteCaller newCaller() {
+        return new RemoteCaller(bus, () -> "caller-" + callers.incrementAndGet(), interfaces.values);
+    }
+
+    /** A call could not be delivered to an actor of another process. */
+    void doubt(RemoteActor actor) {
+        others.doubt(actor);
     }
 
     private Address nextAddress(String service) {
@@ -142,17 +227,15 @@ public final class ActorServices {
     /** A provider for an existing actor: the code that spawned the actor also stops it. */
     private static final class SpawnedProvider implements Provider {
         private final ActorSpace space;
+        private final Class<?> type;
         private final ActorProvider.Running life;
-        private final ConcurrentMap<Address, ActorProvider.Running> directory;
+        private final LocalActors actors;
 
-        SpawnedProvider(
-                Address address,
-                ActorSpace space,
-                Object proxy,
-                ConcurrentMap<Address, ActorProvider.Running> directory) {
+        SpawnedProvider(Address address, ActorSpace space, Object proxy, Class<?> type, LocalActors actors) {
             this.space = space;
-            this.life = ActorProvider.Running.of(address, space, proxy, directory);
-            this.directory = directory;
+            this.type = type;
+            this.life = actors.begin(address, space, proxy);
+            this.actors = actors;
         }
 
         @Override
@@ -161,13 +244,12 @@ public final class ActorServices {
                 return Promise.failed(new ProviderException(
                         life.address() + " has stopped, and only who spawned it can spawn it again", null));
             }
-            life.enter(directory);
-            return Promise.done();
+            return actors.begun(life, space, type);
         }
 
         @Override
         public Promise<@Nullable Void> stop() {
-            directory.remove(life.address(), life);
+            actors.withdraw(life);
             return Promise.done();
         }
 

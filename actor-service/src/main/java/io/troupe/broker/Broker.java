@@ -48,16 +48,34 @@ public final class Broker implements AutoCloseable {
     }
 
     private final BrokerActor actor;
+    private final ActorSpace space;
+    private final BrokerSettings settings;
 
-    private Broker(BrokerActor actor) {
+    private Broker(BrokerActor actor, ActorSpace space, BrokerSettings settings) {
         this.actor = actor;
+        this.space = space;
+        this.settings = settings;
     }
 
     /** Opens a broker on that space, with an empty registry. */
     public static Broker open(ActorSpace space, BrokerSettings settings) {
         Objects.requireNonNull(settings, "settings");
         return new Broker(
-                space.spawn(BrokerActor.class, () -> new BrokerActor(space, settings), ActorSettings.named("broker")));
+                space.spawn(BrokerActor.class, () -> new BrokerActor(space, settings), ActorSettings.named("broker")),
+                space,
+                settings);
+    }
+
+    /** Begins to exchange offers with the brokers of other processes. */
+    RemoteActors.Doubts exchangeOffers(OfferedProvider.Context context, LocalActors actors, int rank) {
+        return space.spawn(
+                RemoteActors.Doubts.class,
+                () -> new OfferExchange(context, actor, actors, rank),
+                ActorSettings.named("broker's offers"));
+    }
+
+    BrokerSettings settings() {
+        return settings;
     }
 
     /**

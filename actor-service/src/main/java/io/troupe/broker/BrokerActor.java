@@ -23,6 +23,7 @@ class BrokerActor extends Actor {
     private final BrokerContext context;
     private final ConnectedClients clients;
     private @Nullable Promise<List<ServiceRecord>> shutDown;
+    private Runnable changed = () -> {};
 
     BrokerActor(ActorSpace space, BrokerSettings settings) {
         var timeouts = new Timeouts(this::after);
@@ -117,6 +118,69 @@ class BrokerActor extends Actor {
         return Promise.done();
     }
 
+    // ---- for the brokers of other processes
+
+    /** A provider of this process, and the number of its last life. */
+    record Offering(ServiceRecord record, long life) {}
+
+    /** The providers of this process; none if the broker is being closed. */
+    record Offerings(List<Offering> all, boolean closing) {}
+
+    /**
+     * The providers of this process are offered to others.
+     *
+     * @param localRank their rank among those of other processes
+     * @param onChange is called when they may have changed
+     */
+    public void share(String node, int localRank, Runnable onChange) {
+        registry.share(node, localRank);
+        changed = onChange;
+        events.setOnEvent(onChange);
+    }
+
+    public Promise<Offerings> offerings() {
+        return Promise.of(new Offerings(
+                context.isClosing()
+                        ? List.of()
+                        : registry.local().stream()
+                                .map(each -> new Offering(each.toRecord(), each.life()))
+                                .toList(),
+                context.isClosing()));
+    }
+
+    /** Starts a provider of this process unless it runs. */
+    public Promise<Offering> startAt(Address provider) {
+        checkOpen();
+        Registration registration = registry.known(provider);
+        if (registration.isOffered()) {
+            throw new IllegalArgumentException(provider + " is not a provider of this process");
+        }
+        return registration.start().thenApply(started -> new Offering(registration.toRecord(), registration.life()));
+    }
+
+    /** The health of a life of a provider of this process; rejected if that life has ended. */
+    public Promise<Health> healthOf(Address provider, long life) {
+        Registration registration = registry.known(provider);
+        if (!registration.isRunning() || registration.life() != life) {
+            throw new ProviderException("life " + life + " of " + provider + " has ended", registration.why());
+        }
+        return Promise.of(registration.health());
+    }
+
+    /** A provider of another process runs again: it may be used even if it has failed before. */
+    public void revive(Address provider) {
+        registry.at(provider)
+                .filter(each -> each.hasFailed() && !context.isClosing())
+                .ifPresent(each -> each.start().handle((started, error) -> null)); // a failure is an event
+    }
+
+    /** Another process does not offer a provider any more. */
+    public void withdrawOffered(Provider provider) {
+        registry.of(provider)
+                .filter(each -> !context.isClosing())
+                .ifPresent(each -> withdraw(each.address).handle((stopped, error) -> null));
+    }
+
     // ---- choosing a provider
 
     private void choose(
@@ -190,6 +254,7 @@ class BrokerActor extends Actor {
             var done = new Deferred<List<ServiceRecord>>();
             shutDown = done;
             context.beginClosing();
+            changed.run();
             clients.endAll().handle((notified, error) -> {
                 stopLast(context.begun(), done);
                 return null;

@@ -6,7 +6,10 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Timer;
-import java.lang.reflect.InvocationTargetException;
+import io.troupe.bus.BusException;
+import io.troupe.bus.BusTimeoutException;
+import io.troupe.bus.RemoteFailure;
+import io.troupe.bus.internal.UnreadableException;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -27,12 +30,13 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
     private final Deferred<ServiceRecord> first;
     private final LinkedHashMap<Call, PendingCall> waiting = new LinkedHashMap<>(); // in the order of their arrival
     private final Map<Call, PendingCall> underWay = new LinkedHashMap<>();
-    private ActorProvider.@Nullable Running current;
+    private @Nullable RunningActor current;
     private @Nullable IllegalArgumentException mismatch;
     private String noProvider = "none has been found yet";
     private @Nullable EventPublisher events;
     // of instances that have not ended
-    private final Map<ActorProvider.Running, Deferred<@Nullable Void>> watches = new HashMap<>();
+    private final Map<RunningActor, Deferred<@Nullable Void>> watches = new HashMap<>();
+    private final RemoteCaller remote;
 
     CallDispatcherActor(
             ActorServices services,
@@ -45,6 +49,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         this.need = need;
         this.settings = settings;
         this.first = first;
+        this.remote = services.newCaller();
     }
 
     @Override
@@ -63,17 +68,16 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
 
     @Override
     public void use(ServiceRecord provider) {
-        var next = services.running(provider.provider());
+        RunningActor next = services.find(provider.provider());
+        String unfit = next == null ? null : next.mismatch(type);
         current = next;
         mismatch = null;
         if (next == null) {
             noProvider = provider.provider() + " has ended, or is not an actor that was published in this process";
-        } else if (!type.isInstance(next.proxy())) {
+        } else if (unfit != null) {
             current = null;
-            mismatch =
-                    new IllegalArgumentException("\"" + need.by() + "\" calls " + ProviderRegistry.what(need) + " as "
-                            + type.getName() + ", and its provider " + provider.provider() + " is a "
-                            + interfacesOf(next.proxy()));
+            mismatch = new IllegalArgumentException("\"" + need.by() + "\" calls " + ProviderRegistry.what(need)
+                    + " as " + type.getName() + ", and its provider " + provider.provider() + " " + unfit);
             refuseAllWaiting(mismatch);
         } else {
             watch(next);
@@ -81,19 +85,12 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         }
     }
 
-    private void watch(ActorProvider.Running life) {
+    private void watch(RunningActor life) {
         watches.computeIfAbsent(life, one -> {
             var watch = one.watch();
             watch.thenRun(() -> hasEnded(one));
             return watch;
         });
-    }
-
-    private static String interfacesOf(Object proxy) {
-        Class<?>[] interfaces = proxy.getClass().getInterfaces();
-        return interfaces.length > 0
-                ? interfaces[0].getName()
-                : proxy.getClass().getName();
     }
 
     @Override
@@ -103,7 +100,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         noProvider = Reasons.of(why);
     }
 
-    private void hasEnded(ActorProvider.Running life) {
+    private void hasEnded(RunningActor life) {
         watches.remove(life);
         if (current == life) {
             current = null;
@@ -113,7 +110,13 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
             if (call.sentTo == life) {
                 underWay.remove(call.call);
                 call.reject(ended(call, null));
+                if (life instanceof RemoteActor && call.sent != null) {
+                    call.sent.cancel(); // no answer will come
+                }
             }
+        }
+        if (life instanceof RemoteActor far) {
+            remote.failStreamsOf(far, new ServiceCallException(far.address() + " ended before its stream", true, null));
         }
     }
 
@@ -188,19 +191,17 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         }
         var to = Objects.requireNonNull(current);
         call.sentTo = to;
-        Object result;
+        Promise<?> answer;
         try {
-            result = call.call.method.invoke(to.proxy(), call.call.toInvoke());
-        } catch (InvocationTargetException thrown) {
-            refuse(call, notSent(call, "was refused: " + Reasons.of(thrown.getTargetException())));
+            answer = to.send(call.call, remote, settings.answerLimit());
+        } catch (RunningActor.NotSentException refused) {
+            refuse(call, notSent(call, "was refused: " + Reasons.of(refused.why())));
             return;
-        } catch (IllegalAccessException impossible) {
-            throw new AssertionError("the connection was made with access to " + call, impossible);
         }
-        if (result instanceof Promise<?> answer) {
+        if (answer != null) {
             underWay.put(call.call, call);
             call.sent = answer;
-            if (!settings.answerLimit().isZero()) {
+            if (!settings.answerLimit().isZero() && !(to instanceof RemoteActor)) { // the bus has that limit
                 call.limit = after(settings.answerLimit(), () -> isOverdue(call));
             }
             answer.handle((value, error) -> {
@@ -212,9 +213,14 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
 
     private void answered(PendingCall call, @Nullable Object value, @Nullable Throwable error) {
         if (underWay.remove(call.call) == null) {
+            if (call.sentTo instanceof RemoteActor) {
+                return; // reported by the bus
+            }
             if (!(error instanceof ActorStoppedException) && !call.isCancelled()) { // neither is an answer
                 events().publish(new BrokerEvent.Late(call.receiver(), call.toString(), error));
             }
+        } else if (call.sentTo instanceof RemoteActor far) {
+            answered(call, far, value, error);
         } else if (error == null) {
             call.resolve(value);
         } else if (error instanceof ActorStoppedException && call.receiverHasEnded()) {
@@ -224,13 +230,51 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         }
     }
 
+    /** The answer of an actor in another process, or the reason why there is none. */
+    private void answered(PendingCall call, RemoteActor far, @Nullable Object value, @Nullable Throwable error) {
+        switch (error) {
+            case null -> {
+                try {
+                    call.resolve(far.result(call.call, value));
+                } catch (UnreadableException unreadable) {
+                    call.reject(unanswered(call, unreadable));
+                }
+            }
+            case RemoteFailure failure ->
+                call.reject(new RemoteFailure(far.address(), call.toString(), failure.type(), failure.problem()));
+            case BusTimeoutException timeout -> call.reject(overdue(call, timeout));
+            case BusException lost
+            when lost.mayHaveBeenHandled() -> {
+                services.doubt(far);
+                call.reject(far.hasEnded() ? ended(call, lost) : unanswered(call, lost));
+            }
+            case BusException undelivered -> {
+                services.doubt(far);
+                call.reject(notSent(call, "was not delivered: " + Reasons.of(undelivered)));
+            }
+            default -> call.reject(error);
+        }
+    }
+
+    private ServiceCallException unanswered(PendingCall call, RuntimeException why) {
+        return new ServiceCallException(
+                call.receiver() + " was sent " + call + " by \"" + need.by() + "\", and there is no answer: "
+                        + Reasons.of(why),
+                true,
+                why);
+    }
+
     private void isOverdue(PendingCall call) {
         underWay.remove(call.call);
-        call.reject(new ServiceCallException(
+        call.reject(overdue(call, null));
+    }
+
+    private ServiceCallException overdue(PendingCall call, @Nullable Throwable cause) {
+        return new ServiceCallException(
                 call.receiver() + " did not answer " + call + " to \"" + need.by() + "\" within "
                         + settings.answerLimit(),
                 true,
-                null));
+                cause);
     }
 
     private ServiceCallException notSent(PendingCall call, String what) {
@@ -259,19 +303,23 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
 
     @Override
     protected void stopped() {
-        watches.forEach(ActorProvider.Running::unwatch);
+        watches.forEach(RunningActor::unwatch);
         first.reject(new IllegalStateException("the connection of \"" + need.by() + "\" was closed"));
         while (!waiting.isEmpty()) {
             PendingCall call = waiting.pollFirstEntry().getValue();
             refuse(call, notSent(call, "was not sent: the connection is closed"));
         }
-        for (PendingCall call : underWay.values()) {
+        for (PendingCall call : List.copyOf(underWay.values())) {
+            if (call.sentTo instanceof RemoteActor && call.sent != null) {
+                call.sent.cancel();
+            }
             call.reject(new ServiceCallException(
                     "the connection of \"" + need.by() + "\" was closed while it waited for the answer of "
                             + call.receiver() + " to " + call,
                     true,
                     null));
         }
+        remote.close(new IllegalStateException("the connection of \"" + need.by() + "\" was closed"));
         services.broker().disconnect(this);
     }
 
@@ -279,7 +327,9 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
     private static final class PendingCall {
         final CallDispatcher.Call call;
         private final @Nullable Deferred<@Nullable Object> answer; // null: a one-way call
-        ActorProvider.@Nullable Running sentTo;
+
+        @Nullable
+        RunningActor sentTo;
 
         @Nullable
         Promise<?> sent; // the provider's promise

@@ -6,6 +6,7 @@ import io.troupe.actor.ActorSpace;
 final class EventPublisher {
     private final BrokerObserver observer;
     private final ActorSpace space;
+    private Runnable onEvent = () -> {};
 
     /** @param space reports the observer's exceptions */
     EventPublisher(BrokerObserver observer, ActorSpace space) {
@@ -13,7 +14,13 @@ final class EventPublisher {
         this.space = space;
     }
 
+    /** @param listener is called after each event, on the broker's space */
+    void setOnEvent(Runnable listener) {
+        onEvent = listener;
+    }
+
     void publish(BrokerEvent event) {
+        onEvent.run();
         try {
             observer.on(event);
         } catch (RuntimeException | Error thrown) {

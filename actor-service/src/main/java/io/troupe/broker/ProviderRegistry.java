@@ -25,6 +25,26 @@ final class ProviderRegistry {
     private final Set<Registration> leaving = new LinkedHashSet<>(); // withdrawn or replaced, and not stopped yet
     private final Set<Address> reserved = new HashSet<>(); // for replacements that are being started
 
+    private @Nullable String node; // of this process, if its providers are offered to others
+    private int localRank;
+
+    /** Providers of other processes may be among them from now on. */
+    void share(String ownNode, int rank) {
+        node = ownNode;
+        localRank = rank;
+    }
+
+    /** The providers of this process. */
+    List<Registration> local() {
+        return all.stream()
+                .filter(each -> !each.isOffered() && each.address.node().equals(node))
+                .toList();
+    }
+
+    Optional<Registration> of(Provider provider) {
+        return all.stream().filter(each -> each.provider == provider).findFirst();
+    }
+
     void add(Registration registration) {
         checkFree(registration.address, null);
         all.add(registration);
@@ -103,8 +123,16 @@ final class ProviderRegistry {
     List<Registration> meeting(Need need) {
         return all.stream()
                 .filter(each -> each.meets(need))
-                .sorted(Comparator.comparingInt(Registration::rank)) // a stable sort keeps the order of registration
+                .sorted(order()) // a stable sort keeps the order of registration
                 .toList();
+    }
+
+    private Comparator<Registration> order() {
+        var byHealth = Comparator.comparingInt(Registration::rank);
+        return node == null
+                ? byHealth
+                : byHealth.thenComparingInt(each -> each.configuredRank(localRank))
+                        .thenComparing(each -> each.address.node()); // the same in every process
     }
 
     Optional<Registration> best(Need need, Predicate<Registration> eligible) {
@@ -132,7 +160,7 @@ final class ProviderRegistry {
             String why = listed(these, each -> each + " (" + reason(each, tried.get(each)) + ")");
             text.append(", which is offered, but runs nowhere: ").append(why).append("; registered: ");
         }
-        text.append(all.isEmpty() ? "nothing" : listed(all, ProviderRegistry::show));
+        text.append(all.isEmpty() ? "nothing" : listed(all, this::show));
         var missing = new MissingServiceException(need, Reasons.oneLine(text.toString()));
         tried.values().stream().limit(MOST_LISTED).forEach(missing::addSuppressed);
         return missing;
@@ -180,10 +208,11 @@ final class ProviderRegistry {
                                 .toList());
     }
 
-    private static String show(Registration registration) {
+    private String show(Registration registration) {
         String capabilities =
                 registration.capabilities.isEmpty() ? "" : String.join(", ", registration.capabilities) + "; ";
-        return registration.service + " (" + capabilities + words(registration.health()) + ")";
+        String place = node == null ? "" : " at " + registration.address.node();
+        return registration.service + place + " (" + capabilities + words(registration.health()) + ")";
     }
 
     private static String words(Health health) {

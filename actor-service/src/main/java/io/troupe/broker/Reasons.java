@@ -1,12 +1,16 @@
 package io.troupe.broker;
 
+import io.troupe.bus.BusException;
+
 /** Formats errors as part of a sentence. */
 final class Reasons {
     private Reasons() {}
 
     /** The error on one line; exceptions of the broker by their message only. */
     static String of(Throwable error) {
-        boolean ours = error instanceof ProviderException || error instanceof MissingServiceException;
+        boolean ours = error instanceof ProviderException
+                || error instanceof MissingServiceException
+                || error instanceof BusException;
         return oneLine(String.valueOf(ours ? error.getMessage() : error));
     }
 

@@ -41,6 +41,7 @@ final class Registration extends Lifecycle<Registration.Run> {
     final Provider provider;
     private final BrokerContext context;
     private Run latest = new Run();
+    private long life; // the number of starts
 
     /** Counts starts, failures and stops: a late answer to a stop counts only if there was none since. */
     private int changes;
@@ -85,6 +86,10 @@ final class Registration extends Lifecycle<Registration.Run> {
     }
 
     Health health() {
+        return provider instanceof OfferedProvider offered ? offered.health(healthHere()) : healthHere();
+    }
+
+    private Health healthHere() {
         return switch (state()) {
             case NOT_STARTED -> Health.NOT_STARTED;
             case STARTING -> Health.STARTING;
@@ -113,8 +118,26 @@ final class Registration extends Lifecycle<Registration.Run> {
                 && (need.capability() == null || capabilities.contains(need.capability()));
     }
 
+    /** Returns whether it is a provider of another process. */
+    boolean isOffered() {
+        return provider instanceof OfferedProvider;
+    }
+
+    /** @param local the rank of the providers of this process */
+    int configuredRank(int local) {
+        return provider instanceof OfferedProvider offered ? offered.rank() : local;
+    }
+
+    /** The number of its current or last life; 0 = it has never been started. */
+    long life() {
+        return life;
+    }
+
     /** The lower, the earlier it is chosen. */
     int rank() {
+        if (provider instanceof OfferedProvider offered && offered.isSilent() && !isRunning()) {
+            return 4; // as likely to fail as one that has failed
+        }
         return switch (health()) {
             case WELL -> 0;
             case SUSPECT -> 1;
@@ -207,6 +230,7 @@ final class Registration extends Lifecycle<Registration.Run> {
         cancelTimers();
         changes++;
         latest = new Run();
+        life++;
         setMayRun(true);
         return latest;
     }

@@ -65,11 +65,14 @@ public final class Bus implements AutoCloseable {
     private final RecordCopier copier = new RecordCopier();
     private final AtomicLong numbers = new AtomicLong();
     private final AtomicBoolean closed = new AtomicBoolean();
+    private volatile long connectedNanos;
+    private volatile boolean connected = true;
 
     private Bus(String name, BusSettings settings, @Nullable BusEngine engine) {
         this.name = new Address(name, "bus").node(); // validates the name
         this.settings = settings;
         this.clock = settings.space().clock();
+        this.connectedNanos = clock.nanos();
         this.notifier = new ObserverNotifier(settings.observer(), counters);
         this.directory = new Directory(name);
         this.others = engine == null ? null : new RemoteNodes(this, engine, incarnation);
@@ -140,6 +143,24 @@ public final class Bus implements AutoCloseable {
                 others.close();
             }
         }
+    }
+
+    /**
+     * How long this node has been connected to the others without a break, by the clock of its space: zero while it is
+     * disconnected, the time since it was opened if the connection has never broken or if it has no engine. Soon after
+     * a break, other nodes may be missing because they are not connected again yet.
+     */
+    public Duration connectedFor() {
+        long since = connectedNanos; // read first: a break in between counts
+        return connected ? Duration.ofNanos(clock.nanos() - since) : Duration.ZERO;
+    }
+
+    /** The connection to other nodes has begun or ended. */
+    void setConnected(boolean is) {
+        if (is) {
+            connectedNanos = clock.nanos();
+        }
+        connected = is;
     }
 
     /** The message counts since the bus was opened. */
@@ -261,8 +282,9 @@ public final class Bus implements AutoCloseable {
         directory.ports().forEach(port -> port.forgetRequestsOf(node, itsIncarnation));
     }
 
+    /** The reply to a request cannot be read. */
     void rejectRequest(long number, String why) {
-        pendingRequests.reject(number, why);
+        pendingRequests.reject(number, why, true);
     }
 
     /** The node that was asked does not exist now. */
@@ -357,7 +379,7 @@ public final class Bus implements AutoCloseable {
         pendingRequests.rejectUnreachable(message.sequence(), why); // does nothing if the message is no request
         if (message.purpose() instanceof Purpose.Reply reply) { // a refusal is small and may be sent successfully
             var purpose = new Purpose.Rejection(reply.to(), reply.operation(), reply.request());
-            var failure = new Failure.NotDelivered("the answer could not be sent: " + why);
+            var failure = new Failure.Abandoned("the answer could not be sent: " + why);
             route(BusMessage.of(message.kind(), message.from(), purpose, nextNumber(), failure), toIncarnation);
         }
     }
@@ -425,9 +447,18 @@ public final class Bus implements AutoCloseable {
 
     /** Rejects a request, or reports a one-way message, that is not delivered to a handler. */
     void reject(Address receiver, Delivery request, String why) {
+        reject(receiver, request, why, new Failure.NotDelivered(why));
+    }
+
+    /** Rejects a request that was delivered, and to which no reply will come. */
+    void abandon(Address receiver, Delivery request, String why) {
+        reject(receiver, request, why, new Failure.Abandoned(why));
+    }
+
+    private void reject(Address receiver, Delivery request, String why, Record failure) {
         notifier.undeliverable(request.message(), why);
         if (request.message().purpose() instanceof Purpose.Request) {
-            route(rejection(receiver, request, new Failure.NotDelivered(why)), request.incarnation());
+            route(rejection(receiver, request, failure), request.incarnation());
         }
     }
 

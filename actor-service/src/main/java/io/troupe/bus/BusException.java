@@ -9,11 +9,32 @@ package io.troupe.bus;
 public sealed class BusException extends RuntimeException permits BusTimeoutException {
     private static final long serialVersionUID = 1L;
 
+    private final boolean mayHaveBeenHandled;
+
+    /** An error of a message that no handler has received. */
     public BusException(String message) {
-        super(message);
+        this(message, false);
     }
 
+    /** The same with a cause. */
     public BusException(String message, Throwable cause) {
         super(message, cause);
+        this.mayHaveBeenHandled = false;
+    }
+
+    BusException(String message, boolean mayHaveBeenHandled) {
+        super(message);
+        this.mayHaveBeenHandled = mayHaveBeenHandled;
+    }
+
+    /**
+     * Returns whether a handler may have received the request: the limit is over, the connection or the requester's
+     * port was closed, the handler left after it had begun, or its reply could not be sent or read. If false, the
+     * request was not handled and will not be, and it is safe to repeat it: the node or the port does not exist, has no
+     * handler for the operation, cannot read the request, has too many of them, or got to it too late; or the request
+     * could not be encoded or sent.
+     */
+    public boolean mayHaveBeenHandled() {
+        return mayHaveBeenHandled;
     }
 }

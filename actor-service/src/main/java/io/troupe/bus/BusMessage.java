@@ -95,6 +95,9 @@ public sealed interface BusMessage {
         /** The bus could not deliver the request to a request handler. */
         record NotDelivered(String why) implements Failure {}
 
+        /** A request handler had received the request, but its reply did not come. */
+        record Abandoned(String why) implements Failure {}
+
         /** The request handler failed with an error of this class name and message. */
         record Failed(String type, String message) implements Failure {}
     }

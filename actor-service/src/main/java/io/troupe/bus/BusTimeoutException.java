@@ -9,6 +9,6 @@ public final class BusTimeoutException extends BusException {
     private static final long serialVersionUID = 1L;
 
     public BusTimeoutException(String message) {
-        super(message);
+        super(message, true);
     }
 }

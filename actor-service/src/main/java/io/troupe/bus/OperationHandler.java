@@ -1,6 +1,7 @@
 package io.troupe.bus;
 
 import io.troupe.actor.promise.Promise;
+import io.troupe.bus.internal.UnansweredException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -135,6 +136,15 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     private BusMessage replyTo(Delivery request, @Nullable A value, @Nullable Throwable error) {
+        if (error instanceof UnansweredException unanswered) {
+            String why = String.valueOf(unanswered.getMessage());
+            return node.rejection(
+                    port.address(),
+                    request,
+                    unanswered.mayHaveBegun()
+                            ? new BusMessage.Failure.Abandoned(why)
+                            : new BusMessage.Failure.NotDelivered(why));
+        }
         if (error == null && value == null) {
             return failed(
                     request,
@@ -197,6 +207,6 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
             open = List.copyOf(begun.values());
             begun.clear();
         }
-        open.forEach(request -> node.reject(port.address(), request, "left before it answered: " + why));
+        open.forEach(request -> node.abandon(port.address(), request, "left before it answered: " + why));
     }
 }

@@ -47,7 +47,7 @@ final class PendingRequests {
         // read after put(): either this thread or close() sees the other's change
         String closed = requester.whyClosed();
         if (closed != null) {
-            reject(number, "the asker has left: " + closed);
+            reject(number, "the asker has left: " + closed, false);
         } else {
             node.request(message, limit);
         }
@@ -83,7 +83,7 @@ final class PendingRequests {
         if (late != null && timeIsOver) {
             PendingRequest.counted(node.counters.timedOut, late.reject(late.timeout(limit)));
         } else if (late != null) {
-            reject(late, "the space of the asker was closed");
+            reject(late, "the space of the asker was closed", true);
         }
     }
 
@@ -100,10 +100,10 @@ final class PendingRequests {
     }
 
     /** Rejects a request because the bus cannot get a reply. */
-    void reject(long number, String why) {
+    void reject(long number, String why, boolean mayHaveBeenHandled) {
         PendingRequest<?> asked = takeCancelled(number);
         if (asked != null) {
-            reject(asked, why);
+            reject(asked, why, mayHaveBeenHandled);
         }
     }
 
@@ -118,7 +118,7 @@ final class PendingRequests {
         if (asked == null) {
             return null;
         }
-        reject(asked, why);
+        reject(asked, why, false);
         return asked.request();
     }
 
@@ -133,13 +133,13 @@ final class PendingRequests {
     void rejectAllOf(BusPort requester, String why) {
         pending.forEach((number, asked) -> {
             if (asked.requester == requester) {
-                reject(number, why);
+                reject(number, why, true);
             }
         });
     }
 
-    private void reject(PendingRequest<?> asked, String why) {
-        PendingRequest.counted(node.counters.refused, asked.reject(asked.error(why)));
+    private void reject(PendingRequest<?> asked, String why, boolean mayHaveBeenHandled) {
+        PendingRequest.counted(node.counters.refused, asked.reject(asked.error(why, mayHaveBeenHandled)));
     }
 
     /** The number of pending requests. */
@@ -208,20 +208,23 @@ final class PendingRequests {
             }
             return counted(
                     counters.refused,
-                    reject(error("the answer is a " + reply.payload().getClass().getName() + ", expected a "
-                            + operation.reply().getName())));
+                    reject(error(
+                            "the answer is a " + reply.payload().getClass().getName() + ", expected a "
+                                    + operation.reply().getName(),
+                            true)));
         }
 
         private RuntimeException errorOf(BusMessage.Failure failure) {
             return switch (failure) {
-                case BusMessage.Failure.NotDelivered(String why) -> error(why);
+                case BusMessage.Failure.NotDelivered(String why) -> error(why, false);
+                case BusMessage.Failure.Abandoned(String why) -> error(why, true);
                 case BusMessage.Failure.Failed(String type, String message) ->
                     new RemoteFailure(to, operation.name(), type, message);
             };
         }
 
-        BusException error(String why) {
-            return new BusException(about(why));
+        BusException error(String why, boolean mayHaveBeenHandled) {
+            return new BusException(about(why), mayHaveBeenHandled);
         }
 
         private String about(String why) {

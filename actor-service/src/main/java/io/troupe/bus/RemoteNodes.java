@@ -337,11 +337,13 @@ final class RemoteNodes implements BusEngine.Listener {
 
     @Override
     public void disconnected(String why) {
+        bus.setConnected(false);
         bus.notifier.disconnected(why);
     }
 
     @Override
     public void connected() {
+        bus.setConnected(true);
         bus.notifier.connected();
     }
 }

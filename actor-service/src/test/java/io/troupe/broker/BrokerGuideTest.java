@@ -9,6 +9,10 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Address;
+import io.troupe.bus.Bus;
+import io.troupe.bus.BusEngine;
+import io.troupe.bus.BusSettings;
+import io.troupe.bus.BytePipe;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -274,5 +278,26 @@ class BrokerGuideTest {
 
     interface Greeter {
         Promise<String> greet(String name);
+    }
+
+    @Test
+    void actor_ofAnotherProcess_isCalledLikeOneOfThisProcess() {
+        var pipe = new BytePipe(space);
+        BusEngine engine = pipe.engine();
+        var bus = Bus.open("ship", engine, BusSettings.on(space));
+        var broker = Broker.open(space, BrokerSettings.DEFAULT);
+        var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
+        services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
+        test.crank();
+        try (Bus shore = pipe.open("shore", BusSettings.on(space))) {
+            var there = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+            var onShore = ActorServices.over(shore, there, space, BrokerObserver.logging());
+            var greeter = onShore.connect(Greeter.class, Need.ofService("guest", "greeter"))
+                    .actor();
+            assertThat(test.get(greeter.greet("Ada"))).isEqualTo("hello Ada");
+            test.get(there.shutDown());
+        }
+        test.get(broker.shutDown());
+        bus.close();
     }
 }

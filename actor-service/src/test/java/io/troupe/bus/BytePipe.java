@@ -8,11 +8,12 @@ import java.util.Queue;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 
 /** A bus between nodes that exchange only bytes. Pending frames arrive by callbacks of a space. */
-final class BytePipe implements BusContract.Pipe {
+public final class BytePipe implements BusContract.Pipe {
     private static final int MOST_BYTES = 1 << 20;
 
     private record Parcel(End to, byte[] bytes) {}
@@ -21,18 +22,53 @@ final class BytePipe implements BusContract.Pipe {
     private final Map<String, End> nodes = new ConcurrentHashMap<>();
     private final Queue<Parcel> underWay = new ConcurrentLinkedQueue<>();
     private final AtomicLong carried = new AtomicLong();
+    private final Map<String, End> cut = new ConcurrentHashMap<>();
+    private final Set<String> lost = ConcurrentHashMap.newKeySet();
+    private final AtomicInteger losing = new AtomicInteger();
 
-    BytePipe(ActorSpace carrier) {
+    public BytePipe(ActorSpace carrier) {
         this.carrier = carrier;
     }
 
     @Override
     public Bus open(String name, BusSettings settings) {
-        return Bus.open(name, new End(), settings);
+        return Bus.open(name, engine(), settings);
+    }
+
+    /** The engine of a further node. */
+    public BusEngine engine() {
+        return new End();
+    }
+
+    /** A node loses its connection, and the others notice at once. */
+    public void disconnect(String node) {
+        End end = Objects.requireNonNull(nodes.remove(node));
+        cut.put(node, end);
+        end.listener().disconnected("the test has cut it");
+    }
+
+    public void reconnect(String node) {
+        End end = Objects.requireNonNull(cut.remove(node));
+        nodes.put(node, end);
+        end.listener().connected();
+    }
+
+    /** From now on, frames from and to that node are lost, and no node notices. */
+    public void lose(String node) {
+        lost.add(node);
+    }
+
+    public void loseNoMore(String node) {
+        lost.remove(node);
+    }
+
+    /** The next frames between nodes are lost. */
+    public void loseNext(int frames) {
+        losing.set(frames);
     }
 
     /** The number of bytes sent between nodes. */
-    long bytesCarried() {
+    public long bytesCarried() {
         return carried.get();
     }
 
@@ -67,7 +103,7 @@ final class BytePipe implements BusContract.Pipe {
 
         @Override
         public @Nullable String whyDisconnected() {
-            return null;
+            return cut.containsValue(this) ? "the test has cut it" : null;
         }
 
         @Override
@@ -103,6 +139,13 @@ final class BytePipe implements BusContract.Pipe {
         }
 
         private void carry(End to, byte[] frame) {
+            if (lost.contains(mine) || lost.contains(to.mine)) {
+                return;
+            }
+            if (losing.get() > 0) {
+                losing.decrementAndGet();
+                return;
+            }
             underWay.add(new Parcel(to, frame));
             carrier.execute(BytePipe.this::carryAll);
         }
@@ -130,6 +173,7 @@ final class BytePipe implements BusContract.Pipe {
         @Override
         public void close() {
             nodes.remove(mine, this);
+            cut.remove(mine, this);
         }
     }
 }

@@ -3,6 +3,7 @@ package io.troupe.bus.internal;
 import java.nio.ByteBuffer;
 import java.nio.charset.CharacterCodingException;
 import java.nio.charset.StandardCharsets;
+import java.util.Arrays;
 
 /**
  * Reads the items of CBOR (RFC 8949), also those that {@link CborWriter} does not write: indefinite lengths, half
@@ -243,13 +244,21 @@ public final class CborReader {
                 if (info == INDEFINITE) {
                     skipUntilBreak();
                 } else {
-                    at += length(info, 1);
+                    int length = length(info, 1); // advances, so that "at += length(..)" would be wrong
+                    at += length;
                 }
             }
             case CborWriter.ARRAY -> skipParts(info == INDEFINITE ? -1 : length(info, 1));
             case CborWriter.MAP -> skipParts(info == INDEFINITE ? -1 : 2 * length(info, 2));
             default -> skipSimple(info);
         }
+    }
+
+    /** The bytes of the next item with everything inside it. */
+    byte[] readItem() {
+        int from = at;
+        skip();
+        return Arrays.copyOfRange(bytes, from, at);
     }
 
     private void skipSimple(int info) {

@@ -34,15 +34,16 @@ public final class Portable {
             Double.class,
             String.class,
             Duration.class,
-            Instant.class);
+            Instant.class,
+            CborItem.class);
     private static final String EXPECTED = "expected primitives and their boxes, String, enums, Duration, Instant,"
             + " records or sealed interfaces of such, or List, Optional or Map<String, ..> of such";
 
-    private final String use;
-    private final Class<?> root;
+    private final String use; // the begin of a message
+    private final String root;
     private final Set<Class<?>> seen = new HashSet<>(); // a record may contain its own type, as a tree does
 
-    private Portable(String use, Class<?> root) {
+    private Portable(String use, String root) {
         this.use = use;
         this.root = root;
     }
@@ -52,11 +53,23 @@ public final class Portable {
      *     and the reason
      */
     public static void check(String use, Class<? extends Record> type) {
-        var check = new Portable(use, type);
+        var check = new Portable(
+                use + ": values of " + type.getName() + " cannot leave a process because of ", type.getSimpleName());
         if (!type.isRecord()) {
             throw check.rejection("", type, "it is no record");
         }
         check.checkType("", type);
+    }
+
+    /**
+     * The same for a part of a message, which need not be a record.
+     *
+     * @throws IllegalArgumentException if values of that type cannot leave the process; the message begins with the
+     *     use, and names the component and the reason
+     */
+    public static void checkValue(String use, Type type) {
+        String root = type instanceof Class<?> plain ? plain.getSimpleName() : type.getTypeName();
+        new Portable(use + ": ", root).checkType("", type);
     }
 
     private void checkType(String path, Type type) {
@@ -112,8 +125,6 @@ public final class Portable {
     }
 
     private IllegalArgumentException rejection(String path, Type type, String why) {
-        return new IllegalArgumentException(
-                use + ": values of " + root.getName() + " cannot leave a process because of " + root.getSimpleName()
-                        + path + " of type " + type.getTypeName() + ": " + why);
+        return new IllegalArgumentException(use + root + path + " of type " + type.getTypeName() + ": " + why);
     }
 }

@@ -109,6 +109,15 @@ public final class RecordCodec {
         }
     }
 
+    /**
+     * Makes the plan of a type before its first value.
+     *
+     * @throws IllegalArgumentException if its values cannot be encoded
+     */
+    public void prepare(Type type) {
+        plan(type);
+    }
+
     private static String simpleName(Type type) {
         return type instanceof Class<?> plain ? plain.getSimpleName() : type.getTypeName();
     }
@@ -268,7 +277,26 @@ public final class RecordCodec {
                 new SimplePlan(
                         (v, out) -> writeTime(((Instant) v).getEpochSecond(), ((Instant) v).getNano(), out),
                         in -> instant(readSeconds(in), readNanos(in))));
+        plans.put(CborItem.class, new ItemPlan());
         return Map.copyOf(plans);
+    }
+
+    /** An item that has been encoded already, and is decoded later. */
+    private static final class ItemPlan implements Plan {
+        @Override
+        public void write(Object value, CborWriter out) {
+            ((CborItem) value).writeTo(out);
+        }
+
+        @Override
+        public Object read(CborReader in) {
+            return CborItem.readFrom(in);
+        }
+
+        @Override
+        public boolean mayBeNull() {
+            return true;
+        }
     }
 
     private static void both(

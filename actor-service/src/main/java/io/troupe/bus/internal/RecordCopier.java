@@ -28,6 +28,8 @@ public final class RecordCopier {
     /** Accessors and constructor of a record type that has to be copied. */
     private record Plan(List<Method> accessors, Constructor<?> constructor) {}
 
+    private static final int PART_LEVEL = 3; // in a message, in its list of arguments
+
     private final Map<Class<?>, Optional<Plan>> plans = new ConcurrentHashMap<>();
 
     /**
@@ -42,6 +44,15 @@ public final class RecordCopier {
         @SuppressWarnings("unchecked") // the constructor of the value's class made it
         T copy = (T) new Copying(value.getClass()).copyOfRecord(value, 1);
         return copy;
+    }
+
+    /**
+     * The same for a value that is a part of a message, of any type that {@link Portable#checkValue} permits.
+     *
+     * @throws IllegalArgumentException if it cannot leave the process; the message names its type and the reason
+     */
+    public Object copyOfPart(Object value) {
+        return new Copying(value.getClass()).copyOf(value, PART_LEVEL);
     }
 
     private @Nullable Plan planOf(Class<?> type) {

@@ -158,6 +158,39 @@ class RecordCodecTest {
 
     record NewerStill(double x, double turn, String why, int count) {}
 
+    record Opaque(CborItem item, int after) {}
+
+    record Text(String text) {}
+
+    @Test
+    void item_isWrittenAsWhatItHolds_andReadAsItsBytes_alsoWithLongTexts() {
+        var text = new CborWriter(10);
+        codec.write(Text.class, new Text("x".repeat(300)), text);
+        var item = CborItem.of(text);
+        var copy = codec.decode(codec.encode(new Opaque(item, 7)), Opaque.class);
+        assertThat(copy).isEqualTo(new Opaque(item, 7)).hasSameHashCodeAs(new Opaque(item, 7));
+        assertThat(codec.read(Text.class, copy.item().reader())).isEqualTo(new Text("x".repeat(300)));
+        var none = new CborWriter(1);
+        none.writeNull();
+        assertThat(codec.decode(codec.encode(new Opaque(CborItem.of(none), 8)), Opaque.class))
+                .isEqualTo(new Opaque(CborItem.of(none), 8));
+    }
+
+    @Test
+    void unknownEntry_withALongTextOrBytes_isSkipped() {
+        for (int length : new int[] {23, 24, 255, 256, 70_000}) {
+            var out = new CborWriter(10);
+            out.writeMap(3);
+            out.writeText("text");
+            out.writeText("x".repeat(length));
+            out.writeText("bytes");
+            out.writeBytes(new byte[length]);
+            out.writeText("radius");
+            out.writeDouble(2);
+            assertThat(codec.decode(out.toBytes(), Circle.class)).isEqualTo(new Circle(2));
+        }
+    }
+
     @Test
     void versions_unknownIsSkipped_missingOptionalIsEmpty_otherMissingIsRefusedByName() {
         byte[] newer = codec.encode(new NewerStill(1, 2, "test", 3));

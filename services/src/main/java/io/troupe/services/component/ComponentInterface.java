@@ -73,18 +73,20 @@ public final class ComponentInterface<I, O> implements Provider, AutoCloseable {
 
     private void answerControl() {
         bus.answer(Control.INVOKE, invoke -> lifecycle.invoke().thenApply(running -> done()));
-        bus.answer(Control.TERMINATE, terminate -> lifecycle.terminate().thenApply(ended -> done()));
-        bus.answer(Control.HEALTH, ask -> lifecycle.health().handle((well, wrong) -> report(wrong)));
+        bus.answer(
+                Control.TERMINATE,
+                terminate -> lifecycle.terminate(terminate.life()).thenApply(ended -> done()));
+        bus.answer(Control.HEALTH, ask -> lifecycle.health(ask.life()).handle((well, wrong) -> report(wrong)));
     }
 
     private Control.Done done() {
-        return new Control.Done(address().name(), lifecycle.componentState().name());
+        return new Control.Done(address().name(), lifecycle.componentState().name(), lifecycle.life());
     }
 
     private Control.HealthReport report(@Nullable Throwable wrong) {
         String problem = wrong == null ? "" : ComponentLifecycle.messageOf(wrong);
         return new Control.HealthReport(
-                address().name(), lifecycle.componentState().name(), problem);
+                address().name(), lifecycle.componentState().name(), problem, lifecycle.life());
     }
 
     /** The address of the component on the bus. */

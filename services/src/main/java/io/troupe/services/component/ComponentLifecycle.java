@@ -45,6 +45,7 @@ final class ComponentLifecycle<I, O> extends Lifecycle<ComponentLifecycle<I, O>.
     /** Settled at the end of the current run; null until it is requested. */
     private @Nullable Deferred<@Nullable Void> end;
 
+    private long life; // the number of runs
     private boolean closed;
 
     ComponentLifecycle(
@@ -89,10 +90,35 @@ final class ComponentLifecycle<I, O> extends Lifecycle<ComponentLifecycle<I, O>.
         return endRun();
     }
 
+    /**
+     * Terminates a life unless a later one has begun: a late message must not end the next life.
+     *
+     * @param number 0 = the current life, and a start that waits
+     */
+    Promise<@Nullable Void> terminate(long number) {
+        if (number == 0) {
+            return terminate();
+        }
+        return number < life ? Promise.done() : endRun();
+    }
+
+    /** The number of the current or last life, counted from 1. */
+    long life() {
+        return life;
+    }
+
     /** Terminates the current run; no other run starts after it. */
     Promise<@Nullable Void> close() {
         closed = true;
         return terminate();
+    }
+
+    /** @param number 0 = the current life */
+    Promise<@Nullable Void> health(long number) {
+        return number == 0 || number == life
+                ? health()
+                : Promise.failed(new ProviderException("life " + number + " of " + owner + " has ended, and life "
+                        + life + " " + componentState().description()));
     }
 
     Promise<@Nullable Void> health() {
@@ -135,6 +161,7 @@ final class ComponentLifecycle<I, O> extends Lifecycle<ComponentLifecycle<I, O>.
     protected Run newRun() {
         failure = null;
         latest = null;
+        life++;
         return new Run(communication.get());
     }
 

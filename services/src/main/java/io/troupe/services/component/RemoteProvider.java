@@ -15,7 +15,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Registered with a broker in place of the interface itself.
  *
- * <p><b>Order.</b> It is not notified when the component fails; a failure is found by the next {@link #check}.
+ * <p><b>Order.</b> It is not notified when the component fails; a failure is found by the next {@link #check}. Its
+ * messages name the life that it has started, so that a late one does not end, or vouch for, a later life.
  *
  * <p><b>Errors.</b> Those of {@link BusPort#ask}, except for two. When the limit is over, the promise is rejected with
  * {@link ProviderException#overdue}: the broker then stops a component that starts late, and first treats one that does
@@ -26,6 +27,7 @@ public final class RemoteProvider implements Provider {
     private final BusPort port;
     private final Address component;
     private final Duration limit;
+    private volatile long life; // of the component, as the last start has reported it; 0 = unknown
 
     /**
      * @param port port from which the control messages are sent
@@ -40,19 +42,20 @@ public final class RemoteProvider implements Provider {
 
     @Override
     public Promise<@Nullable Void> start() {
+        life = 0;
         return ask(Control.INVOKE, new Control.Invoke(port.address().toString()))
-                .thenAccept(done -> {});
+                .thenAccept(done -> life = done.life());
     }
 
     @Override
     public Promise<@Nullable Void> stop() {
-        return ask(Control.TERMINATE, new Control.Terminate(port.address().toString()))
+        return ask(Control.TERMINATE, new Control.Terminate(port.address().toString(), life))
                 .thenAccept(done -> {});
     }
 
     @Override
     public Promise<@Nullable Void> check() {
-        return ask(Control.HEALTH, new Control.AskHealth(port.address().toString()))
+        return ask(Control.HEALTH, new Control.AskHealth(port.address().toString(), life))
                 .thenAccept(report -> {
                     if (!report.isHealthy()) {
                         throw new ProviderException(report.problem());

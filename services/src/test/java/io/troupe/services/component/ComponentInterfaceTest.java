@@ -117,13 +117,13 @@ class ComponentInterfaceTest extends ComponentBench {
     void control_comesAsMessagesOverTheBus_alsoFromARemoteProvider_whichHearsWhatIsWrong() {
         var provider = opened();
         assertThat(test.get(ask(Control.HEALTH, new Control.AskHealth("user"))))
-                .isEqualTo(new Control.HealthReport("counter", "NOT_INVOKED", "here/counter has not been invoked"));
+                .isEqualTo(new Control.HealthReport("counter", "NOT_INVOKED", "here/counter has not been invoked", 0));
         assertThat(test.get(ask(Control.INVOKE, new Control.Invoke("user"))))
-                .isEqualTo(new Control.Done("counter", "RUNNING"));
+                .isEqualTo(new Control.Done("counter", "RUNNING", 1));
         var healthy = test.get(ask(Control.HEALTH, new Control.AskHealth("user")));
         assertThat(healthy.isHealthy()).isTrue();
         assertThat(test.get(ask(Control.TERMINATE, new Control.Terminate("user"))))
-                .isEqualTo(new Control.Done("counter", "TERMINATED"));
+                .isEqualTo(new Control.Done("counter", "TERMINATED", 1));
         assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
         var remote = new RemoteProvider(user, provider.address(), LIMIT);
         test.get(remote.start());
@@ -134,6 +134,24 @@ class ComponentInterfaceTest extends ComponentBench {
         assertError(remote.check(), "java.lang.IllegalStateException");
         test.get(remote.stop());
         assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);
+    }
+
+    @Test
+    void lateControl_ofAnEarlierLife_doesNotHitALaterOne() {
+        var provider = opened();
+        var remote = new RemoteProvider(user, provider.address(), LIMIT);
+        test.get(remote.start());
+        fail("power");
+        assertError(remote.check(), "here/counter has failed: power");
+        var again = new RemoteProvider(user, provider.address(), LIMIT);
+        test.get(again.start());
+        test.get(remote.stop());
+        assertThat(provider.state()).as("after the end of life 1").isEqualTo(ComponentState.RUNNING);
+        assertError(remote.check(), "life 1 of here/counter has ended, and life 2 runs");
+        test.get(again.check());
+        assertThat(test.get(ask(Control.TERMINATE, new Control.Terminate("user", 2))))
+                .isEqualTo(new Control.Done("counter", "TERMINATED", 2));
+        notes.take();
     }
 
     // ---- the buffer

@@ -1,0 +1,308 @@
+package io.troupe.broker;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.time.Schedule;
+import io.troupe.actor.time.Timer;
+import io.troupe.bus.Address;
+import io.troupe.bus.Bus;
+import io.troupe.bus.BusException;
+import io.troupe.bus.BusPort;
+import io.troupe.bus.BusTopic;
+import java.security.SecureRandom;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Map;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Exchanges offers with the brokers of other processes: publishes the providers of this process each second and at once
+ * after a change, and registers theirs with the broker of this one. On the broker's space.
+ *
+ * <p>A process whose offers are not renewed for 3 s is suspect; after 10 s its providers are withdrawn. A pause of this
+ * process, as by its garbage collector, does not count.
+ */
+final class OfferExchange extends Actor implements RemoteActors.Doubts {
+    private static final Duration PERIOD = Duration.ofSeconds(1);
+    private static final Duration SUSPECT_AFTER = Duration.ofSeconds(3);
+    private static final Duration WITHDRAWN_AFTER = Duration.ofSeconds(10);
+
+    private final Bus bus;
+    private final BusPort port;
+    private final BrokerActor broker;
+    private final LocalActors actors;
+    private final int rank;
+    private final OfferedProvider.Context context;
+    private final long incarnation = new SecureRandom().nextLong(1, 1L << 53); // exact in every language
+    private final Map<String, Peer> peers = new HashMap<>();
+    private List<OfferMessages.Offer> published = List.of();
+    private long count;
+    private long lastTickNanos;
+    private Duration connected = Duration.ZERO;
+    private boolean asked; // the broker, for changes
+    private boolean closed;
+    private boolean brokerEnded;
+    private @Nullable Timer ticking;
+
+    OfferExchange(OfferedProvider.Context context, BrokerActor broker, LocalActors actors, int rank) {
+        this.bus = context.bus();
+        this.port = context.port();
+        this.context = context;
+        this.broker = broker;
+        this.actors = actors;
+        this.rank = rank;
+    }
+
+    @Override
+    protected void started() {
+        port.answer(
+                OfferMessages.START,
+                start -> broker.startAt(at(start.name()))
+                        .thenApply(offering -> new OfferMessages.Started(offering.life())));
+        port.answer(
+                OfferMessages.CHECK,
+                check -> broker.healthOf(at(check.name()), check.life())
+                        .thenApply(health -> new OfferMessages.Checked(health == Health.SUSPECT)));
+        port.subscribe(OfferMessages.OFFERS, this::receive);
+        port.subscribe(OfferMessages.ASK, (ask, from) -> {
+            if (!isOwn(from)) {
+                publish(true);
+            }
+        });
+        broker.share(bus.node(), rank, () -> publish(false));
+        lastTickNanos = nowNanos();
+        connected = bus.connectedFor();
+        send(OfferMessages.ASK, new OfferMessages.AskOffers());
+        publish(true);
+        ticking = every(PERIOD, Schedule.FIXED_DELAY, this::tick);
+    }
+
+    private Address at(String name) {
+        return new Address(bus.node(), name);
+    }
+
+    private boolean isOwn(Address from) {
+        return from.node().equals(bus.node());
+    }
+
+    private long nowNanos() {
+        return space().clock().nanos();
+    }
+
+    // ---- the offers of this process
+
+    /** @param always false to publish only what has changed */
+    private void publish(boolean always) {
+        if (!closed && (always || !asked)) {
+            asked = !always || asked;
+            broker.offerings().handle((offerings, error) -> {
+                asked = asked && always;
+                if (offerings != null) {
+                    publish(offerings, always);
+                }
+                return null;
+            });
+        }
+    }
+
+    private void publish(BrokerActor.Offerings offerings, boolean always) {
+        if (closed) {
+            return;
+        }
+        List<OfferMessages.Offer> now =
+                offerings.all().stream().map(this::offer).toList();
+        if (always || !now.equals(published)) {
+            published = now;
+            send(OfferMessages.OFFERS, new OfferMessages.Offers(incarnation, ++count, now));
+        }
+        if (offerings.closing() && !closed) {
+            stopUsing("the broker of this process was closed");
+        }
+    }
+
+    private <T extends Record> void send(BusTopic<T> topic, T value) {
+        try {
+            port.publish(topic, value);
+        } catch (BusException busClosed) {
+            end("the bus of this process was closed");
+        }
+    }
+
+    private void end(String why) {
+        stopUsing(why);
+        port.close();
+    }
+
+    private void stopUsing(String why) {
+        closed = true;
+        if (ticking != null) {
+            ticking.cancel();
+        }
+        peers.values().forEach(peer -> peer.end(why));
+        peers.clear();
+    }
+
+    private OfferMessages.Offer offer(BrokerActor.Offering offering) {
+        ServiceRecord record = offering.record();
+        return new OfferMessages.Offer(
+                record.provider().name(),
+                record.service(),
+                record.capabilities(),
+                record.health(),
+                rank,
+                offering.life(),
+                actors.methods(record.provider()));
+    }
+
+    // ---- the offers of others
+
+    /** Another process with a broker. */
+    private final class Peer {
+        final String node;
+        final long incarnation;
+        final long before; // the incarnation before this one; 0 = unknown
+        final Map<String, OfferedProvider> offered = new HashMap<>();
+        private final Set<RemoteActor> retired = new HashSet<>(); // they may answer earlier calls
+        long count;
+        long seenNanos;
+
+        Peer(String node, long incarnation, long before) {
+            this.node = node;
+            this.incarnation = incarnation;
+            this.before = before;
+        }
+
+        void update(List<OfferMessages.Offer> offers) {
+            Set<String> names = new HashSet<>();
+            for (OfferMessages.Offer offer : offers) {
+                if (names.add(offer.name())) {
+                    update(offer);
+                }
+            }
+            List.copyOf(offered.keySet()).stream()
+                    .filter(name -> !names.contains(name))
+                    .forEach(this::withdraw);
+        }
+
+        private void update(OfferMessages.Offer offer) {
+            OfferedProvider known = offered.get(offer.name());
+            if (known != null && known.isSame(offer)) {
+                if (known.update(offer)) {
+                    broker.revive(known.address());
+                }
+                return;
+            }
+            if (known != null) {
+                withdraw(offer.name());
+            }
+            var provider = new OfferedProvider(context, new Address(node, offer.name()), offer);
+            offered.put(offer.name(), provider);
+            broker.register(offer.service(), List.copyOf(offer.capabilities()), provider.address(), provider)
+                    .exceptionally(taken -> null); // a registration by this process itself counts more
+        }
+
+        private void withdraw(String name) {
+            OfferedProvider provider = offered.remove(name);
+            if (provider != null) {
+                RemoteActor used = provider.withdraw();
+                if (used != null) {
+                    retired.add(used);
+                }
+                if (!brokerEnded) {
+                    broker.withdrawOffered(provider);
+                }
+            }
+        }
+
+        /** The process is gone: withdraws all that it has offered. */
+        void end(String why) {
+            List.copyOf(offered.values()).forEach(provider -> {
+                provider.endUse(provider.address() + " has ended: " + why);
+                withdraw(provider.address().name());
+            });
+            retired.forEach(RemoteActor::end);
+            retired.clear();
+        }
+
+        void setSilent(boolean is) {
+            offered.values().forEach(provider -> provider.setSilent(is));
+        }
+    }
+
+    private void receive(OfferMessages.Offers offers, Address from) {
+        if (isOwn(from)) {
+            if (closed) {
+                port.close(); // these are the last ones
+            }
+            return;
+        }
+        if (closed) {
+            return;
+        }
+        String node = from.node();
+        Peer peer = peers.get(node);
+        if (peer != null && offers.incarnation() == peer.before) {
+            return; // late, from an earlier life
+        }
+        if (peer == null || peer.incarnation != offers.incarnation()) {
+            long before = 0;
+            if (peer != null) {
+                before = peer.incarnation;
+                peer.end("the process " + node + " was started again");
+            }
+            peer = new Peer(node, offers.incarnation(), before);
+            peers.put(node, peer);
+        }
+        if (offers.count() <= peer.count) {
+            return;
+        }
+        peer.count = offers.count();
+        peer.seenNanos = nowNanos();
+        peer.update(offers.offers());
+    }
+
+    private void tick() {
+        long nowNanos = nowNanos();
+        long pausedNanos = nowNanos - lastTickNanos - PERIOD.toNanos();
+        lastTickNanos = nowNanos;
+        Duration before = connected;
+        connected = bus.connectedFor();
+        if (connected.compareTo(before) < 0 && !connected.isZero() && !closed) {
+            send(OfferMessages.ASK, new OfferMessages.AskOffers()); // connected again
+        }
+        publish(true);
+        boolean paused = pausedNanos > PERIOD.toNanos();
+        for (Peer peer : new ArrayList<>(peers.values())) {
+            if (paused) {
+                peer.seenNanos += pausedNanos; // what came in the meantime has not been received yet
+                continue;
+            }
+            long silentNanos = nowNanos - peer.seenNanos;
+            if (silentNanos > WITHDRAWN_AFTER.toNanos()) {
+                peers.remove(peer.node);
+                peer.end("the process " + peer.node + " has been silent for " + WITHDRAWN_AFTER.toSeconds() + " s");
+            } else {
+                peer.setSilent(silentNanos > SUSPECT_AFTER.toNanos());
+            }
+        }
+    }
+
+    @Override
+    public void doubt(RemoteActor actor) {
+        Peer peer = peers.get(actor.address().node());
+        if (peer != null) {
+            peer.offered.values().stream()
+                    .filter(provider -> provider.uses(actor))
+                    .forEach(OfferedProvider::doubt);
+        }
+    }
+
+    @Override
+    protected void stopped() {
+        brokerEnded = true;
+        end("the broker of this process has ended");
+    }
+}

@@ -1,0 +1,223 @@
+package io.troupe.broker;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.bus.Address;
+import io.troupe.bus.Bus;
+import io.troupe.bus.BusException;
+import io.troupe.bus.BusPort;
+import io.troupe.bus.BusTimeoutException;
+import io.troupe.bus.Operation;
+import io.troupe.bus.RemoteFailure;
+import java.time.Duration;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A provider that another process offers, as the broker of this process runs it. On the broker's space.
+ *
+ * <p><b>Role.</b> The broker of the process that offers it starts it, once, however many processes ask; others use it.
+ * So a stop here ends only the use.
+ *
+ * <p><b>Errors.</b> Its requests have three quarters of the broker's limits, so that they end first. A request that was
+ * rejected soon after a reconnection is overdue rather than failed: the other process may not be connected again yet.
+ */
+final class OfferedProvider implements Provider {
+    private static final Duration RECONNECTING = Duration.ofSeconds(2);
+
+    /** What the offers of one broker share. */
+    record Context(Bus bus, BusPort port, BrokerSettings settings, RemoteActors actors) {}
+
+    private final Context context;
+    private final Address address;
+    private OfferMessages.Offer offer;
+    private boolean silent;
+    private boolean withdrawn;
+    private boolean doubted;
+    private @Nullable Use use;
+
+    /** The use of one life of the provider. */
+    private record Use(long life, RemoteActor actor, Deferred<@Nullable Void> ended) {
+        boolean isEndedBy(OfferMessages.Offer now) {
+            return now.life() > life || now.life() == life && !now.isRunning() && now.health() != Health.STARTING;
+        }
+    }
+
+    OfferedProvider(Context context, Address address, OfferMessages.Offer offer) {
+        this.context = context;
+        this.address = address;
+        this.offer = offer;
+    }
+
+    Address address() {
+        return address;
+    }
+
+    // ---- what its process says
+
+    /** Returns whether only its state differs, so that it is the same provider. */
+    boolean isSame(OfferMessages.Offer other) {
+        return other.service().equals(offer.service())
+                && other.capabilities().equals(offer.capabilities())
+                && other.rank() == offer.rank()
+                && other.methods().equals(offer.methods());
+    }
+
+    /** Returns whether it runs, and did not run when its process was last known to be well. */
+    boolean update(OfferMessages.Offer now) {
+        boolean revived = now.isRunning() && (silent || !offer.isRunning() || now.life() != offer.life());
+        offer = now;
+        silent = false;
+        Use used = use;
+        if (used != null && used.isEndedBy(now)) {
+            end(used, new ProviderException(address + " has ended", null));
+        }
+        return revived;
+    }
+
+    private void end(Use used, ProviderException why) {
+        use = null;
+        context.actors.leave(used.actor);
+        used.actor.end();
+        used.ended.reject(why);
+    }
+
+    /** Its process has been silent for a while, or is not any more. */
+    void setSilent(boolean is) {
+        silent = is;
+    }
+
+    /**
+     * Its process does not offer it any more.
+     *
+     * @return the actor that gets no further calls from now on, but may answer earlier ones; null if it was not in use
+     */
+    @Nullable
+    RemoteActor withdraw() {
+        withdrawn = true;
+        return use == null ? null : use.actor;
+    }
+
+    /** Its process is gone. */
+    void endUse(String why) {
+        Use used = use;
+        if (used != null) {
+            end(used, new ProviderException(why, null));
+        }
+    }
+
+    boolean uses(RemoteActor actor) {
+        return use != null && use.actor == actor;
+    }
+
+    int rank() {
+        return offer.rank();
+    }
+
+    boolean isOfferedRunning() {
+        return !silent && offer.isRunning();
+    }
+
+    boolean isSilent() {
+        return silent;
+    }
+
+    /** Its health, from what the broker of this process knows and from what its own process says. */
+    Health health(Health here) {
+        return switch (here) {
+            case NOT_STARTED, STOPPED -> silent ? Health.SUSPECT : offer.health();
+            case WELL -> silent || offer.health() == Health.SUSPECT ? Health.SUSPECT : Health.WELL;
+            case STARTING, SUSPECT, FAILED -> here;
+        };
+    }
+
+    // ---- as a provider
+
+    @Override
+    public Promise<@Nullable Void> start() {
+        Duration limit = context.settings.startLimit().multipliedBy(3).dividedBy(4);
+        return ask(OfferMessages.START, new OfferMessages.Start(address.name()), limit)
+                .thenAccept(started -> hasStarted(started.life()));
+    }
+
+    private void hasStarted(long life) {
+        if (use != null) {
+            endUse(address + " was started again");
+        }
+        var begun = new Use(life, context.actors.begin(address, offer.methods()), new Deferred<>(null));
+        use = begun;
+        if (begun.isEndedBy(offer)) { // the offers have overtaken the reply
+            end(begun, new ProviderException(address + " has ended", null));
+        }
+    }
+
+    @Override
+    public Promise<@Nullable Void> stop() {
+        Use used = use;
+        use = null;
+        if (used != null) {
+            context.actors.leave(used.actor);
+            if (withdrawn) {
+                used.actor.retire();
+            } else {
+                used.actor.end();
+            }
+        }
+        return Promise.done();
+    }
+
+    @Override
+    public Promise<@Nullable Void> check() {
+        Use used = use;
+        if (used == null) {
+            return Promise.failed(new ProviderException(address + " has ended", null));
+        }
+        Duration limit = context.settings.checkLimit().multipliedBy(3).dividedBy(4);
+        return ask(OfferMessages.CHECK, new OfferMessages.Check(address.name(), used.life), limit)
+                .thenAccept(checked -> {
+                    if (checked.suspect()) {
+                        throw ProviderException.overdue(address + " has not answered its own broker in time", null);
+                    }
+                });
+    }
+
+    @Override
+    public Promise<@Nullable Void> whenEnded() {
+        return use == null ? Promise.failed(new ProviderException(address + " has ended", null)) : use.ended;
+    }
+
+    /** A call could not be delivered: checks it now, rather than with the next check. */
+    void doubt() {
+        Use used = use;
+        if (used == null || doubted) {
+            return;
+        }
+        doubted = true;
+        check().handle((well, error) -> {
+            doubted = false;
+            if (use == used && error instanceof ProviderException failed && !failed.isOverdue()) {
+                end(used, failed);
+            }
+            return null;
+        });
+    }
+
+    private <Q extends Record, A extends Record> Promise<A> ask(Operation<Q, A> operation, Q request, Duration limit) {
+        return context.port
+                .ask(new Address(address.node(), OfferMessages.PORT), operation, request, limit)
+                .exceptionallyCompose(error -> Promise.failed(asProviderError(error)));
+    }
+
+    private Throwable asProviderError(Throwable error) {
+        return switch (error) {
+            case RemoteFailure failure -> new ProviderException(failure.problem(), failure);
+            case BusTimeoutException timeout ->
+                ProviderException.overdue(String.valueOf(timeout.getMessage()), timeout);
+            case BusException undelivered
+            when context.bus.connectedFor().compareTo(RECONNECTING) < 0 ->
+                ProviderException.overdue(String.valueOf(undelivered.getMessage()), undelivered);
+            case BusException undelivered ->
+                new ProviderException(String.valueOf(undelivered.getMessage()), undelivered);
+            default -> error;
+        };
+    }
+}

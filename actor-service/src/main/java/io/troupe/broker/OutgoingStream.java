@@ -1,0 +1,133 @@
+package io.troupe.broker;
+
+import io.troupe.actor.Callback;
+import io.troupe.bus.Address;
+import io.troupe.bus.BusPort;
+import io.troupe.bus.internal.CborItem;
+import java.lang.reflect.Type;
+import java.time.Duration;
+import java.util.ArrayDeque;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * A callback whose reader is in another process, as an actor calls it: sends each result to the caller's port.
+ *
+ * <p><b>Threads.</b> Any thread. <b>Order.</b> Parts leave in the order of their numbers, under the lock.
+ *
+ * <p><b>Errors.</b> At most {@link #MOST_UNANSWERED} items are without an answer of the reader, and at most
+ * {@link #MOST_BUFFERED} more are kept here; one more ends the stream with an error on both sides. So does an item that
+ * cannot be encoded. A reader that has cancelled, is gone or does not answer ends it here, so that the actor sees
+ * {@link #isCancelled}.
+ */
+final class OutgoingStream implements Callback<@Nullable Object> {
+    static final int MOST_UNANSWERED = 256;
+    static final int MOST_BUFFERED = 1_024;
+    private static final Duration LIMIT = Duration.ofSeconds(10); // of the answer to an item
+
+    private final BusPort port;
+    private final Address reader;
+    private final long stream;
+    private final Type type;
+    private final CallableMethods.Values values;
+    private final ArrayDeque<CborItem> buffered = new ArrayDeque<>(); // guarded by this, as all fields below
+    private long last;
+    private int unanswered;
+    private CallMessages.@Nullable Part end; // behind the buffered items
+    private volatile boolean over; // written under this
+
+    OutgoingStream(BusPort port, Address reader, long stream, Type type, CallableMethods.Values values) {
+        this.port = port;
+        this.reader = reader;
+        this.stream = stream;
+        this.type = type;
+        this.values = values;
+    }
+
+    @Override
+    public void accept(@Nullable Object result, @Nullable Throwable error) {
+        if (error != null) {
+            end(failed(error));
+            return;
+        }
+        CborItem item;
+        try {
+            item = values.encode(type, result);
+        } catch (RuntimeException unfit) {
+            end(failed(unfit));
+            throw unfit;
+        }
+        add(item);
+    }
+
+    private static CallMessages.Failed failed(Throwable error) {
+        return new CallMessages.Failed(error.getClass().getName(), String.valueOf(error.getMessage()));
+    }
+
+    private synchronized void add(CborItem item) {
+        if (over || end != null) {
+            return;
+        }
+        if (buffered.size() >= MOST_BUFFERED) {
+            buffered.clear();
+            finish(failed(new IllegalStateException("the reader is too slow: " + MOST_UNANSWERED
+                    + " items have no answer, and " + MOST_BUFFERED + " more waited and are lost")));
+            return;
+        }
+        buffered.add(item);
+        sendBuffered();
+    }
+
+    @Override
+    public void finish() {
+        end(new CallMessages.End());
+    }
+
+    private synchronized void end(CallMessages.Part with) {
+        if (!over && end == null) {
+            end = with;
+            sendBuffered();
+        }
+    }
+
+    @Override
+    public boolean isCancelled() {
+        return over;
+    }
+
+    private synchronized void sendBuffered() {
+        while (!over && unanswered < MOST_UNANSWERED && !buffered.isEmpty()) {
+            send(new CallMessages.Item(buffered.remove()));
+        }
+        if (!over && end != null && buffered.isEmpty()) {
+            finish(end);
+        }
+    }
+
+    private synchronized void finish(CallMessages.Part with) {
+        over = true;
+        send(with);
+    }
+
+    private void send(CallMessages.Part part) {
+        unanswered++;
+        port.ask(reader, CallMessages.STREAM, new CallMessages.StreamPart(stream, ++last, part), LIMIT)
+                .toCompletableFuture() // at once, on any thread
+                .whenComplete((received, error) -> answered(received, error));
+    }
+
+    private synchronized void answered(CallMessages.@Nullable Received received, @Nullable Throwable error) {
+        unanswered--;
+        if (over) {
+            return;
+        }
+        if (received != null && received.wantsMore()) {
+            sendBuffered();
+        } else {
+            over = true;
+            buffered.clear();
+            if (error != null) { // the reader may still be there
+                send(failed(error));
+            }
+        }
+    }
+}

@@ -1,0 +1,646 @@
+package io.troupe.broker;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.Actor;
+import io.troupe.actor.Callback;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.Address;
+import io.troupe.bus.RemoteFailure;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Map;
+import java.util.Optional;
+import java.util.concurrent.CancellationException;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.Test;
+
+/** Actors that are called by another process: the same interface, and what differs when a process is in between. */
+class ActorServicesOverHostsTest extends HostsBench {
+    private static final Duration LONG = Duration.ofSeconds(100);
+
+    private final Host far = host("far");
+    private final Host near = host("near");
+
+    // ---- calls
+
+    @Test
+    void actor_isStartedAtTheFirstNeed_andCalledByItsInterface() {
+        far.publish("grey");
+        assertThat(diary).isEmpty();
+        var parrot = near.connected();
+        parrot.hear("one way");
+        assertThat(get(parrot.say("hello"))).isEqualTo("grey: hello");
+        assertThat(get(parrot.sayTwice("hi"))).isEqualTo("grey: hi, grey: hi");
+        assertThat(diary).startsWith("grey is made", "grey hears one way", "grey says hello");
+        assertThat(get(parrot.say(null))).isEqualTo("grey: null");
+        assertThat(pipe.bytesCarried()).isPositive();
+    }
+
+    @Test
+    void exception_arrivesByClassNameAndMessage() {
+        far.publish("grey");
+        assertThat(test.error(near.connected().fail("not today")))
+                .isInstanceOfSatisfying(RemoteFailure.class, failure -> {
+                    assertThat(failure.type()).isEqualTo(UnsupportedOperationException.class.getName());
+                    assertThat(failure.problem()).isEqualTo("not today");
+                })
+                .hasMessage("far/parrot failed to answer Parrot.fail(String):"
+                        + " java.lang.UnsupportedOperationException: not today");
+        assertThat(test.takeProblems()).isEmpty();
+    }
+
+    @Test
+    void calls_ofOneCaller_areHandledInTheirOrder() {
+        far.publish("grey");
+        var parrot = near.connected();
+        List<Promise<String>> answers = new ArrayList<>();
+        for (int i = 0; i < 50; i++) {
+            parrot.hear("n" + i);
+            answers.add(parrot.say("" + i));
+        }
+        get(Promise.all(answers));
+        var expected = new ArrayList<String>();
+        for (int i = 0; i < 50; i++) {
+            expected.addAll(List.of("grey hears n" + i, "grey says " + i));
+        }
+        assertThat(diary.subList(1, diary.size())).isEqualTo(expected);
+    }
+
+    sealed interface Shape {}
+
+    record Circle(double radiusM) implements Shape {}
+
+    record Path(List<Shape> parts) implements Shape {}
+
+    enum Colour {
+        RED
+    }
+
+    /** Values of all kinds. */
+    interface Painter {
+        Promise<Map<String, List<Shape>>> paint(Colour colour, List<Optional<Integer>> numbers, Shape shape, long n);
+
+        Promise<Optional<String>> name(boolean has);
+    }
+
+    private static final class PainterActor implements Painter {
+        @Override
+        public Promise<Map<String, List<Shape>>> paint(
+                Colour colour, List<Optional<Integer>> numbers, Shape shape, long n) {
+            return Promise.of(Map.of(colour + " " + numbers + " " + n, List.of(shape)));
+        }
+
+        @Override
+        public Promise<Optional<String>> name(boolean has) {
+            return Promise.of(has ? Optional.of("Ada") : Optional.empty());
+        }
+    }
+
+    @Test
+    void argumentsAndResults_areValuesOfAnyType() {
+        get(far.services.publish(test.space(), Painter.class, "painter", List.of(), PainterActor::new));
+        var painter = near.services
+                .connect(Painter.class, Need.ofService("user", "painter"))
+                .actor();
+        Shape shape = new Path(List.of(new Circle(2), new Path(List.of())));
+        var numbers = List.of(Optional.of(1), Optional.<Integer>empty());
+        assertThat(get(painter.paint(Colour.RED, numbers, shape, Long.MIN_VALUE)))
+                .isEqualTo(Map.of("RED [Optional[1], Optional.empty] " + Long.MIN_VALUE, List.of(shape)));
+        assertThat(get(painter.name(true))).contains("Ada");
+        assertThat(get(painter.name(false))).isEmpty();
+        var withNull = new ArrayList<Optional<Integer>>();
+        withNull.add(null);
+        assertCallError(
+                painter.paint(Colour.RED, withNull, shape, 1),
+                false,
+                "Painter.paint(Colour, List, Shape, long) of \"user\", which needs the service \"painter\", was refused:"
+                        + " java.lang.IllegalArgumentException: argument 2 cannot be sent: a value of"
+                        + " java.util.ArrayList cannot leave the process: a list in it has null at 0, expected values,"
+                        + " and no null in lists and maps, in at most 500 levels of records, lists and maps");
+    }
+
+    @Test
+    void wrongInterface_isReportedInPlainWords() {
+        far.publish("grey");
+        var connection = near.services.connect(Painter.class, PARROT);
+        assertThat(test.error(connection.first()))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessage("\"robot 1\" calls the service \"parrot\" as " + Painter.class.getName()
+                        + ", and its provider far/parrot has no name(boolean), paint(Colour, List, Shape, long); it has"
+                        + " count(int, Callback), fail(String), hear(String), say(String), sayLater(String)");
+    }
+
+    @Test
+    void localActor_isCalledByReference() {
+        near.publish("mine");
+        long before = pipe.bytesCarried();
+        var parrot = near.connected();
+        get(parrot.say("hello"));
+        var cause = test.error(parrot.fail("no"));
+        assertThat(cause).isInstanceOf(UnsupportedOperationException.class);
+        assertThat(pipe.bytesCarried() - before).as("offers only").isLessThan(3_000);
+        assertThat(diary).contains("mine says hello");
+    }
+
+    // ---- what cannot be called
+
+    interface ReturnsInt {
+        int now();
+    }
+
+    interface TakesThread {
+        void run(String name, Thread thread);
+    }
+
+    interface NestedThread {
+        record Job(List<Thread> threads) {}
+
+        Promise<String> run(Job job);
+    }
+
+    interface RawPromise {
+        @SuppressWarnings("rawtypes")
+        Promise now();
+    }
+
+    interface ThreadStream {
+        void run(Callback<Thread> callback);
+    }
+
+    interface TwoOfOneName {
+        void run(Circle circle);
+
+        void run(Other.Circle circle);
+    }
+
+    interface Other {
+        record Circle() {}
+    }
+
+    interface Generic<T> {
+        Promise<T> get();
+    }
+
+    static class ClassActor extends Actor {
+        public void run() {}
+    }
+
+    private <A> void assertRefused(Class<A> type, String reason) {
+        assertThatThrownBy(() -> far.services.publish(test.space(), type, "x", List.of(), () -> {
+                    throw new AssertionError();
+                }))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageStartingWith(reason);
+    }
+
+    @Test
+    void methodThatCannotBeCalledFromOtherHosts_isRefusedByName_whenItIsPublished() {
+        assertRefused(
+                ReturnsInt.class,
+                "ReturnsInt.now() cannot be called from other hosts: it returns int, expected void (a one-way message)"
+                        + " or Promise (a request)");
+        assertRefused(
+                TakesThread.class,
+                "TakesThread.run(String, Thread) cannot be called from other hosts: parameter 2: Thread of type"
+                        + " java.lang.Thread: expected primitives");
+        assertRefused(
+                NestedThread.class,
+                "NestedThread.run(Job) cannot be called from other hosts: parameter 1: Job.threads[] of type"
+                        + " java.lang.Thread: expected primitives");
+        assertRefused(
+                RawPromise.class,
+                "RawPromise.now() cannot be called from other hosts: it has a io.troupe.actor.promise.Promise, expected"
+                        + " a Promise of a value");
+        assertRefused(
+                ThreadStream.class,
+                "ThreadStream.run(Callback) cannot be called from other hosts: parameter 1: Thread of type");
+        assertRefused(TwoOfOneName.class, "TwoOfOneName.run(Circle) cannot be called from other hosts: there is run(");
+        assertRefused(
+                Generic.class, "Generic.get() cannot be called from other hosts: result: T of type T: it is not known");
+        assertRefused(
+                ClassActor.class,
+                ClassActor.class.getName()
+                        + " cannot be called from other hosts: it is a class, expected an interface");
+        var thread = test.spawn(TakesThread.class, () -> (name, t) -> {});
+        assertThatThrownBy(() -> far.services.publishSpawned(test.space(), "x", List.of(), thread))
+                .hasMessageStartingWith("TakesThread.run(String, Thread) cannot be called from other hosts");
+    }
+
+    // ---- whether a call was sent
+
+    private String callOf(String method) {
+        return "Parrot." + method + "(String) of \"robot 1\", which needs the service \"parrot\", was not delivered: ";
+    }
+
+    @Test
+    void callToANodeThatIsGone_wasNotSent_andTheClientIsMovedAtOnce() {
+        far.publish("a");
+        host("third").publish("b");
+        var parrot = near.connected();
+        assertThat(get(parrot.say("1"))).isEqualTo("a: 1");
+        seconds(3);
+        far.die();
+        assertCallError(
+                parrot.say("2"),
+                false,
+                callOf("say") + "near/caller-1 asked far/parrot for call: there is no way from node near to node far");
+        assertThat(get(parrot.say("3"))).isEqualTo("b: 3");
+        losses.clear();
+    }
+
+    @Test
+    void callThatTheActorDidNotAnswerBeforeItsEnd_wasSent() {
+        far.publish("a");
+        var answer = near.connected().sayLater("hello");
+        test.crank();
+        far.kill("parrot");
+        assertThat(test.error(answer))
+                .isInstanceOfSatisfying(
+                        ServiceCallException.class,
+                        error -> assertThat(error.wasSent()).isTrue())
+                .hasMessageContaining("far/parrot");
+        losses.clear();
+    }
+
+    @Test
+    void callWithoutAnAnswerInTime_wasSent_andWithoutALimitItWaits() {
+        far.publish("a");
+        var unlimited = near.connect(ConnectionSettings.DEFAULT.withoutAnswerLimit())
+                .actor()
+                .sayLater("for long");
+        var limited = near.connected().sayLater("hello");
+        test.crank();
+        seconds(5);
+        assertCallError(limited, true, "far/parrot did not answer Parrot.sayLater(String) to \"robot 1\" within PT5S");
+        seconds(1_000);
+        far.parrots.get("a").later().removeFirst().resolve("at last");
+        assertThat(get(unlimited)).isEqualTo("at last");
+        far.parrots.get("a").later().removeFirst().resolve("too late");
+        test.crank();
+        assertThat(losses).singleElement().asString().contains("is late: nobody waits for it any more");
+        assertThat(near.events(BrokerEvent.Late.class)).isEmpty();
+    }
+
+    @Test
+    void callWhoseNodeFallsSilent_endsWithTheWithdrawal_alsoWithoutALimit() {
+        far.publish("a");
+        var unlimited = near.connect(ConnectionSettings.DEFAULT.withoutAnswerLimit())
+                .actor()
+                .sayLater("for long");
+        test.crank();
+        pipe.lose("far");
+        seconds(15);
+        assertThat(test.error(unlimited))
+                .isInstanceOfSatisfying(
+                        ServiceCallException.class,
+                        error -> assertThat(error.wasSent()).isTrue());
+        pipe.loseNoMore("far");
+        losses.clear();
+    }
+
+    @Test
+    void callThatIsTooLarge_wasNotSent_andAnAnswerThatIs_wasSent() {
+        far.publish("a");
+        var parrot = near.connected();
+        String big = "x".repeat(2_000_000);
+        assertThat(test.error(parrot.say(big)))
+                .isInstanceOfSatisfying(
+                        ServiceCallException.class,
+                        error -> assertThat(error.wasSent()).isFalse())
+                .hasMessageContaining("expected at most 1048576");
+        var later = parrot.sayLater("x");
+        test.crank();
+        far.parrots.get("a").later().remove().resolve(big);
+        assertThat(test.error(later))
+                .isInstanceOfSatisfying(
+                        ServiceCallException.class,
+                        error -> assertThat(error.wasSent()).isTrue())
+                .hasMessageContaining("the answer could not be sent");
+        assertThat(get(parrot.say("still there"))).isEqualTo("a: still there");
+        losses.clear();
+    }
+
+    @Test
+    void callsToASpaceThatHangs_areRejectedWhenItsQueueIsFull_andWereNotSent() {
+        try (var slow = new TestSpace()) {
+            get(far.services.publishSpawned(
+                    slow.space(), "parrot", List.of(), slow.spawn(Parrot.class, () -> far.parrot("slow"))));
+            var connection = near.connect(ConnectionSettings.DEFAULT);
+            slowly(slow, connection.whenReady());
+            var parrot = connection.actor();
+            List<Promise<String>> answers = new ArrayList<>();
+            for (int i = 0; i < 1_025; i++) {
+                answers.add(parrot.say("" + i));
+            }
+            assertThat(test.error(answers.getLast()))
+                    .isInstanceOfSatisfying(
+                            ServiceCallException.class,
+                            error -> assertThat(error.wasSent()).isFalse())
+                    .hasMessageContaining("is too busy: 1024 questions for call wait there");
+            slow.crank();
+            assertThat(slowly(slow, answers.getFirst())).isEqualTo("slow: 0");
+            losses.clear();
+            get(far.broker.shutDown());
+            slow.crank();
+        }
+    }
+
+    private <T extends @Nullable Object> T slowly(TestSpace slow, Promise<T> promise) {
+        for (int round = 0; round < 10; round++) {
+            test.crank();
+            slow.crank();
+        }
+        return get(promise);
+    }
+
+    // ---- cancellation
+
+    @Test
+    void cancelledCall_thatStillWaitsThere_isNotHandled() {
+        try (var slow = new TestSpace()) {
+            get(far.services.publishSpawned(
+                    slow.space(), "parrot", List.of(), slow.spawn(Parrot.class, () -> far.parrot("slow"))));
+            var connection = near.connect(
+                    ConnectionSettings.DEFAULT.withAnswerLimit(LONG).withWaitLimit(LONG));
+            slowly(slow, connection.whenReady());
+            var parrot = connection.actor();
+            var unwanted = parrot.say("unwanted");
+            var wanted = parrot.say("wanted");
+            test.crank();
+            unwanted.cancel();
+            assertThat(slowly(slow, wanted)).isEqualTo("slow: wanted");
+            assertThat(diary).containsExactly("slow is made", "slow says wanted");
+            assertThat(unwanted.error()).isInstanceOf(CancellationException.class);
+            connection.close();
+            get(far.broker.shutDown());
+            slow.crank();
+        }
+    }
+
+    // ---- streams
+
+    interface Counter {
+        void count(int to, Callback<Integer> callback);
+
+        void give(Callback<Integer> callback);
+
+        Promise<@Nullable Void> watch(Callback<List<Double>> callback);
+    }
+
+    private static final class CounterActor implements Counter {
+        private final List<Callback<Integer>> given;
+
+        CounterActor(List<Callback<Integer>> given) {
+            this.given = given;
+        }
+
+        @Override
+        public void count(int to, Callback<Integer> callback) {
+            for (int i = 1; i <= to; i++) {
+                callback.next(i);
+            }
+            callback.finish();
+        }
+
+        @Override
+        public void give(Callback<Integer> callback) {
+            given.add(callback);
+        }
+
+        @Override
+        public Promise<@Nullable Void> watch(Callback<List<Double>> callback) {
+            callback.next(List.of(1.5, 2.0));
+            return Promise.done();
+        }
+    }
+
+    private final List<Callback<Integer>> given = new ArrayList<>();
+
+    private Counter counter() {
+        get(far.services.publish(test.space(), Counter.class, "counter", List.of(), () -> new CounterActor(given)));
+        var connection = near.services.connect(Counter.class, Need.ofService("user", "counter"));
+        get(connection.whenReady());
+        return connection.actor();
+    }
+
+    private Callback<Integer> given(Counter counter, Callback<Integer> callback) {
+        counter.give(callback);
+        test.crank();
+        return given.getLast();
+    }
+
+    @Test
+    void stream_arrivesInOrder_andEnds() {
+        var counter = counter();
+        var probe = test.<Integer>callback();
+        counter.count(1_000, probe);
+        test.crank();
+        assertThat(probe.results()).hasSize(1_000).isSorted().startsWith(1).endsWith(1_000);
+        probe.expectFinished();
+        var lists = test.<List<Double>>callback();
+        assertThat(get(counter.watch(lists))).isNull();
+        assertThat(lists.results()).containsExactly(List.of(1.5, 2.0));
+        lists.expectOpen();
+    }
+
+    @Test
+    void stream_endsWithTheErrorOfTheActor() {
+        var probe = test.<Integer>callback();
+        var sender = given(counter(), probe);
+        sender.next(1);
+        sender.fail(new IllegalStateException("no more"));
+        assertThat(probe.results()).containsExactly(1);
+        assertThat(probe.expectFailed())
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessage("far/counter failed to answer Counter.give(Callback): java.lang.IllegalStateException: no"
+                        + " more");
+        assertThat(sender.isCancelled()).isTrue();
+    }
+
+    @Test
+    void streamThatItsReaderCancels_stopsTheSender() {
+        var got = new ArrayList<Integer>();
+        var stream = new Callback.Stream<Integer>(got::add, end -> {});
+        var sender = given(counter(), stream);
+        sender.next(1);
+        test.crank();
+        stream.cancel();
+        assertThat(sender.isCancelled()).isFalse();
+        sender.next(2);
+        test.crank();
+        assertThat(sender.isCancelled()).as("told with the next item").isTrue();
+        assertThat(got).containsExactly(1);
+    }
+
+    @Test
+    void streamWithALostItem_endsWithTheirNumber_onBothSides() {
+        var probe = test.<Integer>callback();
+        var sender = given(counter(), probe);
+        sender.next(1);
+        test.crank();
+        pipe.loseNext(2);
+        sender.next(2);
+        sender.next(3);
+        test.crank();
+        sender.next(4);
+        test.crank();
+        assertThat(probe.results()).containsExactly(1);
+        assertThat(probe.expectFailed())
+                .hasMessage("2 items of the stream of Counter.give(Callback) from far/counter were lost, before"
+                        + " number 4");
+        assertThat(sender.isCancelled()).isTrue();
+        seconds(11);
+        losses.clear();
+    }
+
+    @Test
+    void streamForASlowReader_isBuffered_andThenEndsWithTheCounts() {
+        try (var readers = new TestSpace()) {
+            var counter = counter();
+            var reading = near.services.connect(Counter.class, Need.ofService("user", "counter"));
+            get(reading.whenReady());
+            assertThat(counter).isNotNull();
+            var probe = readers.<Integer>callback();
+            // the connection lives on the space of its reader, which hangs
+            List<ActorConnection<Counter>> connection = new ArrayList<>();
+            readers.run(
+                    () -> connection.add(near.services.connect(Counter.class, Need.ofService("reader", "counter"))));
+            for (int round = 0; round < 5; round++) {
+                test.crank();
+                readers.crank();
+            }
+            readers.run(() -> connection.getFirst().actor().give(probe));
+            test.crank();
+            var sender = given.getLast();
+            for (int i = 1; i <= 256 + 1_024; i++) {
+                sender.next(i);
+            }
+            test.crank();
+            assertThat(sender.isCancelled()).isFalse();
+            for (int round = 0; round < 20; round++) {
+                readers.crank();
+                test.crank();
+            }
+            assertThat(probe.results()).hasSize(1_280).isSorted();
+            for (int i = 1; i <= 256 + 1_024 + 1; i++) {
+                sender.next(i);
+            }
+            test.crank();
+            assertThat(sender.isCancelled()).isTrue();
+            readers.crank();
+            assertThat(probe.results()).hasSize(1_280 + 256);
+            assertThat(probe.expectFailed())
+                    .hasMessageEndingWith(
+                            "the reader is too slow: 256 items have no answer, and 1024 more waited and" + " are lost");
+            connection.getFirst().close();
+            readers.crank();
+            test.crank();
+        }
+    }
+
+    @Test
+    void streamWhoseReaderIsGone_stopsTheSender() {
+        var third = host("third");
+        counter();
+        var connection = third.services.connect(Counter.class, Need.ofService("guest", "counter"));
+        get(connection.whenReady());
+        var sender = given(connection.actor(), (value, error) -> {});
+        sender.next(1);
+        test.crank();
+        assertThat(sender.isCancelled()).isFalse();
+        third.die();
+        sender.next(2);
+        test.crank();
+        assertThat(sender.isCancelled()).isTrue();
+        losses.clear();
+    }
+
+    @Test
+    void streamWhoseConnectionIsClosed_endsWithAnError_andStopsTheSender() {
+        counter();
+        var connection = near.services.connect(Counter.class, Need.ofService("guest", "counter"));
+        get(connection.whenReady());
+        var probe = test.<Integer>callback();
+        var sender = given(connection.actor(), probe);
+        connection.close();
+        assertThat(probe.expectFailed()).hasMessage("the connection of \"guest\" was closed");
+        sender.next(1);
+        test.crank();
+        assertThat(sender.isCancelled()).isTrue();
+        losses.clear();
+    }
+
+    @Test
+    void streamOfANodeThatDies_endsWithAnError() {
+        var probe = test.<Integer>callback();
+        given(counter(), probe).next(1);
+        seconds(3);
+        far.die();
+        seconds(1);
+        assertThat(probe.expectFailed()).hasMessage("far/counter ended before its stream");
+        losses.clear();
+    }
+
+    // ---- providers of this process
+
+    @Test
+    void actorThatWasSpawnedBefore_isLeftToItsOwner_andRejectsCallsWhileItIsWithdrawn() {
+        var mine = test.spawn(Parrot.class, () -> far.parrot("mine"));
+        get(far.services.publishSpawned(test.space(), "parrot", List.of(), mine));
+        var parrot = near.connected();
+        assertThat(get(parrot.say("1"))).isEqualTo("mine: 1");
+        get(far.broker.withdraw(new Address("far", "parrot")));
+        assertThat(get(mine.say("2"))).isEqualTo("mine: 2");
+        get(far.services.publishSpawned(test.space(), "parrot", List.of(), mine));
+        assertThat(get(parrot.say("3"))).isEqualTo("mine: 3");
+        test.space().stop(mine);
+        test.crank();
+        assertThat(far.health("far/parrot-2")).isEqualTo(Health.FAILED);
+    }
+
+    @Test
+    void replacedActor_answersWhatItWasAskedBefore() {
+        far.publish("a");
+        var parrot = near.connected();
+        get(parrot.say("0"));
+        var before = new ArrayList<Promise<String>>();
+        for (int i = 1; i <= 3; i++) {
+            before.add(parrot.say("old " + i));
+        }
+        var replaced = far.services.replace(
+                new Address("far", "parrot"), test.space(), Parrot.class, "parrot", List.of(), () -> far.parrot("b"));
+        assertThat(get(Promise.all(before))).containsExactly("a: old 1", "a: old 2", "a: old 3");
+        get(replaced);
+        assertThat(get(parrot.say("new"))).isEqualTo("b: new");
+    }
+
+    @Test
+    void actorWhosePortNameIsTaken_isNotStarted_andTheReasonIsNamed() {
+        far.bus.attach("parrot");
+        far.publish("a");
+        var connection = near.connect(ConnectionSettings.DEFAULT);
+        assertThat(test.error(connection.first()))
+                .hasMessageContaining("far/parrot was not started: the name far/parrot is taken");
+    }
+
+    @Test
+    void callUnderWay_ofAConnectionThatIsClosed_isRejected() {
+        far.publish("a");
+        var connection = near.connect(ConnectionSettings.DEFAULT);
+        var answer = connection.actor().sayLater("x");
+        test.crank();
+        connection.close();
+        assertCallError(
+                answer,
+                true,
+                "the connection of \"robot 1\" was closed while it waited for the answer of far/parrot to"
+                        + " Parrot.sayLater(String)");
+        far.parrots.get("a").later().forEach(each -> each.resolve("late"));
+        test.crank();
+        losses.clear();
+    }
+}
