@@ -69,7 +69,7 @@ public final class CborWriter {
             makeRoom(LONGEST_HEAD);
             bytes[size] = (byte) DOUBLE;
             LONG.set(bytes, size + 1, Double.doubleToRawLongBits(value));
-            size += LONGEST_HEAD;
+            size += 1 + Double.BYTES;
         }
     }
 

@@ -11,7 +11,9 @@ import org.junit.jupiter.params.provider.CsvSource;
 class LibrariesTest {
     @ParameterizedTest
     @CsvSource({
-        "io.nats..,                io.troupe.bus.nats",
+        "io.nats..,                io.troupe.bus.nats io.troupe.bench.bus",
+        "tools.jackson..,          io.troupe.bench.bus",
+        "com.fasterxml.jackson..,  io.troupe.bench.bus",
         "org.jbox2d..,             io.troupe.sim.physics io.troupe.bench.worlds",
         "org.dyn4j..,              io.troupe.bench.worlds",
         "org.objectweb.asm..,      io.troupe.actor",
