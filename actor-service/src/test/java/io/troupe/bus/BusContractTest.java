@@ -330,7 +330,7 @@ class BusContractTest extends BusContract {
         assertTakenLosses(1, Loss.Late.class);
     }
 
-    /** Returns what the error of a rejected request says. */
+    /** Returns the answer of the error of a rejected request. */
     private boolean mayHaveBeenHandled(Promise<?> request) {
         refusalOf(request);
         return ((BusException) test.error(request)).mayHaveBeenHandled();
