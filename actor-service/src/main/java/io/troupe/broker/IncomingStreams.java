@@ -79,7 +79,7 @@ final class IncomingStreams {
                 return false;
             }
             callback.next(value);
-            return !callback.isCancelled();
+            return true; // a reader that cancels now is noticed with the next item
         }
     }
 

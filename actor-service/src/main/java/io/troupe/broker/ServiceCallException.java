@@ -19,8 +19,8 @@ public final class ServiceCallException extends RuntimeException {
     }
 
     /**
-     * Returns whether the call was sent to a provider, which may have executed it. If false, no provider has received
-     * it, and it is safe to repeat it.
+     * Returns whether the call was sent to a provider, which may have executed it. If false, no provider has executed
+     * it or will, and it is safe to repeat it.
      */
     public boolean wasSent() {
         return sent;

@@ -575,6 +575,17 @@ class ActorServicesOverHostsTest extends HostsBench {
     }
 
     @Test
+    void streamOfACallThatIsNotDelivered_endsWithAnError() {
+        var counter = counter();
+        seconds(3);
+        far.die();
+        var probe = test.<Integer>callback();
+        counter.count(3, probe);
+        assertThat(probe.expectFailed()).hasMessageContaining("there is no way from node near to node far");
+        losses.clear();
+    }
+
+    @Test
     void streamOfANodeThatDies_endsWithAnError() {
         var probe = test.<Integer>callback();
         given(counter(), probe).next(1);
@@ -595,6 +606,12 @@ class ActorServicesOverHostsTest extends HostsBench {
         assertThat(get(parrot.say("1"))).isEqualTo("mine: 1");
         get(far.broker.withdraw(new Address("far", "parrot")));
         assertThat(get(mine.say("2"))).isEqualTo("mine: 2");
+        var port = near.bus.attach("test");
+        var call = new CallMessages.Call(
+                port.address(), "hear(String)", new CallableMethods.Values().encode(int.class, 1));
+        assertThat(test.error(port.ask(new Address("far", "parrot"), CallMessages.CALL, call, LONG)))
+                .hasMessageEndingWith("it was withdrawn");
+        losses.clear();
         get(far.services.publishSpawned(test.space(), "parrot", List.of(), mine));
         assertThat(get(parrot.say("3"))).isEqualTo("mine: 3");
         test.space().stop(mine);
@@ -616,6 +633,19 @@ class ActorServicesOverHostsTest extends HostsBench {
         assertThat(get(Promise.all(before))).containsExactly("a: old 1", "a: old 2", "a: old 3");
         get(replaced);
         assertThat(get(parrot.say("new"))).isEqualTo("b: new");
+    }
+
+    @Test
+    void callUnderWay_toAnActorThatIsWithdrawn_isStillAnswered() {
+        var mine = test.spawn(Parrot.class, () -> far.parrot("mine"));
+        get(far.services.publishSpawned(test.space(), "parrot", List.of(), mine));
+        var answer = near.connected().sayLater("hello");
+        test.crank();
+        get(far.broker.withdraw(new Address("far", "parrot")));
+        seconds(2);
+        assertThat(near.health("far/parrot")).isNull();
+        far.parrots.get("mine").later().remove().resolve("yes");
+        assertThat(get(answer)).isEqualTo("yes");
     }
 
     @Test

@@ -278,9 +278,10 @@ class OffersTest extends HostsBench {
             assertThat(offer.health()).isEqualTo(Health.WELL);
         });
         var forged = a.bus.attach("forger"); // as if it had been held up on its way
-        forged.publish(
-                OfferMessages.OFFERS, new OfferMessages.Offers(now.incarnation(), now.count() - 1, List.of(earlier)));
-        test.crank();
+        for (var offers : List.of(List.of(earlier), List.<OfferMessages.Offer>of())) {
+            forged.publish(OfferMessages.OFFERS, new OfferMessages.Offers(now.incarnation(), now.count() - 1, offers));
+            test.crank();
+        }
         forged.publish(
                 OfferMessages.OFFERS,
                 new OfferMessages.Offers(
@@ -298,6 +299,7 @@ class OffersTest extends HostsBench {
                                 .toList()));
         test.crank();
         assertThat(c.events(BrokerEvent.Failed.class)).isEmpty();
+        assertThat(c.events(BrokerEvent.Withdrawn.class)).isEmpty();
         assertThat(get(parrot.say("2"))).isEqualTo("a1: 2");
     }
 }

@@ -330,6 +330,71 @@ class BusContractTest extends BusContract {
         assertTakenLosses(1, Loss.Late.class);
     }
 
+    /** Returns the answer of the error of a rejected request. */
+    private boolean mayHaveBeenHandled(Promise<?> request) {
+        refusalOf(request);
+        return ((BusException) test.error(request)).mayHaveBeenHandled();
+    }
+
+    @Test
+    void rejectedRequest_saysWhetherItMayHaveBeenHandled() {
+        var kept = new Deferred<Text>(test.space());
+        var handler = speller(count -> kept);
+        var noHandler = far.attach("idle");
+        var nobody = new Address(handler.address().node(), "nobody");
+        var nowhere = new Address("nowhere", "speller");
+        assertThat(mayHaveBeenHandled(ask(asker, noHandler, 1))).isFalse();
+        assertThat(mayHaveBeenHandled(asker.ask(nobody, SPELL, new Count(1), SECOND)))
+                .isFalse();
+        assertThat(mayHaveBeenHandled(asker.ask(nowhere, SPELL, new Count(1), SECOND)))
+                .isFalse();
+        var begun = ask(asker, handler, 1);
+        test.crank();
+        List<Promise<Text>> waits = new ArrayList<>();
+        test.run(() -> {
+            for (int i = 0; i <= CAPACITY; i++) {
+                waits.add(ask(asker, handler, i));
+            }
+            pipe.carryAll();
+            handler.close();
+        });
+        assertThat(mayHaveBeenHandled(waits.removeLast()))
+                .as("the queue was full")
+                .isFalse();
+        assertThat(waits).noneMatch(this::mayHaveBeenHandled);
+        assertThat(mayHaveBeenHandled(begun)).isTrue();
+        kept.resolve(new Text("too late"));
+
+        var hanging = speller(count -> new Deferred<>());
+        var overdue = ask(asker, hanging, 1);
+        test.crank();
+        test.advance(SECOND);
+        assertThat(mayHaveBeenHandled(overdue)).isTrue();
+        var left = ask(asker, hanging, 2);
+        test.crank();
+        asker.close();
+        assertThat(mayHaveBeenHandled(left)).isTrue();
+        assertThat(mayHaveBeenHandled(asker.ask(hanging.address(), SPELL, new Count(1), SECOND)))
+                .as("never sent")
+                .isFalse();
+        losses.clear();
+    }
+
+    @Test
+    void connection_hasBeenThereSinceItsLastBreak() {
+        test.advance(SECOND.multipliedBy(5));
+        assertThat(near.connectedFor()).isEqualTo(SECOND.multipliedBy(5));
+        if (near != far) {
+            pipe.disconnect("near");
+            assertThat(near.connectedFor()).isZero();
+            test.advance(SECOND);
+            pipe.reconnect("near");
+            test.advance(SECOND);
+            assertThat(near.connectedFor()).isEqualTo(SECOND);
+            assertThat(far.connectedFor()).isEqualTo(SECOND.multipliedBy(7));
+        }
+    }
+
     @Test
     void requestsThatWait_areRejectedAtOnce_whenTheSpaceOfTheHandlerIsClosed() {
         var other = ActorSpace.create(SpaceSettings.named("other").withHandCrank());
