@@ -270,7 +270,7 @@ public final class Bus implements AutoCloseable {
     }
 
     /** Cancels a request to a handler on this node. */
-    void cancel(Purpose.Request request, Delivery.RequestId id) {
+    void cancel(Purpose.Request request, MessageDelivery.RequestId id) {
         OperationHandler<?, ?> handler = handler(request.to(), request.operation());
         if (handler != null) {
             handler.cancel(id);
@@ -328,12 +328,12 @@ public final class Bus implements AutoCloseable {
      * Returns whether the requester still waits for the reply. True for every requester on another node, because its
      * state is not known here.
      */
-    boolean isAwaited(Delivery request) {
+    boolean isAwaited(MessageDelivery request) {
         return isFromAnother(request) || pendingRequests.isAwaited(request.message());
     }
 
     /** Returns whether the message was sent by another node. */
-    boolean isFromAnother(Delivery delivery) {
+    boolean isFromAnother(MessageDelivery delivery) {
         return !delivery.message().from().node().equals(name);
     }
 
@@ -384,17 +384,17 @@ public final class Bus implements AutoCloseable {
         }
     }
 
-    private Delivery within(BusMessage message, boolean timed) {
-        return Delivery.within(message, incarnation, timed ? nanos() : 0);
+    private MessageDelivery within(BusMessage message, boolean timed) {
+        return MessageDelivery.within(message, incarnation, timed ? nanos() : 0);
     }
 
     /** A message from another node has arrived. */
-    void receive(Delivery delivery) {
+    void receive(MessageDelivery delivery) {
         notifier.passed(delivery.message());
         deliver(delivery);
     }
 
-    private void deliver(Delivery delivery) {
+    private void deliver(MessageDelivery delivery) {
         BusMessage message = delivery.message();
         switch (message.purpose()) {
             case Purpose.Publication publication -> deliverToAll(delivery, publication.topic());
@@ -405,7 +405,7 @@ public final class Bus implements AutoCloseable {
         }
     }
 
-    private void deliverToAll(Delivery delivery, String topic) {
+    private void deliverToAll(MessageDelivery delivery, String topic) {
         BusMessage message = delivery.message();
         for (TopicSubscription<?> subscription : directory.subscriptions(topic)) {
             if (subscription.topic.type().isInstance(message.payload())) {
@@ -419,7 +419,7 @@ public final class Bus implements AutoCloseable {
         }
     }
 
-    private void deliverTo(Address to, String operation, Delivery delivery) {
+    private void deliverTo(Address to, String operation, MessageDelivery delivery) {
         BusPort port = directory.port(to.name());
         if (port == null) {
             reject(to, delivery, "nobody is there; " + directory.hint(to.name()));
@@ -446,29 +446,29 @@ public final class Bus implements AutoCloseable {
     }
 
     /** Rejects a request, or reports a one-way message, that is not delivered to a handler. */
-    void reject(Address receiver, Delivery request, String why) {
+    void reject(Address receiver, MessageDelivery request, String why) {
         reject(receiver, request, why, new Failure.NotDelivered(why));
     }
 
     /** Rejects a request that was delivered, and to which no reply will come. */
-    void abandon(Address receiver, Delivery request, String why) {
+    void abandon(Address receiver, MessageDelivery request, String why) {
         reject(receiver, request, why, new Failure.Abandoned(why));
     }
 
-    private void reject(Address receiver, Delivery request, String why, Record failure) {
+    private void reject(Address receiver, MessageDelivery request, String why, Record failure) {
         notifier.undeliverable(request.message(), why);
         if (request.message().purpose() instanceof Purpose.Request) {
             route(rejection(receiver, request, failure), request.incarnation());
         }
     }
 
-    BusMessage rejection(Address receiver, Delivery delivery, Record failure) {
+    BusMessage rejection(Address receiver, MessageDelivery delivery, Record failure) {
         BusMessage request = delivery.message();
         var purpose = new Purpose.Rejection(request.from(), operationOf(request), request.sequence());
         return BusMessage.of(request.kind(), receiver, purpose, nextNumber(), failure);
     }
 
-    BusMessage reply(Address receiver, Delivery delivery, Record reply) {
+    BusMessage reply(Address receiver, MessageDelivery delivery, Record reply) {
         BusMessage request = delivery.message();
         var purpose = new Purpose.Reply(request.from(), operationOf(request), request.sequence());
         return BusMessage.of(request.kind(), receiver, purpose, nextNumber(), reply);

@@ -23,7 +23,7 @@ abstract class InboundQueue {
     private final int capacity;
     private final ActorSpace space;
     private final Topic<InboundQueue> wakeUps; // wakes the space; shows whether the actor still exists
-    private final ArrayDeque<Delivery> waiting = new ArrayDeque<>(); // guarded by this
+    private final ArrayDeque<MessageDelivery> waiting = new ArrayDeque<>(); // guarded by this
     private boolean signalled; // guarded by this: a drain is scheduled on the space
     private volatile @Nullable String ended; // the reason; written under this
     private volatile @Nullable Promise<@Nullable Void> watch;
@@ -46,7 +46,7 @@ abstract class InboundQueue {
     }
 
     /** Handles one message, on the space. */
-    abstract void handle(Delivery delivery);
+    abstract void handle(MessageDelivery delivery);
 
     /**
      * Overflow policy: true to drop the oldest message, false to reject the newest. {@link #overflow} handles that
@@ -54,18 +54,18 @@ abstract class InboundQueue {
      */
     abstract boolean dropsOldest();
 
-    abstract void overflow(Delivery delivery);
+    abstract void overflow(MessageDelivery delivery);
 
     /** Called once, with the messages still queued at the end. */
-    abstract void discard(List<Delivery> rest, String why);
+    abstract void discard(List<MessageDelivery> rest, String why);
 
     /**
      * Queues a message.
      *
      * @return null, or the reason why this queue has ended
      */
-    final @Nullable String offer(Delivery delivery) {
-        Delivery tooMany = null;
+    final @Nullable String offer(MessageDelivery delivery) {
+        MessageDelivery tooMany = null;
         boolean signal;
         synchronized (this) {
             if (ended != null) {
@@ -93,7 +93,7 @@ abstract class InboundQueue {
     }
 
     /** Removes a queued message; false if it is not queued. */
-    final boolean remove(Delivery.RequestId request) {
+    final boolean remove(MessageDelivery.RequestId request) {
         synchronized (this) {
             return waiting.removeIf(each -> each.id().equals(request));
         }
@@ -110,7 +110,7 @@ abstract class InboundQueue {
 
     private void drain() {
         for (int count = 0; count < BATCH; count++) {
-            Delivery next;
+            MessageDelivery next;
             synchronized (this) {
                 next = waiting.poll();
                 if (next == null) {
@@ -124,7 +124,7 @@ abstract class InboundQueue {
     }
 
     /** If it throws, the space reports the exception, and the remaining messages are still delivered. */
-    private void handleOne(Delivery next) {
+    private void handleOne(MessageDelivery next) {
         boolean returned = false;
         try {
             handle(next);
@@ -150,7 +150,7 @@ abstract class InboundQueue {
 
     /** Ends delivery; the messages still queued are passed to {@link #discard}. */
     final void end(String why) {
-        List<Delivery> rest;
+        List<MessageDelivery> rest;
         synchronized (this) {
             if (ended != null) {
                 return;

@@ -13,7 +13,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     final Operation<Q, A> operation;
     private final Function<? super Q, ? extends Promise<A>> handler;
     // guarded by itself: requests without a reply yet, at most capacity
-    private final Map<Delivery.RequestId, Delivery> begun = new LinkedHashMap<>();
+    private final Map<MessageDelivery.RequestId, MessageDelivery> begun = new LinkedHashMap<>();
 
     OperationHandler(BusPort port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
         super(port, port.address() + " answers " + operation.name(), port.node.settings.capacity());
@@ -22,7 +22,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     @Override
-    void handle(Delivery request) {
+    void handle(MessageDelivery request) {
         if (request.isOverdue(node.nanos())) {
             node.reject(
                     port.address(),
@@ -58,7 +58,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     /** Nobody waits for the result of a one-way message; its failure is reported on this node. */
-    private void handleNotice(Delivery notice) {
+    private void handleNotice(MessageDelivery notice) {
         Promise<A> result;
         try {
             result = handler.apply(operation.request().cast(notice.message().payload()));
@@ -79,7 +79,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
      * Records a request as begun. Returns false if the limit is reached. A request whose requester has cancelled is
      * handled, but not recorded.
      */
-    private boolean begin(Delivery request) {
+    private boolean begin(MessageDelivery request) {
         synchronized (begun) {
             if (begun.size() >= node.settings.capacity()) {
                 long nowNanos = node.nanos();
@@ -97,7 +97,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         return true;
     }
 
-    private void settle(Delivery request, @Nullable A value, @Nullable Throwable error) {
+    private void settle(MessageDelivery request, @Nullable A value, @Nullable Throwable error) {
         boolean first;
         synchronized (begun) {
             first = begun.remove(request.id()) != null;
@@ -114,13 +114,13 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     /** The requester has cancelled: a queued request is not handled, and the reply to a begun one not awaited. */
-    void cancel(Delivery.RequestId request) {
+    void cancel(MessageDelivery.RequestId request) {
         if (!remove(request)) {
             forget(request);
         }
     }
 
-    private void forget(Delivery.RequestId request) {
+    private void forget(MessageDelivery.RequestId request) {
         synchronized (begun) {
             begun.remove(request);
         }
@@ -135,7 +135,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         }
     }
 
-    private BusMessage replyTo(Delivery request, @Nullable A value, @Nullable Throwable error) {
+    private BusMessage replyTo(MessageDelivery request, @Nullable A value, @Nullable Throwable error) {
         if (error instanceof UnansweredException unanswered) {
             String why = String.valueOf(unanswered.getMessage());
             return node.rejection(
@@ -161,7 +161,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         return failed(request, error);
     }
 
-    private BusMessage failed(Delivery request, Throwable error) {
+    private BusMessage failed(MessageDelivery request, Throwable error) {
         node.notifier.handlerFailed(request.message(), error);
         return node.rejection(
                 port.address(),
@@ -184,11 +184,11 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     @Override
-    void overflow(Delivery request) {
+    void overflow(MessageDelivery request) {
         rejectBusy(request, "wait there");
     }
 
-    private void rejectBusy(Delivery request, String how) {
+    private void rejectBusy(MessageDelivery request, String how) {
         node.reject(
                 port.address(),
                 request,
@@ -196,13 +196,13 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     @Override
-    void discard(List<Delivery> rest, String why) {
+    void discard(List<MessageDelivery> rest, String why) {
         rest.forEach(request -> node.reject(port.address(), request, "left before it answered: " + why));
         rejectBegun(why);
     }
 
     private void rejectBegun(String why) {
-        List<Delivery> open;
+        List<MessageDelivery> open;
         synchronized (begun) {
             open = List.copyOf(begun.values());
             begun.clear();

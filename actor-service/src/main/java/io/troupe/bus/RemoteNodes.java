@@ -217,7 +217,8 @@ final class RemoteNodes implements BusEngine.Listener {
             case Frames.Body.Noticed(var notice, var kind) ->
                 receiveNotice(frame, notice, new Arrival(header.incarnation(), nowNanos, ageNanos));
             case Frames.Body.Cancelled(var request) ->
-                bus.cancel(request, new Delivery.RequestId(header.from(), header.incarnation(), header.number()));
+                bus.cancel(
+                        request, new MessageDelivery.RequestId(header.from(), header.incarnation(), header.number()));
             case Frames.Body.Replied(var reply, var kind, long toIncarnation) ->
                 receiveReply(frame, reply.request(), toIncarnation, () -> bus.replyType(reply.request()));
             case Frames.Body.Rejected(var rejection, var kind, long toIncarnation) ->
@@ -227,8 +228,8 @@ final class RemoteNodes implements BusEngine.Listener {
 
     /** The life of the sender, and when and how late a frame came. */
     private record Arrival(long incarnation, long nanos, long ageNanos) {
-        Delivery of(BusMessage message, long limitNanos) {
-            return new Delivery(message, incarnation, nanos, ageNanos, limitNanos);
+        MessageDelivery of(BusMessage message, long limitNanos) {
+            return new MessageDelivery(message, incarnation, nanos, ageNanos, limitNanos);
         }
     }
 
@@ -287,7 +288,7 @@ final class RemoteNodes implements BusEngine.Listener {
         Class<?> type = expected.get();
         try {
             BusMessage message = type == null ? frame.message(UNREAD) : frame.message(codec, type);
-            bus.receive(Delivery.within(message, frame.header().incarnation(), 0));
+            bus.receive(MessageDelivery.within(message, frame.header().incarnation(), 0));
         } catch (UnreadableException unreadable) {
             bus.notifier.unreadable("the reply from " + frame.header().from(), unreadable);
             bus.rejectRequest(request, "the answer cannot be read: " + unreadable.getMessage());

@@ -16,7 +16,7 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     }
 
     @Override
-    void handle(Delivery delivery) {
+    void handle(MessageDelivery delivery) {
         BusMessage message = delivery.message();
         Duration limit = topic.maxAge();
         if (limit != null) {
@@ -47,7 +47,7 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     }
 
     @Override
-    void overflow(Delivery delivery) {
+    void overflow(MessageDelivery delivery) {
         if (topic.onlyLatest()) { // as its publishers and subscribers want it
             node.counters.replaced.increment();
             return;
@@ -61,7 +61,7 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     }
 
     @Override
-    void discard(List<Delivery> rest, String why) {
+    void discard(List<MessageDelivery> rest, String why) {
         if (!rest.isEmpty()) {
             node.counters.discarded.add(rest.size());
             node.notifier.lost(new Loss.Discarded(port.address(), topic.name(), rest.size(), why));

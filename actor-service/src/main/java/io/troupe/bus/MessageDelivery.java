@@ -9,10 +9,10 @@ package io.troupe.bus;
  * @param limitNanos how long after its arrival the requester waits for a reply; {@link Long#MAX_VALUE} if that is not
  *     limited, or known otherwise
  */
-record Delivery(BusMessage message, long incarnation, long arrivedNanos, long ageNanos, long limitNanos) {
+record MessageDelivery(BusMessage message, long incarnation, long arrivedNanos, long ageNanos, long limitNanos) {
     /** A message within this node. */
-    static Delivery within(BusMessage message, long incarnation, long nowNanos) {
-        return new Delivery(message, incarnation, nowNanos, 0, Long.MAX_VALUE);
+    static MessageDelivery within(BusMessage message, long incarnation, long nowNanos) {
+        return new MessageDelivery(message, incarnation, nowNanos, 0, Long.MAX_VALUE);
     }
 
     /** The age of the message now. */
