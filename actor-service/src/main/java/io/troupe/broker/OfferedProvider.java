@@ -52,7 +52,7 @@ final class OfferedProvider implements Provider {
         return address;
     }
 
-    // ---- reports of its process
+    // ---- what its process reports
 
     /** Returns whether only its state differs, so that it is the same provider. */
     boolean isSame(OfferMessages.Offer other) {
@@ -121,7 +121,7 @@ final class OfferedProvider implements Provider {
         return silent;
     }
 
-    /** Its health, as the broker of this process knows it and as its own process reports it. */
+    /** Its health, from what the broker of this process knows and from what its own process reports. */
     Health health(Health here) {
         return switch (here) {
             case NOT_STARTED, STOPPED -> silent ? Health.SUSPECT : offer.health();

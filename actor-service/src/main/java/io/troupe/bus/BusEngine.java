@@ -29,7 +29,7 @@ public interface BusEngine {
      * Connects, and starts to receive the frames to this node.
      *
      * @param incarnation distinguishes this life of the node from earlier and later ones of the same name
-     * @throws BusException if there is no connection, or another process has the name; the message says what to do
+     * @throws BusException if there is no connection, or another process has the name; the message names the remedy
      */
     void start(String node, long incarnation, Listener listener);
 

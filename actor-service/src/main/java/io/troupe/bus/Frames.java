@@ -55,7 +55,7 @@ final class Frames {
         return complete(out, message.payload());
     }
 
-    /** Says how many values a port has published on a topic, so that a loss of the last ones is noticed. */
+    /** Reports how many values a port has published on a topic, so that a loss of the last ones is noticed. */
     byte[] mark(Address from, String topic, long series) {
         var out = begin(MARK, from, 0, 2);
         out.writeText(topic);

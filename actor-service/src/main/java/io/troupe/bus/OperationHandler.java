@@ -57,7 +57,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
                 .whenComplete((value, error) -> settle(request, value, error));
     }
 
-    /** Nobody waits for the result of a one-way message; its failure is reported on this node. */
+    /** No requester waits for the result of a one-way message; its failure is reported on this node. */
     private void handleNotice(MessageDelivery notice) {
         Promise<A> result;
         try {
@@ -83,7 +83,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         synchronized (begun) {
             if (begun.size() >= node.settings.capacity()) {
                 long nowNanos = node.nanos();
-                begun.values().removeIf(each -> each.isOverdue(nowNanos)); // nobody waits for their replies
+                begun.values().removeIf(each -> each.isOverdue(nowNanos)); // no requester waits for their replies
             }
             if (begun.size() >= node.settings.capacity() && node.isAwaited(request)) {
                 return false;

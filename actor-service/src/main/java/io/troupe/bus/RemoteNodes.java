@@ -105,8 +105,8 @@ final class RemoteNodes implements BusEngine.Listener {
     }
 
     /**
-     * Says on each topic that has been quiet for a second how many values were published, so that the loss of the last
-     * ones is noticed as well.
+     * Reports on each topic that has been quiet for a second how many values were published, so that the loss of the
+     * last ones is noticed as well.
      */
     private void markLater() {
         bus.settings.space().delay(QUIET).then((nothing, closed) -> {

@@ -78,7 +78,7 @@ final class RemotePublishers {
                 leastNanos = difference;
                 leastOfWindowNanos = difference;
                 windowEndNanos = nowNanos + WINDOW_NANOS;
-            } else if (nowNanos - windowEndNanos > 0) { // the clocks drift: what was least long ago says little
+            } else if (nowNanos - windowEndNanos > 0) { // the clocks drift: a minimum of long ago means little
                 leastNanos = leastOfWindowNanos;
                 leastOfWindowNanos = difference;
                 windowEndNanos = nowNanos + WINDOW_NANOS;

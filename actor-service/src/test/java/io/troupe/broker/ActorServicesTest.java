@@ -391,7 +391,7 @@ class ActorServicesTest extends BrokerBench {
             publishSpawned(providers, providers.spawn(Parrot.class, () -> parrot("far")));
             var parrot = connected(PATIENT);
             var begun = parrot.sayLater("begun");
-            for (int round = 0; round < 3; round++) { // with a bus, it is started on its own space
+            for (int round = 0; round < 3; round++) { // with a bus, it has a separate space
                 test.crank();
                 providers.crank();
             }

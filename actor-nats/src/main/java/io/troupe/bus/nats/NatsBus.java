@@ -28,7 +28,7 @@ public final class NatsBus {
      *
      * @param node the name of this process, which no other process on the bus has
      * @throws BusException if there is no server, it refuses this process, or another process has the name; the message
-     *     is one line that says what to do
+     *     is one line that names the remedy
      */
     public static Bus open(String node, NatsSettings server, BusSettings settings) {
         return Bus.open(node, new NatsEngine(server), settings);

@@ -41,7 +41,7 @@ import org.jspecify.annotations.Nullable;
  * The engine of a bus on NATS.
  *
  * <p>Only features of NATS 2.2 are used: publish and subscribe, headers, and the status "no responders" (503), which
- * says at once that a node does not exist. JetStream is not used: it would deliver again, and a velocity that is
+ * reports at once that a node does not exist. JetStream is not used: it would deliver again, and a velocity that is
  * delivered again is a danger.
  *
  * <p><b>Threads.</b> The client's threads are daemons with the name of the node. Two of them deliver: one the frames to
@@ -326,7 +326,7 @@ final class NatsEngine implements BusEngine {
         }
     }
 
-    /** Decides the claim by what another process says of itself. */
+    /** Decides the claim by what another process reports of itself. */
     private void decide(byte[] who, CompletableFuture<@Nullable Void> claim) {
         if (who.length < Long.BYTES + 1) {
             return;
@@ -548,7 +548,7 @@ final class NatsEngine implements BusEngine {
                 source.flush(settings.connectLimit());
                 return true;
             } catch (TimeoutException | IllegalStateException disconnected) {
-                return false; // another event will say that it is connected
+                return false; // another event will report that it is connected
             } catch (InterruptedException interrupted) {
                 Thread.currentThread().interrupt();
                 return false;

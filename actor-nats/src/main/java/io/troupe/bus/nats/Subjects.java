@@ -57,7 +57,7 @@ final class Subjects {
         return application + ".x." + token(node) + "." + incarnation + ".";
     }
 
-    /** The server's answer that nobody receives the replies of this node to a life of another one. */
+    /** The server's answer that no client receives the replies of this node to a life of another one. */
     String gone(String node, long incarnation) {
         return application + ".g." + token(node) + "." + incarnation + ".";
     }

@@ -93,7 +93,10 @@ class NatsPythonTest {
                 .hasMessageStartingWith("node python cannot be opened: another process has that name on ");
     }
 
-    /** An interpreter with the packages of the peer; skips the test, with one line that says why, if there is none. */
+    /**
+     * An interpreter with the packages of the peer; skips the test, with one line that gives the reason, if there is
+     * none.
+     */
     private static String python() throws InterruptedException {
         String python = System.getProperty("troupe.python", "python3");
         boolean hasPackages;

@@ -30,7 +30,7 @@ public final class NatsServer implements AutoCloseable {
         this.process = begin();
     }
 
-    /** Skips the test, with one line that says why, if there is no server. */
+    /** Skips the test, with one line that gives the reason, if there is no server. */
     static void assumeInstalled() {
         boolean isInstalled = List.of(System.getenv().getOrDefault("PATH", "").split(":")).stream()
                 .anyMatch(folder -> Files.isExecutable(Path.of(folder, "nats-server")));

@@ -10,7 +10,7 @@ public final class UnansweredException extends RuntimeException {
     private final boolean begun;
 
     private UnansweredException(String why, boolean begun) {
-        super(why, null, false, false); // not an error of this program: a stack trace is of no use
+        super(why, null, false, false); // not an error of this program: a stack trace is useless
         this.begun = begun;
     }
 

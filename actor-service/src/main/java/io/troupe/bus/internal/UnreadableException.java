@@ -8,7 +8,7 @@ public final class UnreadableException extends RuntimeException {
     private String path = "";
 
     public UnreadableException(String why) {
-        super(why, null, false, false); // bytes of others are at fault, not this program: a stack trace says nothing
+        super(why, null, false, false); // bytes of others are at fault, not this program: a stack trace is useless
     }
 
     /** Called on the way out of the nested values, innermost first. */
