@@ -318,6 +318,8 @@ final class NatsEngine implements BusEngine {
     }
 
     private void answerWho(Connection opened, Message question, CompletableFuture<@Nullable Void> claim) {
+        // a claim that has just succeeded counts, although the opening thread has not noticed it yet
+        boolean hasName = isEstablished || claim.isDone() && !claim.isCompletedExceptionally();
         if (question.getReplyTo() != null) {
             opened.publish(question.getReplyTo(), who(hasName));
         }
