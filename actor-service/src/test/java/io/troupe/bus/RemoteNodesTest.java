@@ -427,7 +427,7 @@ class RemoteNodesTest {
         port.answer(SPELL, count -> Promise.of(new Text("")));
         arrives(new byte[] {1, 2, 3});
         assertThat(take(losses))
-                .containsExactly("a frame of 3 bytes cannot be read: : expected a list, not a whole number");
+                .containsExactly("a frame of 3 bytes cannot be read: expected a list, not a whole number");
         var text = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Text("x"));
         arrives(farFrames.publication(text, "counts", 1));
         assertThat(take(losses))

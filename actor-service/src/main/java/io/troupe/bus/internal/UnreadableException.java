@@ -23,6 +23,6 @@ public final class UnreadableException extends RuntimeException {
 
     @Override
     public String getMessage() {
-        return path + ": " + super.getMessage();
+        return path.isEmpty() ? String.valueOf(super.getMessage()) : path + ": " + super.getMessage();
     }
 }

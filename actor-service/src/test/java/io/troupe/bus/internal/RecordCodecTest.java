@@ -231,7 +231,7 @@ class RecordCodecTest {
                 "a1 6676616c756573 9a 7fffffff | Nested.values: a length of 2147483647 is beyond the 0 bytes that are left",
                 "bf | Nested: expected more, and the bytes end here",
                 "a1 617a 1f | Nested: expected CBOR, not the reserved value 31",
-                "a3 6676616c756573 80 656279746573 a0 657368617065 f6 00 | : expected the end, and 1 bytes follow",
+                "a3 6676616c756573 80 656279746573 a0 657368617065 f6 00 | expected the end, and 1 bytes follow",
             })
     void bytesOfAnotherShape_areRefused_namingThePlaceAndWhatWasExpected(String bytes, String message) {
         assertThatThrownBy(() -> codec.decode(HEX.parseHex(bytes.replace(" ", "")), Nested.class))
