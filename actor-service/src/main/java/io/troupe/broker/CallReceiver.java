@@ -6,7 +6,7 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
-import io.troupe.bus.internal.UnansweredException;
+import io.troupe.bus.internal.NotBegunException;
 import io.troupe.bus.internal.UnreadableException;
 import java.lang.reflect.InvocationTargetException;
 import org.jspecify.annotations.Nullable;
@@ -60,19 +60,18 @@ final class CallReceiver {
 
     private Promise<CallMessages.Result> receive(CallMessages.Call call) {
         if (withdrawn) {
-            throw UnansweredException.notBegun("it was withdrawn");
+            throw new NotBegunException("it was withdrawn");
         }
         CallableMethods.CallableMethod method = methods.method(call.method());
         if (method == null) {
-            throw UnansweredException.notBegun(
-                    "it has no method " + call.method() + "; " + methods.hint(call.method()));
+            throw new NotBegunException("it has no method " + call.method() + "; " + methods.hint(call.method()));
         }
         @Nullable Object[] arguments;
         try {
             arguments = method.decode(
                     call.arguments(), (stream, type) -> new OutgoingStream(port, call.caller(), stream, type, values));
         } catch (UnreadableException unreadable) {
-            throw UnansweredException.notBegun("cannot read the arguments: " + unreadable.getMessage());
+            throw new NotBegunException("cannot read the arguments: " + unreadable.getMessage());
         }
         return answer(method, invoke(method, arguments));
     }
@@ -81,7 +80,7 @@ final class CallReceiver {
         try {
             return method.method.invoke(actor.proxy(), arguments);
         } catch (InvocationTargetException thrown) { // by the proxy: for example a full mailbox
-            throw UnansweredException.notBegun(String.valueOf(thrown.getTargetException()));
+            throw new NotBegunException(String.valueOf(thrown.getTargetException()));
         } catch (IllegalAccessException impossible) {
             throw new AssertionError("methods are made accessible: " + method, impossible);
         }

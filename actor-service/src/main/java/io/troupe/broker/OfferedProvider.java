@@ -113,10 +113,6 @@ final class OfferedProvider implements Provider {
         return offer.rank();
     }
 
-    boolean isOfferedRunning() {
-        return !silent && offer.isRunning();
-    }
-
     boolean isSilent() {
         return silent;
     }

@@ -1,7 +1,7 @@
 package io.troupe.bus;
 
 import io.troupe.actor.promise.Promise;
-import io.troupe.bus.internal.UnansweredException;
+import io.troupe.bus.internal.NotBegunException;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -136,14 +136,9 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     private BusMessage replyTo(MessageDelivery request, @Nullable A value, @Nullable Throwable error) {
-        if (error instanceof UnansweredException unanswered) {
-            String why = String.valueOf(unanswered.getMessage());
-            return node.rejection(
-                    port.address(),
-                    request,
-                    unanswered.mayHaveBegun()
-                            ? new BusMessage.Failure.Abandoned(why)
-                            : new BusMessage.Failure.NotDelivered(why));
+        if (error instanceof NotBegunException notBegun) {
+            var why = new BusMessage.Failure.NotDelivered(String.valueOf(notBegun.getMessage()));
+            return node.rejection(port.address(), request, why);
         }
         if (error == null && value == null) {
             return failed(

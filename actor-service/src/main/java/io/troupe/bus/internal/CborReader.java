@@ -23,18 +23,8 @@ public final class CborReader {
     private int level;
 
     public CborReader(byte[] bytes) {
-        this(bytes, 0, bytes.length);
-    }
-
-    public CborReader(byte[] bytes, int from, int end) {
         this.bytes = bytes;
-        this.at = from;
-        this.end = end;
-    }
-
-    /** The index of the next byte. */
-    public int position() {
-        return at;
+        this.end = bytes.length;
     }
 
     public void expectEnd() {

@@ -40,10 +40,6 @@ public final class CborWriter {
         return Arrays.copyOf(bytes, size);
     }
 
-    int size() {
-        return size;
-    }
-
     public void writeNull() {
         writeByte(NULL);
     }
@@ -104,11 +100,6 @@ public final class CborWriter {
         }
         writeHead(TEXT, encoded.length);
         writeRaw(encoded);
-    }
-
-    public void writeBytes(byte[] value) {
-        writeHead(BYTES, value.length);
-        writeRaw(value);
     }
 
     public void writeArray(int elements) {

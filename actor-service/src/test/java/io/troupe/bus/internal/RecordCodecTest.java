@@ -184,11 +184,19 @@ class RecordCodecTest {
             out.writeText("text");
             out.writeText("x".repeat(length));
             out.writeText("bytes");
-            out.writeBytes(new byte[length]);
+            out.writeRaw(bytesItem(length));
             out.writeText("radius");
             out.writeDouble(2);
             assertThat(codec.decode(out.toBytes(), Circle.class)).isEqualTo(new Circle(2));
         }
+    }
+
+    private static byte[] bytesItem(int length) {
+        var text = new CborWriter(10);
+        text.writeText("x".repeat(length));
+        byte[] item = text.toBytes();
+        item[0] ^= (CborWriter.TEXT ^ CborWriter.BYTES) << 5; // the major type
+        return item;
     }
 
     @Test
