@@ -10,11 +10,11 @@ import org.jspecify.annotations.Nullable;
  * Robot services for callers on other hosts: the same as {@link RobotServices}, but a service drives a robot only while
  * its caller renews a lease. So no robot has two drivers, and none goes on when its arbitrator is gone.
  *
- * <p><b>Order.</b> A lease begins with a stamp of the provider, which the caller sends back with {@code drive}, and then
- * with each {@link #renew}. It is over {@link #LEASE} after the newest stamp that the provider got back, on the clock of
- * the provider. The stamp was made before the caller got it, so a caller knows without common clocks when a lease is
- * certainly over: {@link #LEASE} after it got the newest stamp that it has sent back. A call that arrives later than
- * that has no effect.
+ * <p><b>Order.</b> A lease begins with a stamp of the provider, which the caller sends back with {@code drive}, and
+ * then with each {@link #renew}. It is over {@link #LEASE} after the newest stamp that the provider got back, on the
+ * clock of the provider. The stamp was made before the caller got it, so a caller knows without common clocks when a
+ * lease is certainly over: {@link #LEASE} after it got the newest stamp that it has sent back. A call that arrives
+ * later than that has no effect.
  */
 interface LeasedRobotServices {
     /** From the stamp to the end of the lease. */

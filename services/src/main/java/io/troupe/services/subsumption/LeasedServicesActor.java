@@ -133,15 +133,18 @@ final class LeasedServicesActor extends RobotServicesActor implements LeasedRobo
 
     @Override
     public Promise<DriveEnd> report(Lease lease, int robot, String service, Callback<ColourReport> reports) {
-        return begin(lease, robot, service, () -> driveWithReports(robot, service, reports)
-                .thenApply(stopped -> new ServiceEnd(Optional.empty())));
+        return begin(
+                lease,
+                robot,
+                service,
+                () -> driveWithReports(robot, service, reports).thenApply(stopped -> new ServiceEnd(Optional.empty())));
     }
 
     private Promise<DriveEnd> begin(Lease lease, int robot, String service, Supplier<Promise<ServiceEnd>> start) {
         checkReachable();
         if (!offered.contains(service)) {
-            throw new IllegalArgumentException("the service " + service + " is not offered here, expected one of "
-                    + String.join(", ", offered));
+            throw new IllegalArgumentException(
+                    "the service " + service + " is not offered here, expected one of " + String.join(", ", offered));
         }
         Drive before = drives.get(robot);
         if (isOver(lease) || (before != null && isLate(lease, before.lease))) {

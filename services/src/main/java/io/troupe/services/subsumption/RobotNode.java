@@ -34,8 +34,8 @@ import org.jspecify.annotations.Nullable;
  */
 public final class RobotNode implements AutoCloseable {
     /**
-     * A provider that does not answer is replaced after 2 to 3 s; then its leases are over. Restarts are quick, as there
-     * may be no other provider.
+     * A provider that does not answer is replaced after 2 to 3 s; then its leases are over. Restarts are quick, as
+     * there may be no other provider.
      */
     private static final BrokerSettings BROKER = BrokerSettings.DEFAULT
             .withChecks(Duration.ofMillis(500), Duration.ofSeconds(1), 2)

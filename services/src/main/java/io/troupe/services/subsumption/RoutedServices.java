@@ -32,8 +32,8 @@ final class RoutedServices implements RobotServices {
 
     private RobotServices route(int robot, String service) {
         // any provider rejects a service that is not in the table, by its name
-        RobotServices to = byService.getOrDefault(
-                service, byService.values().iterator().next());
+        RobotServices to =
+                byService.getOrDefault(service, byService.values().iterator().next());
         driving.put(robot, to);
         return to;
     }

@@ -247,8 +247,7 @@ public final class SubsumptionRun implements AutoCloseable {
             });
             Arbitrator arbitrator = space.spawn(
                     Arbitrator.class,
-                    () -> new Arbitrator(
-                            settings.mode(), connected.services(), settings.table(), settings.listener()));
+                    () -> new Arbitrator(settings.mode(), connected.services(), settings.table(), settings.listener()));
             // calls of connections without a provider would wait, and arrive in the order of the connections
             connected.ready().thenRun(arbitrator::live).exceptionally(error -> {
                 report(error);
