@@ -7,6 +7,7 @@ import io.troupe.common.text.Suggestions;
 import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.evaluate.EvaluateCommand;
+import io.troupe.demo.hosts.ServicesCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.table.TableCommand;
@@ -67,6 +68,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             VerifyCommand.class,
             ServeCommand.class,
             ReplayCommand.class,
+            ServicesCommand.class,
             DrawCommand.class,
             HelpCommand.class
         })
