@@ -127,6 +127,28 @@ final class OfferedProvider implements Provider {
         };
     }
 
+    /**
+     * Sends a request to the broker of its process, whatever the reply.
+     *
+     * @return false if there was none in time
+     */
+    Promise<Boolean> probe(Duration limit) {
+        return context.port
+                .ask(
+                        new Address(address.node(), OfferMessages.PORT),
+                        OfferMessages.CHECK,
+                        new OfferMessages.Check(address.name(), offer.life()),
+                        limit)
+                .handle((checked, error) -> error == null || error instanceof RemoteFailure);
+    }
+
+    /** @param roundTrip of a request to its process; null if there was no answer */
+    ServiceOffer toOffer(Duration age, @Nullable Duration roundTrip) {
+        Health health = silent || roundTrip == null ? Health.SUSPECT : offer.health();
+        var record = new ServiceRecord(offer.service(), offer.capabilities(), address, health);
+        return new ServiceOffer(record, offer.rank(), offer.life(), age, roundTrip);
+    }
+
     // ---- as a provider
 
     @Override

@@ -8,6 +8,7 @@ import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.evaluate.EvaluateCommand;
 import io.troupe.demo.hosts.OfferCommand;
+import io.troupe.demo.hosts.ServicesCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.table.TableCommand;
@@ -69,6 +70,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             ServeCommand.class,
             OfferCommand.class,
             ReplayCommand.class,
+            ServicesCommand.class,
             DrawCommand.class,
             HelpCommand.class
         })
