@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  * rejected soon after a reconnection is overdue rather than failed: the other process may not be connected again yet.
  */
 final class OfferedProvider implements Provider {
+    private static final Duration ASK_AGAIN = Duration.ofSeconds(1);
     private static final Duration RECONNECTING = Duration.ofSeconds(2);
 
     /** What the offers of one broker share. */
@@ -153,8 +154,16 @@ final class OfferedProvider implements Provider {
     @Override
     public Promise<@Nullable Void> start() {
         Duration limit = context.settings.startLimit().multipliedBy(3).dividedBy(4);
+        int times = (int) Math.clamp(limit.dividedBy(ASK_AGAIN), 1, Integer.MAX_VALUE);
+        return askToStart(limit.dividedBy(times), times).thenAccept(started -> hasStarted(started.life()));
+    }
+
+    /** Asks again if there is no reply: the request may be lost, and a provider that is being started is not again. */
+    private Promise<OfferMessages.Started> askToStart(Duration limit, int times) {
         return ask(OfferMessages.START, new OfferMessages.Start(address.name()), limit)
-                .thenAccept(started -> hasStarted(started.life()));
+                .exceptionallyCompose(error -> times > 1 && error.getCause() instanceof BusTimeoutException
+                        ? askToStart(limit, times - 1)
+                        : Promise.failed(error));
     }
 
     private void hasStarted(long life) {

@@ -19,6 +19,7 @@ import java.io.PrintWriter;
 import java.lang.System.Logger.Level;
 import java.nio.file.Path;
 import java.util.Locale;
+import java.util.concurrent.atomic.LongAdder;
 import picocli.CommandLine.Model.CommandSpec;
 
 /** The part of {@code troupe run} that is over hosts: the arbitrator and the record. */
@@ -26,6 +27,7 @@ final class HostedRunJob {
     private final BusOptions busOptions;
     private final Path out;
     private final PrintWriter terminal;
+    private final LongAdder losses = new LongAdder();
 
     HostedRunJob(CommandSpec spec, BusOptions busOptions, Path out) {
         this.busOptions = busOptions;
@@ -61,6 +63,7 @@ final class HostedRunJob {
                 settings.port(),
                 result.duration());
         terminal.print(result.summary());
+        terminal.println("messages that the bus has lost: " + losses);
         terminal.flush(); // before writing files, which may fail
         if (interruption.isRequested()) {
             terminal.println("interrupted: this is what was done until then; the last line of run.jsonl says so");
@@ -83,11 +86,11 @@ final class HostedRunJob {
     }
 
     private BusObserver observer(ProgressBar progress) {
-        var logging = BusObserver.logging();
         return new BusObserver() {
             @Override
             public void lost(Loss loss) {
-                logging.lost(loss);
+                losses.increment();
+                System.getLogger(HostedRunJob.class.getName()).log(Level.DEBUG, "{0}", loss);
             }
 
             @Override

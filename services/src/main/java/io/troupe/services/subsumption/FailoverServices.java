@@ -179,6 +179,15 @@ final class FailoverServices extends Actor implements RobotServices {
             }
         }
 
+        /** The provider is gone, but may still drive until its lease is over. */
+        void waits(Throwable why) {
+            if (!waits && !stopping) {
+                waits = true;
+                waitsSinceNanos = nowNanos();
+                listener.driverLost(robot, service, why);
+            }
+        }
+
         /** An attempt has ended without the end of the service; no provider drives the robot now. */
         void lost(Throwable why) {
             current = null;
@@ -190,11 +199,7 @@ final class FailoverServices extends Actor implements RobotServices {
                 fail(why);
                 return;
             }
-            if (!waits) {
-                waits = true;
-                waitsSinceNanos = nowNanos();
-                listener.driverLost(robot, service, why);
-            }
+            waits(why);
             if (nowNanos() - waitsSinceNanos < PATIENCE.toNanos()) {
                 waiting = after(PAUSE, this::attempt);
             } else {
@@ -236,6 +241,7 @@ final class FailoverServices extends Actor implements RobotServices {
         private long stampedNanos; // when the newest stamp arrived
         private long overNanos; // when the provider certainly commands nothing more
         private boolean ended;
+        private boolean unanswered; // and nothing is renewed: the lease runs out
 
         Attempt(Drive drive) {
             this.drive = drive;
@@ -287,7 +293,7 @@ final class FailoverServices extends Actor implements RobotServices {
         private void renewLater() {
             after(RENEW_EVERY, () -> {
                 Lease held = lease;
-                if (ended || held == null) {
+                if (ended || unanswered || held == null) {
                     return;
                 }
                 if (nowNanos() - overNanos >= 0) {
@@ -308,7 +314,7 @@ final class FailoverServices extends Actor implements RobotServices {
         private void renew(Lease held) {
             overNanos = stampedNanos + CERTAINLY_OVER.toNanos();
             drive.provider.renew(held).orTimeout(STAMP_LIMIT).handle((renewal, error) -> {
-                if (!ended && renewal != null) {
+                if (!ended && !unanswered && renewal != null) {
                     renewed(held, renewal);
                 }
                 return null;
@@ -337,6 +343,8 @@ final class FailoverServices extends Actor implements RobotServices {
 
         private void awaitOver(Throwable why) {
             running = null;
+            unanswered = true;
+            drive.waits(why);
             after(Duration.ofNanos(Math.max(0, overNanos - nowNanos())), () -> {
                 if (!ended) {
                     giveUp(why);

@@ -66,7 +66,7 @@ public final class HostedRun implements AutoCloseable {
     private static final Duration STOP_LIMIT = Duration.ofSeconds(3);
 
     /** A service answers when it ends, which may take hours. */
-    private static final ConnectionSettings LIMITS = ConnectionSettings.DEFAULT.withoutAnswerLimit();
+    static final ConnectionSettings LIMITS = ConnectionSettings.DEFAULT.withoutAnswerLimit();
 
     private final RobotNode node;
     private final SubsumptionTable table;
