@@ -36,11 +36,7 @@ final class OfferedProvider implements Provider {
     private @Nullable Use use;
 
     /** The use of one life of the provider. */
-    private record Use(long life, RemoteActor actor, Deferred<@Nullable Void> ended) {
-        boolean isEndedBy(OfferMessages.Offer now) {
-            return now.life() > life || now.life() == life && !now.isRunning() && now.health() != Health.STARTING;
-        }
-    }
+    private record Use(long life, RemoteActor actor, Deferred<@Nullable Void> ended) {}
 
     OfferedProvider(Context context, Address address, OfferMessages.Offer offer) {
         this.context = context;
@@ -68,10 +64,14 @@ final class OfferedProvider implements Provider {
         offer = now;
         silent = false;
         Use used = use;
-        if (used != null && used.isEndedBy(now)) {
+        if (used != null && hasEnded(used.life)) {
             end(used, new ProviderException(address + " has ended", null));
         }
         return revived;
+    }
+
+    private boolean hasEnded(long life) {
+        return offer.life() > life || offer.life() == life && !offer.isRunning() && offer.health() != Health.STARTING;
     }
 
     private void end(Use used, ProviderException why) {
@@ -136,14 +136,10 @@ final class OfferedProvider implements Provider {
     }
 
     private void hasStarted(long life) {
-        if (use != null) {
-            endUse(address + " was started again");
+        if (hasEnded(life)) { // the offers have overtaken the reply
+            throw new ProviderException(address + " has ended", null);
         }
-        var begun = new Use(life, context.actors.begin(address, offer.methods()), new Deferred<>(null));
-        use = begun;
-        if (begun.isEndedBy(offer)) { // the offers have overtaken the reply
-            end(begun, new ProviderException(address + " has ended", null));
-        }
+        use = new Use(life, context.actors.begin(address, offer.methods()), new Deferred<>(null));
     }
 
     @Override
