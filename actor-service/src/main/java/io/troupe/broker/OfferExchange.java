@@ -218,7 +218,9 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
         /** The process is gone: withdraws all that it has offered. */
         void end(String why) {
             List.copyOf(offered.values()).forEach(provider -> {
-                provider.endUse(provider.address() + " has ended: " + why);
+                if (!brokerEnded) { // it has no listeners any more
+                    provider.endUse(provider.address() + " has ended: " + why);
+                }
                 withdraw(provider.address().name());
             });
             retired.forEach(RemoteActor::end);

@@ -50,11 +50,10 @@ final class OfferedProvider implements Provider {
 
     // ---- what its process reports
 
-    /** Returns whether only its state differs, so that it is the same provider. */
+    /** Returns whether only its state or rank differs, so that it is the same provider. */
     boolean isSame(OfferMessages.Offer other) {
         return other.service().equals(offer.service())
                 && other.capabilities().equals(offer.capabilities())
-                && other.rank() == offer.rank()
                 && other.methods().equals(offer.methods());
     }
 

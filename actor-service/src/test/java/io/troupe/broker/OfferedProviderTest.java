@@ -258,6 +258,9 @@ class OfferedProviderTest extends HostsBench {
         assertThat(near.found()).startsWith("near/parrot");
         peer.offer(Health.NOT_STARTED, 1, List.of("sings"), -1, METHODS);
         assertThat(near.found()).containsExactly(ADDRESS, "near/parrot");
+        assertThat(near.events(BrokerEvent.Withdrawn.class))
+                .as("another rank alone is the same provider")
+                .hasSize(1);
         peer.offers(new OfferMessages.Offer("parrot", "songs", List.of("sings"), Health.NOT_STARTED, -1, 1, METHODS));
         assertThat(get(near.broker.find(Need.ofService("user", "songs")))).hasSize(1);
         assertThat(near.found()).containsExactly("near/parrot");
@@ -475,16 +478,30 @@ class OfferedProviderTest extends HostsBench {
     }
 
     @Test
-    void brokerWhoseSpaceIsClosed_leavesItsPort() {
-        try (var other = new TestSpace()) {
+    void brokerWhoseSpaceIsClosed_leavesItsPort_andEndsTheCallsUnderWay() {
+        try (var brokers = new TestSpace()) {
             var bus = pipe.open("other", BusSettings.on(test.space()).withObserver(loss -> {}));
-            var broker = Broker.open(other.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
-            ActorServices.over(bus, broker, test.space(), event -> {});
-            other.crank();
-            test.crank();
-            other.crank();
-            other.close();
-            test.crank();
+            var broker = Broker.open(brokers.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
+            var services = ActorServices.over(bus, broker, test.space(), event -> {});
+            Runnable crankBoth = () -> {
+                for (int i = 0; i < 10; i++) {
+                    brokers.crank();
+                    test.crank();
+                }
+            };
+            crankBoth.run();
+            peer.offer(Health.WELL, 1);
+            var call = services.connect(Parrot.class, PARROT, ConnectionSettings.DEFAULT.withoutAnswerLimit())
+                    .actor()
+                    .sayLater("x");
+            crankBoth.run();
+            peer.started(1);
+            crankBoth.run();
+            assertThat(peer.calls).hasValue(1);
+            brokers.crank();
+            brokers.space().close();
+            brokers.crank();
+            assertThat(test.error(call)).hasMessageStartingWith("peer/parrot ended while \"robot 1\" waited");
             bus.attach(OfferMessages.PORT);
             bus.close();
         }
