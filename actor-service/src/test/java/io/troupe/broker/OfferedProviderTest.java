@@ -28,7 +28,7 @@ class OfferedProviderTest extends HostsBench {
     private final Host near = host("near");
     private final Peer peer = new Peer();
 
-    /** The other process. It answers no call, and a start or check when the test says so. */
+    /** The other process. It answers no call, and a start or check when the test does. */
     private final class Peer {
         final Bus bus = pipe.open("peer", BusSettings.on(test.space()).withObserver(loss -> {}));
         final BusPort port = bus.attach(OfferMessages.PORT);
@@ -166,7 +166,8 @@ class OfferedProviderTest extends HostsBench {
         peer.offer(Health.WELL, 2);
         peer.started(2);
         doubt.reject(new ProviderException("life 1 has ended"));
-        test.crank();
+        advance(1_000);
+        assertThat(peer.checks).as("of life 2").hasSize(1);
         assertThat(near.health(ADDRESS)).isEqualTo(Health.WELL);
         assertThat(near.services.find(PARROT_OF_PEER)).isNotNull();
     }
