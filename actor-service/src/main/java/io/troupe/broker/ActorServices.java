@@ -5,6 +5,7 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
+import java.time.Duration;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.ConcurrentHashMap;
@@ -39,11 +40,17 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, section 1: actors that expose services, each a publisher and a subscriber.
  */
 public final class ActorServices {
+    /** The exchange of offers with other processes; from any thread. */
+    interface Exchange extends RemoteActors.Doubts {
+        Promise<List<ServiceOffer>> offers(Duration limit);
+    }
+
     private final Broker broker;
     private final String node;
     private final ActorSpace home;
     private final BrokerObserver observer;
     private final @Nullable Bus bus;
+    private volatile @Nullable Exchange exchange; // null without a bus
     private final CallableInterfaces interfaces = new CallableInterfaces();
     private final LocalActors actors;
     private final RemoteActors others = new RemoteActors(interfaces);
@@ -107,7 +114,8 @@ public final class ActorServices {
         var services = new ActorServices(broker, bus.node(), home, observer, bus);
         var port = bus.attach(OfferMessages.PORT);
         var context = new OfferedProvider.Context(bus, port, broker.settings(), services.others);
-        RemoteActors.Doubts exchange = broker.exchangeOffers(context, services.actors, rank);
+        Exchange exchange = broker.exchangeOffers(context, services.actors, rank);
+        services.exchange = exchange;
         services.others.setOnDoubt(exchange);
         return services;
     }
@@ -184,6 +192,23 @@ public final class ActorServices {
         ServiceProxy.check(type);
         ActorSpace current = ActorSpace.current();
         return ActorConnection.open(current == null ? home : current, this, type, need, settings);
+    }
+
+    /**
+     * Asks all processes on the bus what they offer, and how long a request to each takes.
+     *
+     * @param limit the time to wait for their offers, and then for their answers; so the result takes this long at
+     *     least, and twice as long at most
+     * @return fulfilled with the offers of all processes that publish them now, this one included: by service, then by
+     *     rank, then by address
+     * @throws IllegalStateException if these services have no bus
+     */
+    public Promise<List<ServiceOffer>> offers(Duration limit) {
+        Exchange others = exchange;
+        if (others == null) {
+            throw new IllegalStateException("these services have no bus: use ActorServices.over");
+        }
+        return others.offers(limit);
     }
 
     Broker broker() {

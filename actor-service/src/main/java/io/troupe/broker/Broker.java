@@ -67,9 +67,9 @@ public final class Broker implements AutoCloseable {
     }
 
     /** Begins to exchange offers with the brokers of other processes. */
-    RemoteActors.Doubts exchangeOffers(OfferedProvider.Context context, LocalActors actors, int rank) {
+    ActorServices.Exchange exchangeOffers(OfferedProvider.Context context, LocalActors actors, int rank) {
         return space.spawn(
-                RemoteActors.Doubts.class,
+                ActorServices.Exchange.class,
                 () -> new OfferExchange(context, actor, actors, rank),
                 ActorSettings.named("broker's offers"));
     }

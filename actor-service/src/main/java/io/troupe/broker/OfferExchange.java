@@ -1,6 +1,8 @@
 package io.troupe.broker;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import io.troupe.bus.Address;
@@ -11,6 +13,7 @@ import io.troupe.bus.BusTopic;
 import java.security.SecureRandom;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.List;
@@ -25,10 +28,15 @@ import org.jspecify.annotations.Nullable;
  * <p>A process whose offers are not renewed for 3 s is suspect; after 10 s its providers are withdrawn. A pause of this
  * process, as by its garbage collector, does not count.
  */
-final class OfferExchange extends Actor implements RemoteActors.Doubts {
+final class OfferExchange extends Actor implements ActorServices.Exchange {
     private static final Duration PERIOD = Duration.ofSeconds(1);
     private static final Duration SUSPECT_AFTER = Duration.ofSeconds(3);
     private static final Duration WITHDRAWN_AFTER = Duration.ofSeconds(10);
+
+    private static final Comparator<ServiceOffer> BY_SERVICE = Comparator.comparing(
+                    (ServiceOffer offer) -> offer.provider().service())
+            .thenComparingInt(ServiceOffer::rank)
+            .thenComparing(offer -> offer.provider().provider().toString());
 
     private final Bus bus;
     private final BusPort port;
@@ -286,6 +294,47 @@ final class OfferExchange extends Actor implements RemoteActors.Doubts {
                 peer.setSilent(silentNanos > SUSPECT_AFTER.toNanos());
             }
         }
+    }
+
+    // ---- a survey of all offers
+
+    @Override
+    public Promise<List<ServiceOffer>> offers(Duration limit) {
+        if (closed) {
+            return Promise.failed(new IllegalStateException("the bus or the broker of this process is closed"));
+        }
+        send(OfferMessages.ASK, new OfferMessages.AskOffers());
+        var waited = new Deferred<@Nullable Void>();
+        after(limit, () -> waited.resolve(null));
+        return waited.thenCompose(done -> Promise.all(
+                        peers.values().stream().map(peer -> survey(peer, limit)).toList()))
+                .thenCompose(others -> own().thenApply(own -> {
+                    var all = new ArrayList<>(own);
+                    others.forEach(all::addAll);
+                    return all.stream().sorted(BY_SERVICE).toList();
+                }));
+    }
+
+    private Promise<List<ServiceOffer>> own() {
+        return broker.offerings()
+                .thenApply(offerings -> offerings.all().stream()
+                        .map(each -> new ServiceOffer(each.record(), rank, each.life(), Duration.ZERO, Duration.ZERO))
+                        .toList());
+    }
+
+    /** The offers of another process, with the time of a request to its broker. */
+    private Promise<List<ServiceOffer>> survey(Peer peer, Duration limit) {
+        List<OfferedProvider> offered = List.copyOf(peer.offered.values());
+        if (offered.isEmpty()) {
+            return Promise.of(List.of());
+        }
+        long beganNanos = nowNanos();
+        return offered.getFirst().probe(limit).thenApply(answered -> {
+            long endedNanos = nowNanos();
+            Duration roundTrip = answered ? Duration.ofNanos(endedNanos - beganNanos) : null;
+            Duration age = Duration.ofNanos(endedNanos - peer.seenNanos);
+            return offered.stream().map(each -> each.toOffer(age, roundTrip)).toList();
+        });
     }
 
     @Override

@@ -22,6 +22,7 @@ import org.jspecify.annotations.Nullable;
  * rejected soon after a reconnection is overdue rather than failed: the other process may not be connected again yet.
  */
 final class OfferedProvider implements Provider {
+    private static final Duration ASK_AGAIN = Duration.ofSeconds(1);
     private static final Duration RECONNECTING = Duration.ofSeconds(2);
 
     /** What the offers of one broker share. */
@@ -125,13 +126,43 @@ final class OfferedProvider implements Provider {
         };
     }
 
+    /**
+     * Sends a request to the broker of its process, whatever the reply.
+     *
+     * @return false if there was none in time
+     */
+    Promise<Boolean> probe(Duration limit) {
+        return context.port
+                .ask(
+                        new Address(address.node(), OfferMessages.PORT),
+                        OfferMessages.CHECK,
+                        new OfferMessages.Check(address.name(), offer.life()),
+                        limit)
+                .handle((checked, error) -> error == null || error instanceof RemoteFailure);
+    }
+
+    /** @param roundTrip of a request to its process; null if there was no answer */
+    ServiceOffer toOffer(Duration age, @Nullable Duration roundTrip) {
+        Health health = silent || roundTrip == null ? Health.SUSPECT : offer.health();
+        var record = new ServiceRecord(offer.service(), offer.capabilities(), address, health);
+        return new ServiceOffer(record, offer.rank(), offer.life(), age, roundTrip);
+    }
+
     // ---- as a provider
 
     @Override
     public Promise<@Nullable Void> start() {
         Duration limit = context.settings.startLimit().multipliedBy(3).dividedBy(4);
+        int times = (int) Math.clamp(limit.dividedBy(ASK_AGAIN), 1, Integer.MAX_VALUE);
+        return askToStart(limit.dividedBy(times), times).thenAccept(started -> hasStarted(started.life()));
+    }
+
+    /** Asks again if there is no reply: the request may be lost, and a provider that is being started is not again. */
+    private Promise<OfferMessages.Started> askToStart(Duration limit, int times) {
         return ask(OfferMessages.START, new OfferMessages.Start(address.name()), limit)
-                .thenAccept(started -> hasStarted(started.life()));
+                .exceptionallyCompose(error -> times > 1 && error.getCause() instanceof BusTimeoutException
+                        ? askToStart(limit, times - 1)
+                        : Promise.failed(error));
     }
 
     private void hasStarted(long life) {

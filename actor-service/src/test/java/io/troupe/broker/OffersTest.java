@@ -1,6 +1,7 @@
 package io.troupe.broker;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
@@ -36,6 +37,82 @@ class OffersTest extends HostsBench {
         test.crank();
         assertThat(b.health("a/parrot")).isNull();
         assertThat(later.health("a/parrot")).isNull();
+    }
+
+    // ---- a survey
+
+    private final List<String> shown = new ArrayList<>();
+
+    private void show(String text) {
+        shown.add(text);
+    }
+
+    /** The offers as one process finds them with a limit of 500 ms. */
+    private List<ServiceOffer> survey(Host host) {
+        Promise<List<ServiceOffer>> offers = host.services.offers(Duration.ofMillis(500));
+        for (int wait = 0; wait < 2; wait++) {
+            test.crank();
+            test.advance(Duration.ofMillis(500));
+        }
+        return get(offers);
+    }
+
+    @Test
+    void survey_hasTheOffersOfAllProcesses_withTheirState_evenForAProcessThatHasJustCome() {
+        a.publish("grey");
+        b.publish("green");
+        get(a.broker.require(PARROT));
+        get(b.broker.register("anchor", List.of(), new Address("b", "anchor"), new Unstartable()));
+        var later = new Host("later", BrokerSettings.DEFAULT, 5);
+        later.publish("blue");
+        List<ServiceOffer> all = survey(later);
+        assertThat(all)
+                .extracting(each ->
+                        each.provider().provider() + " " + each.provider().health() + " " + each.life())
+                .containsExactly(
+                        "b/anchor NOT_STARTED 0",
+                        "a/parrot WELL 1",
+                        "b/parrot NOT_STARTED 0",
+                        "later/parrot NOT_STARTED 0");
+        assertThat(all).extracting(ServiceOffer::rank).containsExactly(0, 0, 0, 5);
+        assertThat(all.get(1).provider().capabilities()).containsExactly("talks");
+        assertThat(all).extracting(ServiceOffer::roundTrip).containsOnly(Duration.ZERO); // the clock stands still
+        assertThat(diary).doesNotContain("green is made");
+        var services = c.services;
+        services.offers(Duration.ofMillis(500))
+                .then(offers -> offers.forEach(offer -> show(offer.provider() + ", life " + offer.life())));
+        test.crank();
+        assertThat(shown).isEmpty();
+        test.advance(Duration.ofMillis(500));
+        test.crank();
+        assertThat(shown).hasSize(4).first().asString().endsWith(", life 0");
+    }
+
+    @Test
+    void survey_withoutOffers_isEmpty_andAProcessThatDoesNotAnswer_isSuspect() {
+        assertThat(survey(c)).isEmpty();
+        a.publish("grey");
+        get(a.broker.require(PARROT));
+        test.crank();
+        pipe.lose("a");
+        ServiceOffer lost = survey(c).getFirst();
+        assertThat(lost.provider().health()).isEqualTo(Health.SUSPECT);
+        assertThat(lost.roundTrip()).isNull();
+        assertThat(lost.age()).isEqualTo(Duration.ofSeconds(1));
+        seconds(10);
+        assertThat(survey(c)).isEmpty();
+        pipe.loseNoMore("a");
+    }
+
+    @Test
+    void survey_needsABusAndABroker() {
+        var alone = new ActorServices(a.broker, "a", test.space(), BrokerObserver.logging());
+        assertThatThrownBy(() -> alone.offers(Duration.ofSeconds(1)))
+                .isInstanceOf(IllegalStateException.class)
+                .hasMessage("these services have no bus: use ActorServices.over");
+        get(b.broker.shutDown());
+        test.crank();
+        assertThat(test.error(b.services.offers(Duration.ofSeconds(1)))).isInstanceOf(IllegalStateException.class);
     }
 
     @Test

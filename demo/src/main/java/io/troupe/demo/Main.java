@@ -7,6 +7,8 @@ import io.troupe.common.text.Suggestions;
 import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.evaluate.EvaluateCommand;
+import io.troupe.demo.hosts.OfferCommand;
+import io.troupe.demo.hosts.ServicesCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.table.TableCommand;
@@ -66,7 +68,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
             AppCommand.class,
             VerifyCommand.class,
             ServeCommand.class,
+            OfferCommand.class,
             ReplayCommand.class,
+            ServicesCommand.class,
             DrawCommand.class,
             HelpCommand.class
         })
@@ -157,7 +161,7 @@ public final class Main implements Callable<Integer> {
         statuses.put("0", "done");
         statuses.put("" + FAILED, "failed on the way");
         statuses.put("" + USAGE, "used wrongly: an option, a number, or a file that cannot be read");
-        statuses.put("" + MISSING_SERVICE, "a service is missing (app)");
+        statuses.put("" + MISSING_SERVICE, "a service is missing (app, run --bus)");
         statuses.put("" + Interruption.STATUS, "interrupted; what was done until then was printed");
         return statuses;
     }

@@ -2,6 +2,7 @@ package io.troupe.demo;
 
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.Interruption;
+import io.troupe.view.RecordedHostedRun;
 import io.troupe.view.RecordedRun;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -48,6 +49,32 @@ final class ProgressBar implements AutoCloseable {
             @Override
             public boolean isStopRequested() {
                 return interruption.isRequested();
+            }
+        };
+    }
+
+    /** The same for a run over hosts; {@code changes} is also called for every change of a driver. */
+    RecordedHostedRun.Listener hostedListener(Consumer<String> changes, Interruption interruption) {
+        RecordedRun.Listener inner = listener(changes, interruption);
+        return new RecordedHostedRun.Listener() {
+            @Override
+            public void stateStarted(String change) {
+                inner.stateStarted(change);
+            }
+
+            @Override
+            public void driverChanged(String change) {
+                changes.accept(change);
+            }
+
+            @Override
+            public void ticked(long timeMicros) {
+                inner.ticked(timeMicros);
+            }
+
+            @Override
+            public boolean isStopRequested() {
+                return inner.isStopRequested();
             }
         };
     }

@@ -1,5 +1,7 @@
 package io.troupe.demo;
 
+import io.troupe.demo.hosts.BusOptions;
+import io.troupe.demo.hosts.RobotAddress;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
@@ -8,6 +10,7 @@ import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.Pictures;
+import io.troupe.view.RecordedHostedRun;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
 import io.troupe.view.RunRecorder;
@@ -15,8 +18,10 @@ import io.troupe.view.RunResult;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
@@ -36,6 +41,9 @@ final class RunCommand implements Callable<Integer> {
 
     @Mixin
     private TeamOptions teamOptions;
+
+    @Mixin
+    private BusOptions busOptions;
 
     @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run")
     private double seconds = 300;
@@ -82,15 +90,55 @@ final class RunCommand implements Callable<Integer> {
                     spec.commandLine(),
                     "--reconnect goes with --mode callback or promise: the synchronous mode connects once");
         }
+        RobotAddress address = teamOptions.address();
+        checkHosts(address);
         try (var options = teamOptions) {
             TeamOptions.Team team = options.team(corners);
             OutputDirectory.make(spec, out);
             warnOfSizes(team.scenario().world());
             try (var interruption = Interruption.open()) {
-                run(team, interruption);
+                if (address == null) {
+                    run(team, interruption);
+                } else {
+                    new HostedRunJob(spec, busOptions, out).run(settings(address, team), interruption);
+                }
                 return interruption.isRequested() ? Interruption.STATUS : 0;
             }
         }
+    }
+
+    /** Rejects combinations of options that make no sense over hosts, or without them. */
+    private void checkHosts(@Nullable RobotAddress address) {
+        if (address == null) {
+            busOptions.refuseWithoutBus();
+            if (busOptions.isGiven()) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        "--bus is given, but the robots are in this process: expected --robots HOST:PORT as well");
+            }
+            return;
+        }
+        if (!busOptions.isGiven()) {
+            throw new ParameterException(
+                    spec.commandLine(), "--robots is " + address + ", but there is no bus: expected --bus as well");
+        }
+        if (mode == Mode.SYNC) {
+            throw new ParameterException(
+                    spec.commandLine(), "--mode is sync, expected callback or promise for services on other hosts");
+        }
+        for (String option : List.of("--seed", "--reconnect", "--realtime")) {
+            if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        option + " is for robots in this process, and --robots is " + address
+                                + ": expected only one of them");
+            }
+        }
+    }
+
+    private RecordedHostedRun.Settings settings(RobotAddress address, TeamOptions.Team team) {
+        return new RecordedHostedRun.Settings(
+                address.host(), address.port(), team.scenario().world(), team.table(), mode, seconds);
     }
 
     private void warnOfSizes(WorldSpec world) {

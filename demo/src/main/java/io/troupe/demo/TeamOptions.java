@@ -1,6 +1,7 @@
 package io.troupe.demo;
 
 import io.troupe.demo.crowd.CrowdTable;
+import io.troupe.demo.hosts.RobotAddress;
 import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.WorldLoader;
@@ -48,10 +49,12 @@ final class TeamOptions implements AutoCloseable {
 
     @Option(
             names = "--robots",
-            paramLabel = "N",
-            description =
-                    "instead of a file: a crowd of N robots in halls of 16 m. With --mode sync a round of N robots takes N readings, 5 s for 50 robots")
-    private @Nullable Integer robots;
+            paramLabel = "N|HOST:PORT",
+            description = {
+                "N: instead of a file, a crowd of N robots in halls of 16 m. With --mode sync a round of N robots takes N readings, 5 s for 50 robots",
+                "HOST:PORT: the robots of a Player server, with services on other hosts (--bus). --world then describes where they are"
+            })
+    private @Nullable String robots;
 
     @Option(
             names = "--colours",
@@ -90,7 +93,29 @@ final class TeamOptions implements AutoCloseable {
      */
     Team team(CornerStyle corners) {
         ServiceCatalogue catalogue = jars.catalogue(table);
-        return robots == null ? ofTheFile(corners, catalogue) : crowd(robots, corners, catalogue);
+        return robots == null || isAddress(robots)
+                ? ofTheFile(corners, catalogue)
+                : crowd(size(robots), corners, catalogue);
+    }
+
+    /** Where the robots are, if they are not in this process. */
+    @Nullable
+    RobotAddress address() {
+        return robots != null && isAddress(robots) ? RobotAddress.parse(spec, robots) : null;
+    }
+
+    private static boolean isAddress(String value) {
+        return value.contains(":");
+    }
+
+    private int size(String value) {
+        try {
+            return Integer.parseInt(value);
+        } catch (NumberFormatException noNumber) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--robots is '" + value + "', expected a whole number, or HOST:PORT with --bus");
+        }
     }
 
     /** Closes the service jars. Services that were loaded from them cannot be used any more. */

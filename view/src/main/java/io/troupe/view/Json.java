@@ -6,7 +6,7 @@ import java.util.List;
 import java.util.stream.Collectors;
 
 /** Builder of one JSON object. Keys keep their order of insertion; numbers keep full precision. */
-final class Json {
+public final class Json {
     private final StringBuilder text = new StringBuilder("{");
 
     /** Starts a line of {@code run.jsonl}, with the simulated time and the type as its first keys. */
@@ -17,18 +17,18 @@ final class Json {
     }
 
     /** A value that is JSON already. */
-    record Fragment(String text) {}
+    public record Fragment(String text) {}
 
-    static Fragment texts(Collection<?> values) {
+    public static Fragment texts(Collection<?> values) {
         return new Fragment(
                 values.stream().map(value -> quote(value.toString())).collect(Collectors.joining(",", "[", "]")));
     }
 
-    static Fragment objects(List<Json> values) {
+    public static Fragment objects(List<Json> values) {
         return new Fragment(values.stream().map(Json::toString).collect(Collectors.joining(",", "[", "]")));
     }
 
-    Json put(String key, Object value) {
+    public Json put(String key, Object value) {
         key(key).append(
                         switch (value) {
                             case Double number when number.isNaN() || number.isInfinite() -> "null";

@@ -39,11 +39,15 @@ public final class RobotRecord {
         }
     }
 
+    /** From then on a node drives the robot; null = none does. */
+    public record Driver(long fromMicros, @Nullable String node) {}
+
     private final int index;
     private final double pathStepM;
     private final List<Service> inCharge = new ArrayList<>();
     private final List<Sample> path = new ArrayList<>();
     private final Map<String, Long> loops = new TreeMap<>();
+    private final List<Driver> drivers = new ArrayList<>();
     private double distanceM;
     private double gapM = Double.POSITIVE_INFINITY;
     private double closestM = Double.POSITIVE_INFINITY;
@@ -80,6 +84,21 @@ public final class RobotRecord {
 
     void ended(Service service) {
         inCharge.remove(service);
+    }
+
+    void drivenBy(long timeMicros, @Nullable String node) {
+        drivers.add(new Driver(timeMicros, node));
+    }
+
+    /** The services that have not reported their end drive it no more. */
+    void lostDriver() {
+        inCharge.clear();
+    }
+
+    /** The node that drives it; null if none does, or in a run inside one process. */
+    @Nullable
+    String node() {
+        return drivers.isEmpty() ? null : drivers.getLast().node();
     }
 
     void moved(long timeMicros, RobotReading reading) {
@@ -168,6 +187,11 @@ public final class RobotRecord {
     /** Where it was at each reading; of a robot in a crowd, points less than 25 cm apart are left out. */
     public List<Sample> path() {
         return Collections.unmodifiableList(path);
+    }
+
+    /** The changes of its driver in a run over hosts, in their order. */
+    public List<Driver> drivers() {
+        return Collections.unmodifiableList(drivers);
     }
 
     /** The number of cycles of each service, by name. */

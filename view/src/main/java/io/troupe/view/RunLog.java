@@ -66,6 +66,20 @@ public final class RunLog implements AutoCloseable {
                 .put("interval", new Json.Fragment(Json.seconds(world.intervalMillis() * 1000L))));
     }
 
+    /** The same for a run over hosts. */
+    void begin(RecordedHostedRun.Settings settings) {
+        write(Json.line(0, "header")
+                .put("format", FORMAT)
+                .put("version", VERSION)
+                .put("program", PROGRAM)
+                .put("world", settings.world().name())
+                .put("robots", settings.world().robots().size())
+                .put("robotsAt", settings.host() + ":" + settings.port())
+                .put("mode", settings.mode())
+                .put("seconds", new Json.Fragment(Json.seconds(settings.endMicros())))
+                .put("interval", new Json.Fragment(Json.seconds(settings.world().intervalMillis() * 1000L))));
+    }
+
     void write(Json line) {
         if (failure != null) {
             return;

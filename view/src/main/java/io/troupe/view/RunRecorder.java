@@ -1,6 +1,7 @@
 package io.troupe.view;
 
 import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.DriverReport;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
@@ -13,6 +14,7 @@ import io.troupe.view.RunResult.Messages;
 import io.troupe.view.RunResult.StateChange;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -116,6 +118,45 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
         states.add(new StateChange(timeMicros(), state, seenBy));
     }
 
+    // ---- over hosts
+
+    /** @param drivers is called with a line of text when a node begins to drive a robot */
+    void driverReported(DriverReport report, String node, Consumer<String> drivers) {
+        if (report.robot() < 0 || report.robot() >= robots.size()) {
+            return; // of another table
+        }
+        RobotRecord robot = robots.get(report.robot());
+        boolean begins = report.event() == DriverReport.Event.STARTED;
+        if (begins && !node.equals(robot.node())) {
+            robot.lostDriver(); // the node before has not reported its end, or not yet
+            robot.drivenBy(timeMicros(), node);
+            log.write(Json.line(timeMicros(), "driver")
+                    .put("robot", report.robot() + 1)
+                    .put("service", report.service())
+                    .put("node", node));
+            drivers.accept(describe(report.robot(), "is driven by " + node));
+        }
+        if (node.equals(robot.node()) || report.event() == DriverReport.Event.COLOUR_SENT) {
+            report.notify(this, table);
+        }
+    }
+
+    /** @param drivers is called with a line of text */
+    void driverLost(int index, String service, Throwable why, Consumer<String> drivers) {
+        RobotRecord robot = robots.get(index);
+        String node = robot.node();
+        String reason = why.getMessage() == null ? why.toString() : why.getMessage();
+        var line = Json.line(timeMicros(), "lost").put("robot", index + 1).put("service", service);
+        log.write((node == null ? line : line.put("node", node)).put("why", reason));
+        robot.lostDriver();
+        robot.drivenBy(timeMicros(), null);
+        drivers.accept(describe(index, "has lost its driver" + (node == null ? "" : " " + node) + ": " + reason));
+    }
+
+    private String describe(int robot, String what) {
+        return String.format(Locale.ROOT, "%7.1f s  robot %d %s", timeMicros() / 1e6, robot + 1, what);
+    }
+
     // ---- called by the run loop
 
     /** Records the world before the first tick. */
@@ -214,13 +255,14 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
             if (robots.size() >= MANY_ROBOTS && snapshot.timeMicros() % CROWD_POSE_MICROS != 0) {
                 continue;
             }
-            log.write(Json.line(snapshot.timeMicros(), "pose")
+            var line = Json.line(snapshot.timeMicros(), "pose")
                     .put("robot", index + 1)
                     .put("x", reading.pose().x())
                     .put("y", reading.pose().y())
                     .put("heading", reading.pose().headingRad())
                     .put("gap", reading.wallGapM())
-                    .put("service", robot.serviceName()));
+                    .put("service", robot.serviceName());
+            log.write(robot.node() == null ? line : line.put("node", robot.node()));
         }
     }
 }

@@ -1,6 +1,5 @@
 package io.troupe.services.robot;
 
-import io.troupe.player.PlayerClient;
 import io.troupe.player.Position2DInterface;
 import java.time.Duration;
 
@@ -22,11 +21,6 @@ public final class DriverLimits {
     public static final Duration SILENCE_LIMIT = Duration.ofSeconds(5);
 
     private DriverLimits() {}
-
-    /** Requests the silence limit; once per connection. */
-    public static void watch(PlayerClient server) {
-        server.setSilenceLimit(SILENCE_LIMIT);
-    }
 
     /** Requests the command limit; once for each robot that the connection drives. */
     public static void limit(Position2DInterface wheels) {

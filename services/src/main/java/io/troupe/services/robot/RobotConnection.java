@@ -4,6 +4,7 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.structures.PlayerConstants;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -48,9 +49,15 @@ public final class RobotConnection implements AutoCloseable {
 
     /** Connects, subscribes to the devices of the robots, and sets the {@link DriverLimits}. */
     public static RobotConnection open(String host, int port, Delivery delivery, List<Devices> robots) {
+        return open(host, port, delivery, robots, DriverLimits.SILENCE_LIMIT);
+    }
+
+    /** The same with another silence limit. */
+    public static RobotConnection open(
+            String host, int port, Delivery delivery, List<Devices> robots, Duration silenceLimit) {
         var connection = new RobotConnection(new PlayerClient(host, port));
         try {
-            connection.subscribe(delivery, robots);
+            connection.subscribe(delivery, robots, silenceLimit);
             return connection;
         } catch (RuntimeException refused) {
             connection.client.close();
@@ -58,11 +65,11 @@ public final class RobotConnection implements AutoCloseable {
         }
     }
 
-    private void subscribe(Delivery delivery, List<Devices> devices) {
+    private void subscribe(Delivery delivery, List<Devices> devices, Duration silenceLimit) {
         if (delivery == Delivery.PULL) {
             client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
         }
-        DriverLimits.watch(client);
+        client.setSilenceLimit(silenceLimit);
         for (Devices each : devices) {
             robots.add(new PlayerRobot(client, each));
         }

@@ -6,9 +6,12 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.services.behaviour.ColourFinder;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.robot.DriverLimits;
 import io.troupe.services.robot.PlayerRobot;
 import io.troupe.services.robot.RobotConnection;
 import java.lang.System.Logger.Level;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -30,7 +33,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Source.</b> Paper, sections 3.5 and 3.6.
  */
-public final class RobotServicesActor extends Actor implements RobotServices {
+public sealed class RobotServicesActor extends Actor implements RobotServices permits LeasedServicesActor {
     /**
      * Where the robots are, and which table they use.
      *
@@ -77,14 +80,40 @@ public final class RobotServicesActor extends Actor implements RobotServices {
     private final Map<Integer, Integer> stops = new HashMap<>(); // by robot: how often it was stopped
 
     public RobotServicesActor(Settings settings) {
+        this(settings, DriverLimits.SILENCE_LIMIT);
+    }
+
+    /** @param silenceLimit a server that is silent for so long has gone */
+    RobotServicesActor(Settings settings, Duration silenceLimit) {
         this.table = settings.table();
         this.observer = settings.observer();
-        this.connections = new RobotConnections(settings);
+        this.connections = new RobotConnections(settings, silenceLimit);
+    }
+
+    /**
+     * Connects to all robots of the table.
+     *
+     * @throws PlayerException if one cannot be reached; then there is no connection
+     */
+    final void connectAll() {
+        try {
+            for (int robot = 0; robot < table.robots(); robot++) {
+                connections.connect(robot);
+            }
+        } catch (PlayerException unreachable) {
+            connections.closeAll();
+            throw unreachable;
+        }
+    }
+
+    /** Whether a speed may be sent to a robot now. */
+    boolean mayCommand(int robot, Velocity velocity) {
+        return true;
     }
 
     @Override
     public Promise<ServiceEnd> drive(int robot, String service, int stateColour) {
-        Service named = named(service);
+        Service named = named(table, service);
         ColourRule rule = named.findsColours() ? ruleIn(stateColour) : ColourRule.NONE;
         var seen = new ArrayList<Integer>(1);
         return start(robot, named, (devices, secondsInCharge) -> {
@@ -97,7 +126,8 @@ public final class RobotServicesActor extends Actor implements RobotServices {
                 .thenApply(stopped -> new ServiceEnd(seen.stream().findFirst()));
     }
 
-    private Service named(String service) {
+    /** @throws IllegalArgumentException if no state of the table has the service */
+    static Service named(SubsumptionTable table, String service) {
         return table.service(service)
                 .orElseThrow(() -> new IllegalArgumentException("there is no service " + service + ", expected one of "
                         + table.services().stream().map(Service::name).collect(Collectors.joining(", "))));
@@ -115,20 +145,7 @@ public final class RobotServicesActor extends Actor implements RobotServices {
     public void drive(int robot, String service, Callback<ColourReport> reports) {
         Promise<@Nullable Void> end;
         try {
-            Service named = named(service);
-            end = start(robot, named, (devices, secondsInCharge) -> {
-                if (reports.isCancelled()) {
-                    LOG.log(Level.WARNING, "robot {0}: {1} stops, as nobody listens to it any more", robot + 1, named);
-                    return false;
-                }
-                if (named.findsColours()) {
-                    coloursToSend(devices).forEach(colour -> {
-                        observer.colourSent(robot, colour);
-                        reports.next(new ColourReport(robot, colour, secondsInCharge));
-                    });
-                }
-                return true;
-            });
+            end = driveWithReports(robot, service, reports);
         } catch (RuntimeException impossible) {
             end = Promise.failed(impossible);
         }
@@ -139,6 +156,24 @@ public final class RobotServicesActor extends Actor implements RobotServices {
                 reports.fail(error);
             }
             return null;
+        });
+    }
+
+    /** The same without the end of the reports; settled when the service has stopped. */
+    final Promise<@Nullable Void> driveWithReports(int robot, String service, Callback<ColourReport> reports) {
+        Service named = named(table, service);
+        return start(robot, named, (devices, secondsInCharge) -> {
+            if (reports.isCancelled()) {
+                LOG.log(Level.WARNING, "robot {0}: {1} stops, as nobody listens to it any more", robot + 1, named);
+                return false;
+            }
+            if (named.findsColours()) {
+                coloursToSend(devices).forEach(colour -> {
+                    observer.colourSent(robot, colour);
+                    reports.next(new ColourReport(robot, colour, secondsInCharge));
+                });
+            }
+            return true;
         });
     }
 
@@ -231,12 +266,18 @@ public final class RobotServicesActor extends Actor implements RobotServices {
         RunningService(Service service, RobotConnection connection, ServiceCycle.Finder finder, boolean startsNow) {
             this.connection = connection;
             this.robot = connection.robots().getFirst();
-            this.cycle = new ServiceCycle(service, robot, observer);
+            this.cycle = new ServiceCycle(service, robot, this::command, observer);
             this.finder = finder;
             if (startsNow) {
                 notifyStarted();
             }
             this.ended = space().repeatWhile(() -> goesOn, this::nextCycle).whenComplete((done, error) -> halt(error));
+        }
+
+        private void command(Velocity velocity) {
+            if (mayCommand(robot.index(), velocity)) {
+                robot.drive(velocity);
+            }
         }
 
         /** Ends the service now instead of at the next reading. */
@@ -299,12 +340,14 @@ public final class RobotServicesActor extends Actor implements RobotServices {
     /** The connections with the robots: one per robot, or one per service. */
     private final class RobotConnections {
         private final Settings settings;
+        private final Duration silenceLimit;
         private final Map<Integer, RobotConnection> open = new TreeMap<>(); // by robot
         private final Set<Integer> reconnecting = new HashSet<>();
         private final List<RobotConnection> closing = new ArrayList<>();
 
-        RobotConnections(Settings settings) {
+        RobotConnections(Settings settings, Duration silenceLimit) {
             this.settings = settings;
+            this.silenceLimit = silenceLimit;
         }
 
         /** Returns the connection with a robot; connects if there is none. */
@@ -312,7 +355,11 @@ public final class RobotServicesActor extends Actor implements RobotServices {
             return open.computeIfAbsent(robot, index -> {
                 var devices = new RobotConnection.Devices(index, true, table.usesLaser(index));
                 var connection = RobotConnection.open(
-                        settings.host(), settings.port(), RobotConnection.Delivery.PULL, List.of(devices));
+                        settings.host(),
+                        settings.port(),
+                        RobotConnection.Delivery.PULL,
+                        List.of(devices),
+                        silenceLimit);
                 connection.readOnSpace();
                 return connection;
             });

@@ -3,6 +3,7 @@ package io.troupe.services.subsumption;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.robot.ControlCycle;
 import io.troupe.services.robot.PlayerRobot;
+import java.util.function.Consumer;
 
 /**
  * The control cycle of a service: looks for colours, steps the behaviour, and commands the velocity. The same in all
@@ -28,14 +29,17 @@ final class ServiceCycle {
 
     private final Service service;
     private final PlayerRobot robot;
+    private final Consumer<Velocity> wheels;
     private final ControlCycle control;
     private final ServiceObserver observer;
     private double startSeconds = Double.NaN;
 
-    ServiceCycle(Service service, PlayerRobot robot, ServiceObserver observer) {
+    /** @param wheels receives the velocities, by custom {@code robot::drive} */
+    ServiceCycle(Service service, PlayerRobot robot, Consumer<Velocity> wheels, ServiceObserver observer) {
         this.service = service;
         this.robot = robot;
-        this.control = new ControlCycle(service.behaviour().get(), robot::drive);
+        this.wheels = wheels;
+        this.control = new ControlCycle(service.behaviour().get(), wheels);
         this.observer = observer;
     }
 
@@ -64,7 +68,7 @@ final class ServiceCycle {
         }
         boolean goesOn = finder.look(robot, robot.timeSeconds() - startSeconds);
         if (goesOn) {
-            robot.drive(control.step(robot.senses(service.usesLaser())).orElse(Velocity.STOP));
+            wheels.accept(control.step(robot.senses(service.usesLaser())).orElse(Velocity.STOP));
         }
         observer.cycleEnded(robot.index(), service);
         return goesOn;

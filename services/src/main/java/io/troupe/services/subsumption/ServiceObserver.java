@@ -29,6 +29,12 @@ public interface ServiceObserver {
      */
     default void colourSent(int robot, int colour) {}
 
+    /**
+     * The lease of a service is over, because its arbitrator has not renewed it in time: the service stops. Called only
+     * over hosts.
+     */
+    default void leaseLost(int robot, Service service) {}
+
     /** An observer that does nothing. */
     ServiceObserver NONE = new ServiceObserver() {
         @Override

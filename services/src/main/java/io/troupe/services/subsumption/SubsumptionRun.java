@@ -2,6 +2,7 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
@@ -11,9 +12,13 @@ import io.troupe.broker.BrokerSettings;
 import io.troupe.broker.ConnectionSettings;
 import io.troupe.broker.Need;
 import io.troupe.broker.ServiceCallException;
+import io.troupe.broker.ServiceRecord;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -78,6 +83,9 @@ public final class SubsumptionRun implements AutoCloseable {
 
     private static final System.Logger LOG = System.getLogger(SubsumptionRun.class.getName());
 
+    /** The arbitrator, in messages about what it needs. */
+    static final String CALLER = "arbitrator";
+
     /**
      * A service answers when it ends, which may take hours. The calls to all robots of the first state may be queued
      * before the provider has started.
@@ -137,7 +145,10 @@ public final class SubsumptionRun implements AutoCloseable {
 
     /** Throws the error that has ended the run, if there is one. Any thread may call it. */
     public void check() {
-        Throwable error = failure.get();
+        rethrow(failure.get());
+    }
+
+    static void rethrow(@Nullable Throwable error) {
         if (error instanceof RuntimeException unchecked) {
             throw unchecked;
         }
@@ -153,18 +164,36 @@ public final class SubsumptionRun implements AutoCloseable {
     }
 
     /**
-     * Publishes robot services at a broker on a space, and connects to them through it.
+     * Robot services that are called through a broker.
+     *
+     * @param ready fulfilled when each service of the table has a provider
+     */
+    record Connected(RobotServices services, Promise<?> ready) {}
+
+    /**
+     * Publishes robot services at a broker on a space, with the services of the table as capabilities, and connects to
+     * each of these through the broker.
      *
      * @param failed receives the cause if the services cannot start or end, or if a one-way call does not reach them:
      *     such a call has no promise that could be rejected
      */
-    static RobotServices publishAndConnect(
-            ActorSpace space, Supplier<? extends RobotServices> provider, Consumer<Throwable> failed) {
+    static Connected publishAndConnect(
+            ActorSpace space,
+            SubsumptionTable table,
+            Supplier<? extends RobotServices> provider,
+            Consumer<Throwable> failed) {
         BrokerObserver observer = event -> observe(event, failed);
         var actors = new ActorServices(Broker.open(space, BROKER.withObserver(observer)), "robots", space, observer);
-        actors.publish(space, RobotServices.class, RobotServices.SERVICE, List.of("drives"), provider);
-        return actors.connect(RobotServices.class, Need.ofService("arbitrator", RobotServices.SERVICE), LIMITS)
-                .actor();
+        List<String> names = table.services().stream().map(Service::name).toList();
+        actors.publish(space, RobotServices.class, RobotServices.SERVICE, names, provider);
+        Map<String, RobotServices> byService = new LinkedHashMap<>();
+        List<Promise<ServiceRecord>> ready = new ArrayList<>();
+        for (String name : names) {
+            var connection = actors.connect(RobotServices.class, Need.ofCapability(CALLER, name), LIMITS);
+            byService.put(name, connection.actor());
+            ready.add(connection.first());
+        }
+        return new Connected(new RoutedServices(byService), Promise.all(ready));
     }
 
     private static void observe(BrokerEvent event, Consumer<Throwable> failed) {
@@ -211,15 +240,19 @@ public final class SubsumptionRun implements AutoCloseable {
 
         private void startActors(Settings settings, Supplier<? extends RobotServices> provider)
                 throws InterruptedException {
-            RobotServices services = publishAndConnect(space, provider, why -> {
+            Connected connected = publishAndConnect(space, settings.table(), provider, why -> {
                 if (!closing) {
                     report(why);
                 }
             });
             Arbitrator arbitrator = space.spawn(
                     Arbitrator.class,
-                    () -> new Arbitrator(settings.mode(), services, settings.table(), settings.listener()));
-            arbitrator.live();
+                    () -> new Arbitrator(settings.mode(), connected.services(), settings.table(), settings.listener()));
+            // calls of connections without a provider would wait, and arrive in the order of the connections
+            connected.ready().thenRun(arbitrator::live).exceptionally(error -> {
+                report(error);
+                return null;
+            });
             arbitrator.failure().exceptionally(error -> {
                 report(error);
                 return null;

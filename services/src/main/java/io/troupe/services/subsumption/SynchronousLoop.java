@@ -179,7 +179,7 @@ final class SynchronousLoop implements AutoCloseable {
         settings.listener().stateStarted(state, seenBy);
         for (int robot = 0; robot < robots.size(); robot++) {
             Service service = state.services().get(robot);
-            var cycle = new ServiceCycle(service, robots.get(robot), settings.observer());
+            var cycle = new ServiceCycle(service, robots.get(robot), robots.get(robot)::drive, settings.observer());
             if (robots.get(robot).hasData()) {
                 cycle.start();
             }

@@ -114,7 +114,9 @@ abstract class RobotsBench {
 
     RobotServices published(SubsumptionTable table) {
         var settings = settings(table);
-        return SubsumptionRun.publishAndConnect(test.space(), () -> new RobotServicesActor(settings), failures::add);
+        return SubsumptionRun.publishAndConnect(
+                        test.space(), table, () -> new RobotServicesActor(settings), failures::add)
+                .services();
     }
 
     SubsumptionRun.Settings run(Mode mode, int port, SubsumptionTable table) {

@@ -70,17 +70,19 @@ class SubsumptionRunTest extends RobotsBench {
     @Test
     void callThatReachesNoServices_isAFailure() {
         RobotServices services = SubsumptionRun.publishAndConnect(
-                test.space(),
-                () -> {
-                    throw new IllegalStateException("no robots");
-                },
-                failures::add);
+                        test.space(),
+                        PAPER,
+                        () -> {
+                            throw new IllegalStateException("no robots");
+                        },
+                        failures::add)
+                .services();
         test.run(() -> services.drive(0, "wallFollower", (report, error) -> {}));
         failures.clear(); // of the start
         test.advance(Duration.ofSeconds(2));
         assertThat(failures).singleElement().asString().contains("drive", "found no provider");
         failures.clear();
-        assertThat(test.takeProblems()).hasSize(1); // of the start
+        assertThat(test.takeProblems()).hasSize(2); // of the starts, one for each service of the table
     }
 
     // ---- synchronous mode

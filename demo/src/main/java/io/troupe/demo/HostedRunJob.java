@@ -1,0 +1,111 @@
+package io.troupe.demo;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.broker.BrokerEvent;
+import io.troupe.bus.BusObserver;
+import io.troupe.bus.BusSettings;
+import io.troupe.bus.Loss;
+import io.troupe.demo.hosts.BusOptions;
+import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.services.subsumption.RobotNode;
+import io.troupe.view.Pictures;
+import io.troupe.view.RecordedHostedRun;
+import io.troupe.view.RunLog;
+import io.troupe.view.RunResult;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.lang.System.Logger.Level;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.atomic.LongAdder;
+import picocli.CommandLine.Model.CommandSpec;
+
+/** The part of {@code troupe run} that is over hosts: the arbitrator and the record. */
+final class HostedRunJob {
+    private final BusOptions busOptions;
+    private final Path out;
+    private final PrintWriter terminal;
+    private final LongAdder losses = new LongAdder();
+
+    HostedRunJob(CommandSpec spec, BusOptions busOptions, Path out) {
+        this.busOptions = busOptions;
+        this.out = out;
+        this.terminal = spec.commandLine().getOut();
+    }
+
+    void run(RecordedHostedRun.Settings settings, Interruption interruption) throws IOException, InterruptedException {
+        try (var progress = ProgressBar.onTerminal(settings.seconds());
+                var space = ActorSpace.create(SpaceSettings.named("broker"));
+                var bus = busOptions.open(BusSettings.on(space).withObserver(observer(progress)));
+                var node = RobotNode.open(bus, space, HostedRunJob::log, 0)) {
+            var run = new RecordedHostedRun(settings);
+            interruption.onRequest(run::stop);
+            Path file = out.resolve("run.jsonl");
+            RunResult result;
+            try (var log = new RunLog(file)) {
+                result = run.run(node, log, progress.hostedListener(line -> print(progress, line), interruption));
+            }
+            progress.close();
+            report(settings, result, file, interruption);
+        }
+    }
+
+    private void report(RecordedHostedRun.Settings settings, RunResult result, Path file, Interruption interruption)
+            throws IOException {
+        terminal.printf(
+                Locale.ROOT,
+                "%n%s, %s mode, robots at %s:%d: %s s%n",
+                settings.world().name(),
+                settings.mode(),
+                settings.host(),
+                settings.port(),
+                result.duration());
+        terminal.print(result.summary());
+        terminal.println("messages that the bus has lost: " + losses);
+        terminal.flush(); // before writing files, which may fail
+        if (interruption.isRequested()) {
+            terminal.println("interrupted: this is what was done until then; the last line of run.jsonl says so");
+        }
+        if (result.robots().getFirst().path().isEmpty()) {
+            terminal.println("wrote " + file);
+        } else {
+            Path picture = out.resolve("trajectory.svg");
+            OutputFiles.write(picture, Pictures.trajectory(settings.world(), result));
+            terminal.println("wrote " + picture + " and " + file);
+        }
+        terminal.flush();
+    }
+
+    private void print(ProgressBar progress, String line) {
+        progress.interrupt(() -> {
+            terminal.println(line);
+            terminal.flush();
+        });
+    }
+
+    private BusObserver observer(ProgressBar progress) {
+        return new BusObserver() {
+            @Override
+            public void lost(Loss loss) {
+                losses.increment();
+                System.getLogger(HostedRunJob.class.getName()).log(Level.DEBUG, "{0}", loss);
+            }
+
+            @Override
+            public void disconnected(String why) {
+                print(progress, "not connected to the bus: " + why);
+            }
+
+            @Override
+            public void connected() {
+                print(progress, "connected to the bus again");
+            }
+        };
+    }
+
+    private static void log(BrokerEvent event) {
+        System.getLogger(HostedRunJob.class.getName()).log(Level.DEBUG, "{0}", event);
+    }
+}

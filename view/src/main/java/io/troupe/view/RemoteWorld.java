@@ -1,0 +1,178 @@
+package io.troupe.view;
+
+import io.troupe.actor.time.Clock;
+import io.troupe.player.PlayerClient;
+import io.troupe.player.PlayerException;
+import io.troupe.player.Position2DInterface;
+import io.troupe.player.SimulationInterface;
+import io.troupe.player.structures.PlayerConstants;
+import io.troupe.player.structures.PlayerPose;
+import io.troupe.services.robot.DriverLimits;
+import io.troupe.sim.Contact;
+import io.troupe.sim.RobotReading;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.device.Odometry;
+import io.troupe.sim.device.Scene;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.sim.physics.Physics;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.HashSet;
+import java.util.List;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The robots of a Player server on another host, in the world that a file describes. Poses come from the server; gaps
+ * and contacts are computed from them, at each reading.
+ *
+ * <p><b>Threads.</b> One; {@link #stop} may be called by any thread.
+ */
+final class RemoteWorld implements AutoCloseable {
+    private static final Duration POSE_LIMIT = Duration.ofSeconds(5);
+    private static final double FAR_M = 3; // robots so far apart do not touch
+    private static final Odometry UNKNOWN = new Odometry(new Pose(0, 0, 0), 0, 0, false);
+
+    private final WorldSpec world;
+    private final String address;
+    private final PlayerClient client;
+    private final Position2DInterface first;
+    private final SimulationInterface simulation;
+    private final Scene scene;
+    private final Set<String> touching = new HashSet<>();
+    private double startSeconds = Double.NaN;
+    private long ticks;
+    private volatile boolean stopped;
+
+    /**
+     * Connects.
+     *
+     * @throws PlayerException if there is no server, or it does not offer the devices
+     */
+    RemoteWorld(String host, int port, WorldSpec world) {
+        this.world = world;
+        this.address = host + ":" + port;
+        this.scene = new Scene(world);
+        this.client = new PlayerClient(host, port);
+        try {
+            client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
+            client.setSilenceLimit(DriverLimits.SILENCE_LIMIT);
+            first = client.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+            simulation = client.requestInterfaceSimulation(0, PlayerConstants.PLAYER_OPEN_MODE);
+        } catch (RuntimeException refused) {
+            client.close();
+            throw refused;
+        }
+    }
+
+    /** The next reading, or null if this was stopped. Times begin with the first one. */
+    @Nullable
+    Snapshot next() {
+        try {
+            double stampSeconds;
+            do {
+                client.readAll();
+                stampSeconds = first.getData() == null ? Double.NaN : first.getTimestamp();
+            } while (Double.isNaN(stampSeconds));
+            if (Double.isNaN(startSeconds)) {
+                startSeconds = stampSeconds;
+            }
+            return snapshot(StrictMath.round((stampSeconds - startSeconds) * 1e6));
+        } catch (PlayerException closed) {
+            if (stopped) {
+                return null;
+            }
+            throw closed;
+        }
+    }
+
+    private Snapshot snapshot(long timeMicros) {
+        var poses = new ArrayList<Pose>();
+        for (int robot = 0; robot < world.robots().size(); robot++) {
+            Pose pose = pose(world.robots().get(robot).name());
+            scene.place(robot, pose);
+            poses.add(pose);
+        }
+        var readings = new ArrayList<RobotReading>();
+        for (int robot = 0; robot < poses.size(); robot++) {
+            readings.add(new RobotReading(poses.get(robot), UNKNOWN, null, null, List.of(), scene.wallGapM(robot)));
+        }
+        return new Snapshot(ticks++, timeMicros, readings, contacts(timeMicros, poses));
+    }
+
+    private Pose pose(String model) {
+        simulation.get2DPose(model);
+        long sinceNanos = Clock.system().nanos();
+        while (!simulation.isPose2DReady()) {
+            if (Clock.system().nanos() - sinceNanos > POSE_LIMIT.toNanos()) {
+                throw new PlayerException("the robots at " + address + " do not include '" + model
+                        + "', expected those of " + world.file());
+            }
+        }
+        PlayerPose pose = simulation.getPose2D().getPose();
+        return new Pose(pose.getPx(), pose.getPy(), pose.getPa());
+    }
+
+    // ---- contacts
+
+    private List<Contact> contacts(long timeMicros, List<Pose> poses) {
+        List<Contact> begun = new ArrayList<>();
+        for (int robot = 0; robot < poses.size(); robot++) {
+            for (int other = 0; other < robot; other++) {
+                String name = world.robots().get(other).name();
+                Pose here = poses.get(robot);
+                Pose there = poses.get(other);
+                boolean near = StrictMath.hypot(here.x() - there.x(), here.y() - there.y()) < FAR_M;
+                double gapM = near ? gapM(robot, here, body(other, there)) : Double.POSITIVE_INFINITY;
+                if (begins(robot, name, gapM)) {
+                    begun.add(new Contact(timeMicros, robot, name, other));
+                }
+            }
+            for (ObstacleSpec obstacle : world.obstacles()) {
+                boolean near = scene.wallGapM(robot) <= Physics.SKIN_M && obstacle.blocksBodies();
+                double gapM = near ? gapM(robot, poses.get(robot), obstacle) : Double.POSITIVE_INFINITY;
+                if (begins(robot, "obstacle " + obstacle.name(), gapM)) {
+                    begun.add(new Contact(timeMicros, robot, obstacle.name(), -1));
+                }
+            }
+        }
+        return begun;
+    }
+
+    private boolean begins(int robot, String with, double gapM) {
+        String pair = robot + " " + with;
+        if (gapM > Physics.SKIN_M) {
+            touching.remove(pair);
+            return false;
+        }
+        return touching.add(pair);
+    }
+
+    private ObstacleSpec body(int robot, Pose pose) {
+        RobotSpec spec = world.robots().get(robot);
+        return new ObstacleSpec(
+                spec.name(), pose, spec.collisionShape(), spec.colour(), spec.blocksBodies(), true, true, spec.where());
+    }
+
+    private double gapM(int robot, Pose pose, ObstacleSpec obstacle) {
+        RobotSpec spec = world.robots().get(robot);
+        var both = new Scene(
+                new WorldSpec(world.name(), world.file(), world.intervalMillis(), List.of(spec), List.of(obstacle)));
+        both.place(0, pose);
+        return both.wallGapM(0);
+    }
+
+    /** Ends {@link #next}. */
+    void stop() {
+        stopped = true;
+        client.close();
+    }
+
+    @Override
+    public void close() {
+        client.close();
+    }
+}
