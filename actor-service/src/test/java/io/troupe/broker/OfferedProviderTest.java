@@ -196,8 +196,12 @@ class OfferedProviderTest extends HostsBench {
         peer.offer(Health.NOT_STARTED, 0);
         var required = near.broker.require(PARROT);
         test.crank();
-        advance(7_500);
-        assertThat(test.error(required)).hasMessageContaining("asked peer/broker for start: no answer within PT7.5S");
+        for (int millis = 0; millis < 7_500; millis += 500) {
+            assertThat(required.isDone()).isFalse();
+            advance(500); // the request may be lost, and is repeated
+        }
+        assertThat(test.error(required)).hasMessageContaining("asked peer/broker for start: no answer within");
+        assertThat(peer.starts).hasSizeGreaterThan(1);
     }
 
     @Test
