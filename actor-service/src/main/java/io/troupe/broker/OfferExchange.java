@@ -49,7 +49,6 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
     private List<OfferMessages.Offer> published = List.of();
     private long count;
     private long lastTickNanos;
-    private Duration connected = Duration.ZERO;
     private boolean asked; // the broker, for changes
     private boolean closed;
     private boolean brokerEnded;
@@ -82,7 +81,6 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
         });
         broker.share(bus.node(), rank, () -> publish(false));
         lastTickNanos = nowNanos();
-        connected = bus.connectedFor();
         send(OfferMessages.ASK, new OfferMessages.AskOffers());
         publish(true);
         ticking = every(PERIOD, Schedule.FIXED_DELAY, this::tick);
@@ -228,7 +226,9 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
         /** The process is gone: withdraws all that it has offered. */
         void end(String why) {
             List.copyOf(offered.values()).forEach(provider -> {
-                provider.endUse(provider.address() + " has ended: " + why);
+                if (!brokerEnded) { // it has no listeners any more
+                    provider.endUse(provider.address() + " has ended: " + why);
+                }
                 withdraw(provider.address().name());
             });
             retired.forEach(RemoteActor::end);
@@ -274,19 +274,17 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
 
     private void tick() {
         long nowNanos = nowNanos();
-        long pausedNanos = nowNanos - lastTickNanos - PERIOD.toNanos();
+        long sinceLastNanos = nowNanos - lastTickNanos;
         lastTickNanos = nowNanos;
-        Duration before = connected;
-        connected = bus.connectedFor();
-        if (connected.compareTo(before) < 0 && !connected.isZero() && !closed) {
+        long connectedNanos = bus.connectedFor().toNanos();
+        if (connectedNanos > 0 && connectedNanos < sinceLastNanos && !closed) {
             send(OfferMessages.ASK, new OfferMessages.AskOffers()); // connected again
         }
         publish(true);
-        boolean paused = pausedNanos > PERIOD.toNanos();
+        long pausedNanos = sinceLastNanos - PERIOD.toNanos();
         for (Peer peer : new ArrayList<>(peers.values())) {
-            if (paused) {
+            if (pausedNanos > PERIOD.toNanos()) {
                 peer.seenNanos += pausedNanos; // what came in the meantime has not been received yet
-                continue;
             }
             long silentNanos = nowNanos - peer.seenNanos;
             if (silentNanos > WITHDRAWN_AFTER.toNanos()) {

@@ -37,11 +37,7 @@ final class OfferedProvider implements Provider {
     private @Nullable Use use;
 
     /** The use of one life of the provider. */
-    private record Use(long life, RemoteActor actor, Deferred<@Nullable Void> ended) {
-        boolean isEndedBy(OfferMessages.Offer now) {
-            return now.life() > life || now.life() == life && !now.isRunning() && now.health() != Health.STARTING;
-        }
-    }
+    private record Use(long life, RemoteActor actor, Deferred<@Nullable Void> ended) {}
 
     OfferedProvider(Context context, Address address, OfferMessages.Offer offer) {
         this.context = context;
@@ -55,11 +51,10 @@ final class OfferedProvider implements Provider {
 
     // ---- what its process reports
 
-    /** Returns whether only its state differs, so that it is the same provider. */
+    /** Returns whether only its state or rank differs, so that it is the same provider. */
     boolean isSame(OfferMessages.Offer other) {
         return other.service().equals(offer.service())
                 && other.capabilities().equals(offer.capabilities())
-                && other.rank() == offer.rank()
                 && other.methods().equals(offer.methods());
     }
 
@@ -69,10 +64,14 @@ final class OfferedProvider implements Provider {
         offer = now;
         silent = false;
         Use used = use;
-        if (used != null && used.isEndedBy(now)) {
+        if (used != null && hasEnded(used.life)) {
             end(used, new ProviderException(address + " has ended", null));
         }
         return revived;
+    }
+
+    private boolean hasEnded(long life) {
+        return offer.life() > life || offer.life() == life && !offer.isRunning() && offer.health() != Health.STARTING;
     }
 
     private void end(Use used, ProviderException why) {
@@ -167,14 +166,10 @@ final class OfferedProvider implements Provider {
     }
 
     private void hasStarted(long life) {
-        if (use != null) {
-            endUse(address + " was started again");
+        if (hasEnded(life)) { // the offers have overtaken the reply
+            throw new ProviderException(address + " has ended", null);
         }
-        var begun = new Use(life, context.actors.begin(address, offer.methods()), new Deferred<>(null));
-        use = begun;
-        if (begun.isEndedBy(offer)) { // the offers have overtaken the reply
-            end(begun, new ProviderException(address + " has ended", null));
-        }
+        use = new Use(life, context.actors.begin(address, offer.methods()), new Deferred<>(null));
     }
 
     @Override

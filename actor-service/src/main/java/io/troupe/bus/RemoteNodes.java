@@ -68,7 +68,6 @@ final class RemoteNodes implements BusEngine.Listener {
     }
 
     void close() {
-        published.forEach((key, series) -> mark(key, series, 0));
         engine.close();
     }
 

@@ -4,10 +4,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Address;
+import io.troupe.bus.BusException;
 import io.troupe.bus.RemoteFailure;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -357,6 +359,67 @@ class ActorServicesOverHostsTest extends HostsBench {
         return get(promise);
     }
 
+    private int ports;
+
+    /** Calls a method of the parrot with a text, without a connection. */
+    private Promise<CallMessages.Result> call(String method) {
+        var port = near.bus.attach("test" + ++ports);
+        var sayLater = new CallableInterfaces().of(Parrot.class).method("sayLater(String)");
+        var arguments = sayLater.encode(new Object[] {"hello"}, parameter -> 0);
+        var call = new CallMessages.Call(port.address(), method, arguments);
+        return port.ask(new Address("far", "parrot"), CallMessages.CALL, call, LONG);
+    }
+
+    @Test
+    void callOfAMethodThatTheActorDoesNotHave_isRejectedByItsName() {
+        far.publish("a");
+        get(near.connected().say("1"));
+        assertThat(test.error(call("sayLatter(String)")))
+                .isInstanceOfSatisfying(
+                        BusException.class,
+                        error -> assertThat(error.mayHaveBeenHandled()).isFalse())
+                .hasMessageContaining("it has no method sayLatter(String); did you mean sayLater(String)?");
+        losses.clear();
+    }
+
+    @Test
+    void endOfTheActor_isNoAnswerOfIt_andTheEndOfAnotherActorIs() {
+        far.publish("a");
+        get(near.connected().say("1"));
+        var other = test.spawn(Parrot.class, () -> far.parrot("other"));
+        var lost = other.sayLater("x");
+        test.crank();
+        test.space().stop(other);
+        assertThat(test.error(lost)).isInstanceOf(ActorStoppedException.class);
+        var answered = call("sayLater(String)");
+        test.crank();
+        far.parrots.get("a").later().remove().reject(test.error(lost));
+        assertThat(test.error(answered))
+                .isInstanceOf(RemoteFailure.class)
+                .hasMessageContaining("ActorStoppedException");
+        var unanswered = call("sayLater(String)");
+        test.crank();
+        far.kill("parrot");
+        assertThat(test.error(unanswered))
+                .isInstanceOfSatisfying(
+                        BusException.class,
+                        error -> assertThat(error.mayHaveBeenHandled()).isTrue());
+        losses.clear();
+    }
+
+    interface Lists {
+        Promise<List<Integer>> get();
+    }
+
+    @Test
+    void resultThatCannotBeSent_isAnError() {
+        get(far.services.publish(test.space(), Lists.class, "lists", List.of(), () -> () -> Promise.of(withNull())));
+        var lists = near.services
+                .connect(Lists.class, Need.ofService("user", "lists"))
+                .actor();
+        assertThat(test.error(lists.get())).isInstanceOf(RemoteFailure.class).hasMessageContaining("null");
+    }
+
     // ---- cancellation
 
     @Test
@@ -459,6 +522,41 @@ class ActorServicesOverHostsTest extends HostsBench {
                 .hasMessage("far/counter failed to answer Counter.give(Callback): java.lang.IllegalStateException: no"
                         + " more");
         assertThat(sender.isCancelled()).isTrue();
+    }
+
+    interface Feed {
+        void feed(Callback<List<Integer>> callback, List<Integer> first);
+    }
+
+    private static List<Integer> withNull() {
+        var list = new ArrayList<Integer>();
+        list.add(null);
+        return list;
+    }
+
+    @Test
+    void valueThatCannotBeSent_endsTheStream_onBothSides() {
+        List<Callback<List<Integer>>> senders = new ArrayList<>();
+        Feed actor = (callback, first) -> senders.add(callback);
+        get(far.services.publish(test.space(), Feed.class, "feed", List.of(), () -> actor));
+        var connection = near.services.connect(Feed.class, Need.ofService("user", "feed"));
+        var feed = get(connection.whenReady());
+        var refused = test.<List<Integer>>callback();
+        feed.feed(refused, withNull());
+        assertThat(refused.expectFailed()).hasMessageContaining("argument 2 cannot be sent");
+        assertThat(near.events(BrokerEvent.Undelivered.class)).hasSize(1);
+        assertThat(senders).isEmpty();
+        var probe = test.<List<Integer>>callback();
+        feed.feed(probe, List.of());
+        test.crank();
+        senders.getLast().next(withNull());
+        test.crank();
+        assertThat(test.takeProblems()).hasSize(1);
+        assertThat(probe.expectFailed()).hasMessageContaining("null");
+        assertThat(senders.getLast().isCancelled()).isTrue();
+        connection.close();
+        test.crank();
+        near.bus.attach("caller-1").close(); // the name of its port is free again
     }
 
     @Test

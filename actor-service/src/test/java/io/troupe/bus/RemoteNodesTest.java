@@ -153,6 +153,26 @@ class RemoteNodesTest {
     }
 
     @Test
+    void topicThatIsNotQuietYet_isMarkedByALaterRound_andAllAtTheEndOfTheNode() {
+        port.publish(COUNTS, new Count(1));
+        test.advance(Duration.ofMillis(500));
+        port.publish(new BusTopic<>("others", Count.class), new Count(1));
+        engine.sent.clear();
+        test.advance(Duration.ofMillis(501));
+        assertThat(engine.takeSent("far"))
+                .containsExactly("publish counts: Mark[purpose=publication on counts, series=1]");
+        test.advance(SECOND);
+        assertThat(engine.takeSent("far"))
+                .containsExactly("publish others: Mark[purpose=publication on others, series=1]");
+        port.publish(COUNTS, new Count(2));
+        engine.sent.clear();
+        bus.close();
+        assertThat(engine.takeSent("far"))
+                .containsExactly("publish counts: Mark[purpose=publication on counts, series=2]");
+        test.advance(SECOND.multipliedBy(2));
+    }
+
+    @Test
     void publication_whileDisconnected_isReported_andLeavesNoGap() {
         engine.why = "it is disconnected";
         port.publish(COUNTS, new Count(1));
@@ -259,6 +279,34 @@ class RemoteNodesTest {
     }
 
     @Test
+    void request_withoutALimitThatMatters_carriesNone() {
+        var answer = heard(port.ask(FAR, SPELL, new Count(1), Duration.ofDays(7_300)));
+        assertThat(engine.takeSent("far"))
+                .containsExactly("send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=0]");
+        engine.why = "it is disconnected";
+        answer.cancel();
+        assertThat(engine.sent).as("no cancellation while disconnected").isEmpty();
+    }
+
+    @Test
+    void requestThatWasHeldUpOnItsWay_hasOnlyTheRestOfItsLimit() {
+        var handled = new ArrayList<Integer>();
+        port.answer(SPELL, count -> {
+            handled.add(count.value());
+            return Promise.of(new Text(""));
+        });
+        arrives(request(1, SECOND, new Count(1)));
+        byte[] heldUp = request(2, SECOND, new Count(2));
+        test.advance(Duration.ofMillis(600));
+        arrives(heldUp);
+        test.clock().advance(Duration.ofMillis(500));
+        test.crank();
+        assertThat(handled).containsExactly(1);
+        assertThat(take(losses)).singleElement().asString().contains("got to it after the limit");
+        engine.sent.clear();
+    }
+
+    @Test
     void requestFromAnotherNode_isHandled_rejectedWhenItComesTooLate_andNotHandledWhenItWasCancelled() {
         var handled = new ArrayList<Integer>();
         port.answer(SPELL, count -> {
@@ -319,6 +367,7 @@ class RemoteNodesTest {
         var answer = heard(port.ask(FAR, SPELL, new Count(1), SECOND));
         var other = heard(port.ask(new Address("third", "b"), SPELL, new Count(1), SECOND));
         port.send(FAR, SPELL, new Count(2));
+        port.send(new Address("third", "b"), SPELL, new Count(2));
         engine.listener().refused("far", "no permission");
         assertThat(answer.error()).hasMessage("near/a asked far/b for spell: no permission");
         assertThat(other.isDone()).isFalse();
@@ -410,9 +459,13 @@ class RemoteNodesTest {
     @Test
     void notice_thatNobodyReceives_isReported() {
         port.send(FAR, SPELL, new Count(1));
-        engine.listener().unreachable("far", engine.sent.getFirst().number(), "no such node");
+        port.send(FAR, SPELL, new Count(2));
+        long number = engine.sent.getFirst().number();
+        engine.listener().unreachable("far", number, "no such node");
         assertThat(take(losses))
                 .containsExactly("notice to far/b for spell from near/a (number 1) cannot be delivered: no such node");
+        engine.listener().unreachable("far", number, "no such node");
+        assertThat(losses).as("each is reported once").isEmpty();
         var purpose = new Purpose.Notice(new Address("near", "z"), "spell");
         arrives(farFrames.notice(new BusMessage.Data(FAR, purpose, 1, new Count(1)), purpose));
         assertThat(take(losses)).singleElement().asString().contains("nobody is there");

@@ -1,10 +1,8 @@
 package io.troupe.bench;
 
-import io.troupe.bench.BenchmarkCommand.AtLeastOne;
 import io.troupe.common.measure.ProgressLine;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumMap;
@@ -15,8 +13,8 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
@@ -33,22 +31,8 @@ import picocli.CommandLine.Option;
         description = "Compares Troupe with other actor libraries, and all of them with the limit.",
         showDefaultValues = true)
 public final class CompareActors implements Callable<Integer> {
-    @Option(
-            names = "--rounds",
-            paramLabel = "N",
-            converter = AtLeastOne.class,
-            description = "how many turns each contender has in each workload")
-    int rounds = 20;
-
-    @Option(
-            names = "--warm-up",
-            paramLabel = "MILLIS",
-            converter = AtLeastOne.class,
-            description = "for each contender and workload")
-    int warmUpMillis = 2_000;
-
-    @Option(names = "--seed", paramLabel = "N", description = "of the order of the turns")
-    long seed = 1;
+    @Mixin
+    final ComparisonOptions comparison = new ComparisonOptions(20, 2_000);
 
     @Option(
             names = "--only",
@@ -65,10 +49,6 @@ public final class CompareActors implements Callable<Integer> {
             converter = Workload.Converter.class,
             description = "these workloads")
     List<Workload> workloads = List.of(Workload.values());
-
-    @Option(names = "--figure", paramLabel = "FILE", description = "draws the ratios, as SVG")
-    @Nullable
-    Path figure;
 
     private final Results results = new Results(new EnumMap<>(Workload.class), new LinkedHashMap<>());
 
@@ -88,15 +68,15 @@ public final class CompareActors implements Callable<Integer> {
         try (var line = ProgressLine.open()) {
             compare(line);
         }
-        System.out.print(new CompareReport(rounds, seed, results).table());
-        if (figure != null) {
-            Files.writeString(figure, CompareDrawing.of(results).svg());
+        System.out.print(new CompareReport(comparison.rounds, comparison.seed, results).table());
+        if (comparison.figure != null) {
+            Files.writeString(comparison.figure, CompareDrawing.of(results).svg());
         }
         return 0;
     }
 
     private void compare(ProgressLine line) throws IOException {
-        var random = new Random(seed);
+        var random = new Random(comparison.seed);
         List<ContenderProcess> processes = new ArrayList<>();
         try {
             for (Contenders contender : contenders()) {
@@ -129,10 +109,14 @@ public final class CompareActors implements Callable<Integer> {
         for (ContenderProcess process : List.copyOf(processes)) {
             line.show(workload.label() + ": warming up " + process.name());
             turns.put(process.name(), new ArrayList<>());
-            attempt(process, processes, line, () -> operations.put(process, process.warm(workload, warmUpMillis)));
+            attempt(
+                    process,
+                    processes,
+                    line,
+                    () -> operations.put(process, process.warm(workload, comparison.warmUpMillis)));
         }
-        for (int round = 1; round <= rounds; round++) {
-            line.show(workload.label() + ": round " + round + " of " + rounds);
+        for (int round = 1; round <= comparison.rounds; round++) {
+            line.show(workload.label() + ": round " + round + " of " + comparison.rounds);
             var order = new ArrayList<>(processes);
             Collections.shuffle(order, random);
             for (ContenderProcess process : order) {
@@ -143,7 +127,7 @@ public final class CompareActors implements Callable<Integer> {
                         () -> turns.get(process.name()).add(process.turn(workload, operations.get(process))));
             }
         }
-        turns.values().removeIf(each -> each.size() < rounds);
+        turns.values().removeIf(each -> each.size() < comparison.rounds);
         return turns;
     }
 

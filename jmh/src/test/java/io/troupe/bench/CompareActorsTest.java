@@ -18,7 +18,11 @@ class CompareActorsTest {
         assertThat(options.contenders()).containsExactly(Contenders.values());
         assertThat(options.workloads).containsExactly(Workload.values());
         assertThat(options)
-                .extracting(each -> each.rounds, each -> each.warmUpMillis, each -> each.seed, each -> each.figure)
+                .extracting(
+                        each -> each.comparison.rounds,
+                        each -> each.comparison.warmUpMillis,
+                        each -> each.comparison.seed,
+                        each -> each.comparison.figure)
                 .containsExactly(20, 2_000, 1L, null);
     }
 
@@ -26,7 +30,7 @@ class CompareActorsTest {
     void only_addsTheLimitFirst_andTheLastOfEqualOptionsCounts() {
         assertThat(parsed("--only", "vertx,limit,troupe").contenders())
                 .containsExactly(Contenders.LIMIT, Contenders.VERTX, Contenders.TROUPE);
-        assertThat(parsed("--rounds", "3", "--rounds", "4").rounds).isEqualTo(4);
+        assertThat(parsed("--rounds", "3", "--rounds", "4").comparison.rounds).isEqualTo(4);
     }
 
     @Test
@@ -36,7 +40,11 @@ class CompareActorsTest {
         assertThat(options.contenders()).containsExactly(Contenders.LIMIT);
         assertThat(options.workloads).containsExactly(Workload.TELL, Workload.CREATE);
         assertThat(options)
-                .extracting(each -> each.rounds, each -> each.warmUpMillis, each -> each.seed, each -> each.figure)
+                .extracting(
+                        each -> each.comparison.rounds,
+                        each -> each.comparison.warmUpMillis,
+                        each -> each.comparison.seed,
+                        each -> each.comparison.figure)
                 .containsExactly(3, 50, -9L, Path.of("a.svg"));
     }
 

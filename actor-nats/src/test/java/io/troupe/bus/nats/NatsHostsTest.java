@@ -4,14 +4,18 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.bus.Address;
+import io.troupe.bus.BusException;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusTimeoutException;
+import io.troupe.bus.BusTopic;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -53,6 +57,52 @@ class NatsHostsTest extends NatsTest {
                 .redirectErrorStream(true);
         builder.environment().putAll(environment);
         return new String(builder.start().getInputStream().readAllBytes());
+    }
+
+    /** The server of {@code nats.conf} with the users of {@code permissions.conf}. */
+    private NatsServer startWithPermissions() throws IOException {
+        String text = Files.readString(HOSTS.resolve("nats.conf"));
+        int begin = text.indexOf("\nauthorization {") + 1;
+        int end = text.indexOf("\n}\n", begin) + 2;
+        String changed = text.substring(0, begin) + "include \"permissions.conf\"" + text.substring(end);
+        assertThat(text.substring(begin, end)).contains("$TROUPE_USER").doesNotContain("leafnodes");
+        Files.copy(HOSTS.resolve("permissions.conf"), folder.resolve("permissions.conf"));
+        var environment = new HashMap<>(USER);
+        List.of("BASE", "ROBOT1", "DISPLAY")
+                .forEach(user -> environment.put(user + "_PASSWORD", "of-" + user.toLowerCase(Locale.ROOT)));
+        var file = Files.writeString(
+                folder.resolve("nats.conf"),
+                changed.replace("  port: 7422\n", "  port: " + NatsServer.freePort() + "\n"));
+        return start(file, environment);
+    }
+
+    @Test
+    void permissions_keepANodeToItsNameAndItsTopics() throws Exception {
+        NatsServer.assumeInstalled();
+        var at = startWithPermissions().settings();
+        var base = open("base", at.withUser("base", "of-base")).attach("port");
+        var robot = speller("robot1", at.withUser("robot1", "of-robot1"));
+        var display = open("display", at.withUser("display", "of-display")).attach("port");
+        assertThat(answer(base, robot.address())).isEqualTo("number 7");
+        assertThatThrownBy(() -> open("robot2", at.withUser("robot1", "of-robot1")))
+                .isInstanceOf(BusException.class)
+                .hasMessageContaining("node robot2 cannot be opened")
+                .hasMessageContaining("troupe.who.robot2");
+
+        var topic = new BusTopic<>("robot1/state", Text.class);
+        display.subscribe(topic, (text, from) -> events.add(from + ": " + text.value()));
+        assertThatThrownBy(() -> answer(display, robot.address()))
+                .as("answered by the server after its subscription")
+                .isInstanceOf(BusException.class)
+                .hasMessageContaining("the server does not permit it to node display");
+        assertThat(next(losses)).contains("troupe.n.robot1");
+        robot.publish(topic, new Text("moving"));
+        assertThat(next(events)).isEqualTo("robot1/port: moving");
+
+        display.publish(topic, new Text("stop"));
+        assertThat(next(losses)).contains("the server does not permit it to node display", "troupe.t.robot1.state");
+        robot.publish(new BusTopic<>("robot2/drive", Text.class), new Text("go"));
+        assertThat(next(losses)).contains("the server does not permit it to node robot1", "troupe.t.robot2.drive");
     }
 
     @Test

@@ -7,6 +7,8 @@ import java.util.Arrays;
 enum BusContender {
     /** Our codec, and our bus over NATS. */
     TROUPE("troupe"),
+    /** Calls of an actor on another node, by its interface. */
+    ACTOR("troupe-actor"),
     /** The NATS client by itself, with the same bytes. */
     RAW("raw-nats"),
     /** Jackson's CBOR. */

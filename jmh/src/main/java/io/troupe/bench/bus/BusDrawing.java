@@ -24,6 +24,7 @@ record BusDrawing(Map<BusWorkload, Map<BusContender, List<Double>>> micros) {
     private static final double MEDIAN = 0.5;
     private static final double MORE = 1.01;
     private static final String OURS = "#d9822b";
+    private static final String ACTOR = "#009e73";
     private static final String OTHER = "#0072b2";
 
     static BusDrawing of(BusResults results) {
@@ -111,7 +112,11 @@ record BusDrawing(Map<BusWorkload, Map<BusContender, List<Double>>> micros) {
     }
 
     private static String colour(BusContender contender) {
-        return contender == BusContender.TROUPE ? OURS : OTHER;
+        return switch (contender) {
+            case TROUPE -> OURS;
+            case ACTOR -> ACTOR;
+            default -> OTHER;
+        };
     }
 
     private static String dashes(BusWorkload workload) {

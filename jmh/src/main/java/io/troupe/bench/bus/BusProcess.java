@@ -39,9 +39,8 @@ final class BusProcess implements AutoCloseable {
         return Double.parseDouble(ask("encoded " + workload));
     }
 
-    /** The bytes of heap that an open node keeps. */
-    double nodeBytes(boolean connected) throws IOException {
-        return Double.parseDouble(ask(connected ? "node connected" : "node alone"));
+    BusMemory.Cost costOf(BusResults.Node node) throws IOException {
+        return BusMemory.Cost.parse(ask("node " + node));
     }
 
     private String ask(String request) throws IOException {
@@ -55,8 +54,7 @@ final class BusProcess implements AutoCloseable {
 
     /**
      * The main class of a contender's JVM. It answers {@code turn <workload> <millis>} by a {@link BusTurn};
-     * {@code encoded <workload>} by a number of bytes; and {@code node connected} and {@code node alone} by the bytes
-     * of a node.
+     * {@code encoded <workload>} by a number of bytes; and {@code node <kind>} by what such a node costs.
      */
     static final class Child {
         private final BusContender contender;
@@ -82,7 +80,7 @@ final class BusProcess implements AutoCloseable {
                     turn(BusWorkload.valueOf(command[1]), Long.parseLong(command[2]) * 1_000_000)
                             .line();
                 case "encoded" -> Double.toString(encodedBytes(BusWorkload.valueOf(command[1])));
-                case "node" -> Double.toString(nodeBytes(command[1].equals("connected")));
+                case "node" -> costOf(BusResults.Node.valueOf(command[1])).line();
                 default ->
                     throw new IllegalArgumentException(
                             "a command is " + command[0] + ", expected turn, encoded or node");
@@ -109,15 +107,25 @@ final class BusProcess implements AutoCloseable {
         private double encodedBytes(BusWorkload workload) throws Exception {
             return switch (workload.part()) {
                 case CODEC -> codec().encodedBytes(workload);
-                case ASK -> LoopEngine.Sample.of(workload.payloadBytes()).request().length;
+                case ASK ->
+                    contender == BusContender.ACTOR
+                            ? LoopEngine.Sample.callBytes(workload.payloadBytes())
+                            : LoopEngine.Sample.of(workload.payloadBytes()).request().length;
                 case PUBLISH ->
                     LoopEngine.Sample.of(BusWorkload.ASK_64.payloadBytes()).publication().length;
                 case MEMORY -> throw new IllegalArgumentException("memory has no values");
             };
         }
 
-        double nodeBytes(boolean connected) throws InterruptedException {
-            return connected ? BusMemory.bytesOfNode(this::open) : BusMemory.bytesOfNode(new LoopEngine.Group()::open);
+        BusMemory.Cost costOf(BusResults.Node node) throws Exception {
+            return switch (node) {
+                case ALONE -> BusMemory.ofNode(new LoopEngine.Group()::open, (bus, space) -> {});
+                case CONNECTED -> BusMemory.ofNode(this::open, (bus, space) -> {});
+                case SERVICES ->
+                    BusMemory.ofNode(
+                            this::openAlone,
+                            (bus, space) -> ActorPair.publishEcho(ActorPair.services(bus, space), space));
+            };
         }
 
         void close() {
@@ -135,13 +143,23 @@ final class BusProcess implements AutoCloseable {
 
         private BusPair pair() throws Exception {
             if (pair == null) {
-                pair = contender == BusContender.RAW ? new RawPair(server) : new TroupePair(this::open);
+                pair = switch (contender) {
+                    case RAW -> new RawPair(server);
+                    case ACTOR -> new ActorPair(this::open);
+                    default -> new TroupePair(this::open);
+                };
             }
             return pair;
         }
 
         private Bus open(String node, BusSettings settings) {
-            return NatsBus.open(node, NatsSettings.at(server), settings);
+            var ownNames = NatsSettings.at(server).withApplication(contender.label()); // contenders run side by side
+            return NatsBus.open(node, ownNames, settings);
+        }
+
+        /** Opens a node that has no others: offers of others would count as its memory. */
+        private Bus openAlone(String node, BusSettings settings) {
+            return NatsBus.open(node, NatsSettings.at(server).withApplication(node), settings);
         }
     }
 }

@@ -23,7 +23,7 @@ record BusReport(BusResults results) {
         if (!results.measured(Part.PUBLISH).isEmpty()) {
             publications(text);
         }
-        if (!results.nodeBytes().isEmpty()) {
+        if (!results.nodes().isEmpty()) {
             nodes(text);
         }
         return text.toString();
@@ -101,8 +101,12 @@ record BusReport(BusResults results) {
     }
 
     private void nodes(StringBuilder text) {
-        head(text, "node with " + BusMemory.PORTS + " ports and " + BusMemory.TOPICS + " topics | bytes kept");
-        results.nodeBytes().forEach((node, bytes) -> text.append(format("| %s | %,.0f |%n", node.label(), bytes)));
+        head(
+                text,
+                "node with " + BusMemory.PORTS + " ports and " + BusMemory.TOPICS + " topics | bytes kept | threads");
+        results.nodes()
+                .forEach((node, cost) ->
+                        text.append(format("| %s | %,.0f | %.0f |%n", node.label(), cost.heapBytes(), cost.threads())));
     }
 
     private static void head(StringBuilder text, String columns) {
@@ -128,9 +132,9 @@ record BusReport(BusResults results) {
     }
 
     private String ratio(BusWorkload workload, BusContender contender, ToDoubleFunction<BusTurn> figure) {
-        return contender == BusContender.TROUPE
-                ? results.ratio(workload, figure).text(BusReport::number)
-                : "";
+        return contender == workload.part().contenders().getLast()
+                ? ""
+                : results.ratio(workload, contender, figure).text(BusReport::number);
     }
 
     /** As p99 or p99.9. */

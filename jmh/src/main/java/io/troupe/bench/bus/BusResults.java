@@ -11,16 +11,17 @@ import java.util.stream.IntStream;
  *
  * @param turns by workload and contender, one turn for each round; the round is the index
  * @param encodedBytes the bytes of a value or frame, by workload and contender
- * @param nodeBytes the bytes of heap that a node keeps
+ * @param nodes what a node costs
  */
 record BusResults(
         Map<BusWorkload, Map<BusContender, List<BusTurn>>> turns,
         Map<BusWorkload, Map<BusContender, Double>> encodedBytes,
-        Map<Node, Double> nodeBytes) {
+        Map<Node, BusMemory.Cost> nodes) {
     /** A node whose memory is measured. */
     enum Node {
         ALONE("without connection"),
-        CONNECTED("connected to a server");
+        CONNECTED("connected to a server"),
+        SERVICES("connected, with a broker and an actor as a service");
 
         private final String label;
 
@@ -43,11 +44,10 @@ record BusResults(
                 turnsOf(workload, contender).stream().mapToDouble(figure).toArray());
     }
 
-    /** Our figure divided by the other contender's in the same round. */
-    SampleStatistics ratio(BusWorkload workload, ToDoubleFunction<BusTurn> figure) {
-        var contenders = workload.part().contenders();
-        var ours = turnsOf(workload, contenders.getFirst());
-        var others = turnsOf(workload, contenders.getLast());
+    /** A figure of ours divided by that of the last contender in the same round. */
+    SampleStatistics ratio(BusWorkload workload, BusContender contender, ToDoubleFunction<BusTurn> figure) {
+        var ours = turnsOf(workload, contender);
+        var others = turnsOf(workload, workload.part().contenders().getLast());
         return SampleStatistics.of(IntStream.range(0, ours.size())
                 .mapToDouble(round -> figure.applyAsDouble(ours.get(round)) / figure.applyAsDouble(others.get(round)))
                 .toArray());

@@ -22,11 +22,12 @@ enum BusWorkload {
         PUBLISH,
         MEMORY;
 
-        /** The contenders, ours first, then the one that it is compared with. */
+        /** The contenders, ours first, and last the one that they are compared with. */
         List<BusContender> contenders() {
             return switch (this) {
                 case CODEC -> List.of(BusContender.TROUPE, BusContender.JACKSON);
-                case ASK, PUBLISH -> List.of(BusContender.TROUPE, BusContender.RAW);
+                case ASK -> List.of(BusContender.TROUPE, BusContender.ACTOR, BusContender.RAW);
+                case PUBLISH -> List.of(BusContender.TROUPE, BusContender.RAW);
                 case MEMORY -> List.of(BusContender.TROUPE);
             };
         }

@@ -45,7 +45,7 @@ final class CodecSubject {
         return switch (contender) {
             case TROUPE -> new CodecSubject(new Ours(), seed);
             case JACKSON -> new CodecSubject(new Jackson(), seed);
-            case RAW -> throw new IllegalArgumentException(contender.label() + " has no codec");
+            case ACTOR, RAW -> throw new IllegalArgumentException(contender.label() + " has no codec");
         };
     }
 

@@ -2,13 +2,13 @@ package io.troupe.bench.bus;
 
 import io.troupe.bench.BenchmarkCommand;
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
+import io.troupe.bench.ComparisonOptions;
 import io.troupe.bench.bus.BusWorkload.Part;
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.common.process.NatsServerProcess;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Collections;
@@ -18,10 +18,10 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.Random;
 import java.util.concurrent.Callable;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
@@ -49,29 +49,11 @@ public final class CompareBuses implements Callable<Integer> {
             description = "codec, ask, publish, memory; codec needs no server")
     List<Part> parts = List.of(Part.values());
 
-    @Option(
-            names = "--rounds",
-            paramLabel = "N",
-            converter = AtLeastOne.class,
-            description = "how many turns each contender has in each workload")
-    int rounds = 15;
+    @Mixin
+    final ComparisonOptions comparison = new ComparisonOptions(15, 5_000);
 
     @Option(names = "--turn", paramLabel = "MILLIS", converter = AtLeastOne.class, description = "of a turn")
     int turnMillis = 500;
-
-    @Option(
-            names = "--warm-up",
-            paramLabel = "MILLIS",
-            converter = AtLeastOne.class,
-            description = "for each contender and workload")
-    int warmUpMillis = 5_000;
-
-    @Option(names = "--seed", paramLabel = "N", description = "of the order of the turns")
-    long seed = 1;
-
-    @Option(names = "--figure", paramLabel = "FILE", description = "draws the times of requests, as SVG")
-    @Nullable
-    Path figure;
 
     private final BusResults results = new BusResults(
             new EnumMap<>(BusWorkload.class), new EnumMap<>(BusWorkload.class), new EnumMap<>(BusResults.Node.class));
@@ -83,9 +65,9 @@ public final class CompareBuses implements Callable<Integer> {
             showDefaultValue = Visibility.NEVER)
     private void quick(boolean chosen) {
         if (chosen) {
-            rounds = 5;
+            comparison.rounds = 5;
             turnMillis = 200;
-            warmUpMillis = 2_000;
+            comparison.warmUpMillis = 2_000;
         }
     }
 
@@ -136,14 +118,14 @@ public final class CompareBuses implements Callable<Integer> {
                 "Java %s, %d processors, %d rounds of %d ms, seed %d, load average %.1f before and %.1f after%n",
                 Runtime.version(),
                 Runtime.getRuntime().availableProcessors(),
-                rounds,
+                comparison.rounds,
                 turnMillis,
-                seed,
+                comparison.seed,
                 load,
                 load());
         System.out.print(new BusReport(results).tables());
-        if (figure != null) {
-            Files.writeString(figure, BusDrawing.of(results).svg());
+        if (comparison.figure != null) {
+            Files.writeString(comparison.figure, BusDrawing.of(results).svg());
         }
         return 0;
     }
@@ -154,7 +136,7 @@ public final class CompareBuses implements Callable<Integer> {
 
     private void measure(String server) throws IOException {
         try (var line = ProgressLine.open()) {
-            var random = new Random(seed);
+            var random = new Random(comparison.seed);
             for (Part part : parts.stream().distinct().toList()) {
                 if (part == Part.MEMORY) {
                     measureNodes(server, line);
@@ -188,7 +170,7 @@ public final class CompareBuses implements Callable<Integer> {
         for (BusProcess process : processes) {
             line.show(workload.label() + ": warming up " + process.contender().label());
             encoded.put(process.contender(), process.encodedBytes(workload));
-            process.turn(workload, warmUpMillis);
+            process.turn(workload, comparison.warmUpMillis);
         }
         results.encodedBytes().put(workload, encoded);
     }
@@ -197,8 +179,8 @@ public final class CompareBuses implements Callable<Integer> {
             BusWorkload workload, List<BusProcess> processes, Random random, ProgressLine line) throws IOException {
         Map<BusContender, List<BusTurn>> turns = new EnumMap<>(BusContender.class);
         processes.forEach(process -> turns.put(process.contender(), new ArrayList<>()));
-        for (int round = 1; round <= rounds; round++) {
-            line.show(workload.label() + ": round " + round + " of " + rounds);
+        for (int round = 1; round <= comparison.rounds; round++) {
+            line.show(workload.label() + ": round " + round + " of " + comparison.rounds);
             var order = new ArrayList<>(processes);
             Collections.shuffle(order, random);
             for (BusProcess process : order) {
@@ -212,7 +194,7 @@ public final class CompareBuses implements Callable<Integer> {
         for (BusResults.Node node : BusResults.Node.values()) {
             line.show("memory of a node: " + node.label());
             try (var process = new BusProcess(BusContender.TROUPE, server)) {
-                results.nodeBytes().put(node, process.nodeBytes(node == BusResults.Node.CONNECTED));
+                results.nodes().put(node, process.costOf(node));
             }
         }
     }

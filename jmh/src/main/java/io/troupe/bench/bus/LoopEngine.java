@@ -36,6 +36,15 @@ final class LoopEngine implements BusEngine {
             }
             return new Sample(group.request, group.reply, group.publication);
         }
+
+        /** The bytes of the frame of an actor call with a text of that many bytes. */
+        static int callBytes(int payloadBytes) throws Exception {
+            var group = new Group();
+            try (var pair = new ActorPair(group::open)) {
+                pair.askWhile(payloadBytes, () -> false);
+                return group.request.length;
+            }
+        }
     }
 
     private static final int MOST_BYTES = 1 << 20;

@@ -11,11 +11,8 @@ import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
 import java.time.Duration;
-import java.util.Map;
-import java.util.concurrent.CompletableFuture;
 import java.util.function.BiFunction;
 import java.util.function.BooleanSupplier;
-import org.jspecify.annotations.Nullable;
 
 /** Two nodes of our bus with two spaces. The requester runs on its space, as it usually does. */
 final class TroupePair implements BusPair {
@@ -28,7 +25,6 @@ final class TroupePair implements BusPair {
     private final ActorSpace farSpace = ActorSpace.create(SpaceSettings.named(FAR));
     private final PassingWindow window = new PassingWindow();
     private final SampleValues values = new SampleValues(1);
-    private final Map<Integer, SampleValues.Text> texts = Map.of(64, values.text(64), 1_000, values.text(1_000));
     private final SampleValues.Sonar sonar = values.sonar();
     private final Bus near;
     private final Bus far;
@@ -51,30 +47,9 @@ final class TroupePair implements BusPair {
 
     @Override
     public void askWhile(int payloadBytes, BooleanSupplier again) throws Exception {
-        var text = texts.get(payloadBytes);
-        if (text == null) {
-            throw new IllegalArgumentException(
-                    "a request has " + payloadBytes + " bytes, expected one of " + texts.keySet());
-        }
-        var end = new CompletableFuture<@Nullable Void>();
-        nearSpace.execute(() -> ask(text, again, end));
-        end.get(); // each request has a limit
-    }
-
-    private void ask(SampleValues.Text text, BooleanSupplier again, CompletableFuture<@Nullable Void> end) {
-        port.ask(ECHOING, ECHO, text, LIMIT).then((reply, failure) -> {
-            if (failure != null) {
-                end.completeExceptionally(failure);
-            } else if (reply.text().length() != text.text().length()) {
-                end.completeExceptionally(new IllegalStateException(
-                        "the reply has " + reply.text().length() + " bytes, expected "
-                                + text.text().length()));
-            } else if (again.getAsBoolean()) {
-                ask(text, again, end);
-            } else {
-                end.complete(null);
-            }
-        });
+        var text = values.text(payloadBytes);
+        new RequestLoop<>(nearSpace, () -> port.ask(ECHOING, ECHO, text, LIMIT), SampleValues.Text::text, payloadBytes)
+                .run(again);
     }
 
     @Override

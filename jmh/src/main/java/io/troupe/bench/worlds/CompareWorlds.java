@@ -2,10 +2,10 @@ package io.troupe.bench.worlds;
 
 import io.troupe.bench.BenchmarkCommand;
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
+import io.troupe.bench.ComparisonOptions;
 import io.troupe.common.measure.ProgressLine;
 import java.io.IOException;
 import java.nio.file.Files;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.EnumMap;
@@ -16,9 +16,9 @@ import java.util.Random;
 import java.util.TreeMap;
 import java.util.concurrent.Callable;
 import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Option;
 
 /**
@@ -48,25 +48,11 @@ public final class CompareWorlds implements Callable<Integer> {
             description = "how many robots")
     List<Integer> robots = List.of(1, 2, 10, 100, 1_000, 10_000);
 
-    @Option(
-            names = "--rounds",
-            paramLabel = "N",
-            converter = AtLeastOne.class,
-            description = "how many turns each contender has for each number of robots")
-    int rounds = 9;
+    @Mixin
+    final ComparisonOptions comparison = new ComparisonOptions(9, 3_000);
 
     @Option(names = "--turn", paramLabel = "MILLIS", converter = AtLeastOne.class, description = "of a turn")
     int turnMillis = 500;
-
-    @Option(
-            names = "--warm-up",
-            paramLabel = "MILLIS",
-            converter = AtLeastOne.class,
-            description = "for each contender and number of robots")
-    int warmUpMillis = 3_000;
-
-    @Option(names = "--seed", paramLabel = "N", description = "of the order of the turns")
-    long seed = 1;
 
     @Option(
             names = "--only",
@@ -75,10 +61,6 @@ public final class CompareWorlds implements Callable<Integer> {
             converter = WorldKind.Converter.class,
             description = "these contenders, and troupe")
     List<WorldKind> only = List.of(WorldKind.values());
-
-    @Option(names = "--figure", paramLabel = "FILE", description = "draws the curve, as SVG")
-    @Nullable
-    Path figure;
 
     private final WorldsResults results = new WorldsResults(new TreeMap<>(), new TreeMap<>());
 
@@ -90,9 +72,9 @@ public final class CompareWorlds implements Callable<Integer> {
     private void quick(boolean chosen) {
         if (chosen) {
             robots = List.of(1, 2, 10, 100);
-            rounds = 3;
+            comparison.rounds = 3;
             turnMillis = 200;
-            warmUpMillis = 1_000;
+            comparison.warmUpMillis = 1_000;
         }
     }
 
@@ -119,15 +101,15 @@ public final class CompareWorlds implements Callable<Integer> {
             measureRetained(line);
             measureTurns(line);
         }
-        System.out.print(new WorldsReport(rounds, turnMillis, seed, results).table());
-        if (figure != null) {
-            Files.writeString(figure, WorldsDrawing.of(results).svg());
+        System.out.print(new WorldsReport(comparison.rounds, turnMillis, comparison.seed, results).table());
+        if (comparison.figure != null) {
+            Files.writeString(comparison.figure, WorldsDrawing.of(results).svg());
         }
         return 0;
     }
 
     private void measureTurns(ProgressLine line) throws IOException {
-        var random = new Random(seed);
+        var random = new Random(comparison.seed);
         List<WorldProcess> processes = new ArrayList<>();
         try {
             for (WorldKind kind : contenders()) {
@@ -176,10 +158,10 @@ public final class CompareWorlds implements Callable<Integer> {
             line.show(count + " robots: warming up " + process.kind().label());
             turns.put(process.kind(), new ArrayList<>());
             process.build(count);
-            process.turn(isShort(count, process) ? 1 : warmUpMillis);
+            process.turn(isShort(count, process) ? 1 : comparison.warmUpMillis);
         }
-        for (int round = 1; round <= rounds; round++) {
-            line.show(count + " robots: round " + round + " of " + rounds);
+        for (int round = 1; round <= comparison.rounds; round++) {
+            line.show(count + " robots: round " + round + " of " + comparison.rounds);
             var order = new ArrayList<>(processes);
             Collections.shuffle(order, random);
             for (WorldProcess process : order) {

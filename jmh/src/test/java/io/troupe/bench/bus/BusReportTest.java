@@ -20,17 +20,23 @@ class BusReportTest {
                     BusWorkload.ENCODE_SONAR,
                     Map.of(BusContender.TROUPE, means(0.2, 0.6, 0.4), BusContender.JACKSON, means(0.1, 0.3, 0.2)),
                     BusWorkload.ASK_64,
-                    Map.of(BusContender.TROUPE, spreads(200, 600, 400), BusContender.RAW, spreads(100, 300, 200)),
+                    Map.of(
+                            BusContender.TROUPE,
+                            spreads(200, 600, 400),
+                            BusContender.ACTOR,
+                            spreads(300, 900, 600),
+                            BusContender.RAW,
+                            spreads(100, 300, 200)),
                     BusWorkload.PUBLISH,
                     Map.of(BusContender.TROUPE, means(10, 20, 40), BusContender.RAW, means(5, 10, 20)))),
             new EnumMap<>(Map.of(
                     BusWorkload.ENCODE_SONAR,
                     Map.of(BusContender.TROUPE, 171.0, BusContender.JACKSON, 172.0),
                     BusWorkload.ASK_64,
-                    Map.of(BusContender.TROUPE, 130.0, BusContender.RAW, 130.0),
+                    Map.of(BusContender.TROUPE, 130.0, BusContender.ACTOR, 180.0, BusContender.RAW, 130.0),
                     BusWorkload.PUBLISH,
                     Map.of(BusContender.TROUPE, 230.0, BusContender.RAW, 230.0))),
-            new EnumMap<>(Map.of(BusResults.Node.ALONE, 54_321.4)));
+            new EnumMap<>(Map.of(BusResults.Node.ALONE, new BusMemory.Cost(54_321.4, 5.95))));
 
     private static List<BusTurn> means(double... micros) {
         return DoubleStream.of(micros)
@@ -56,7 +62,9 @@ class BusReportTest {
                 .contains("| 64 bytes | raw-nats | 4.00 | 20.0 | 40.0 | 100 | 200 | 300 | 360 | 380 | 396 | 400 |")
                 .contains(
                         "| sonar records | troupe | 50,000 (37,500..75,000) | 0.50 (0.50..0.50) | 3.00 | 1,234 | 230 |")
-                .contains("| without connection | 54,321 |")
+                .contains("| 64 bytes | troupe-actor | 600 (450..750) | 1,188 (891..1,485) | 3.00 (3.00..3.00) "
+                        + "| 3.00 (3.00..3.00) | 50.0 | 1,234 | 180 |")
+                .contains("| without connection | 54,321 | 6 |")
                 .doesNotContain("1,000 bytes");
     }
 
@@ -76,7 +84,14 @@ class BusReportTest {
         assertThat(BusDrawing.of(results).svg())
                 .startsWith("<svg")
                 .contains("Half of the requests over our bus take at most 400 us, by NATS itself 200 us")
-                .contains(">troupe, 64 bytes<", ">raw-nats, 64 bytes<", ">p1<", ">p99.9<", ">1,000<", ">5<")
+                .contains(
+                        ">troupe, 64 bytes<",
+                        ">troupe-actor, 64 bytes<",
+                        ">raw-nats, 64 bytes<",
+                        ">p1<",
+                        ">p99.9<",
+                        ">1,000<",
+                        ">5<")
                 .doesNotContain("1,000 bytes");
     }
 
@@ -93,7 +108,7 @@ class BusReportTest {
         }
         assertThat(micros)
                 .hasSize(2)
-                .allSatisfy((workload, contenders) -> assertThat(contenders).hasSize(2));
+                .allSatisfy((workload, contenders) -> assertThat(contenders).hasSizeGreaterThan(1));
         assertDocumented("buses.svg", new BusDrawing(micros).svg());
     }
 

@@ -17,7 +17,11 @@ class CompareWorldsTest {
         assertThat(options.robots()).containsExactly(1, 2, 10, 100, 1_000, 10_000);
         assertThat(options.contenders()).containsExactly(WorldKind.values());
         assertThat(options)
-                .extracting(each -> each.rounds, each -> each.turnMillis, each -> each.warmUpMillis, each -> each.seed)
+                .extracting(
+                        each -> each.comparison.rounds,
+                        each -> each.turnMillis,
+                        each -> each.comparison.warmUpMillis,
+                        each -> each.comparison.seed)
                 .containsExactly(9, 500, 3_000, 1L);
     }
 
@@ -26,7 +30,11 @@ class CompareWorldsTest {
         var options = parsed("--turn", "7", "--warm-up", "8", "--seed", "9", "--figure", "a.svg", "--robots", "2,1,2");
         assertThat(options.robots()).containsExactly(1, 2);
         assertThat(options)
-                .extracting(each -> each.turnMillis, each -> each.warmUpMillis, each -> each.seed, each -> each.figure)
+                .extracting(
+                        each -> each.turnMillis,
+                        each -> each.comparison.warmUpMillis,
+                        each -> each.comparison.seed,
+                        each -> each.comparison.figure)
                 .containsExactly(7, 8, 9L, Path.of("a.svg"));
     }
 
@@ -34,9 +42,9 @@ class CompareWorldsTest {
     void quick_replacesTheOptionsBeforeIt_andNotThoseAfterIt() {
         var options = parsed("--rounds", "8", "--quick", "--robots", "100,2", "--only", "dyn4j");
         assertThat(options.robots()).containsExactly(2, 100);
-        assertThat(options.rounds).isEqualTo(3);
+        assertThat(options.comparison.rounds).isEqualTo(3);
         assertThat(options.turnMillis).isEqualTo(200);
-        assertThat(options.warmUpMillis).isEqualTo(1_000);
+        assertThat(options.comparison.warmUpMillis).isEqualTo(1_000);
         assertThat(options.contenders()).containsExactly(WorldKind.TROUPE, WorldKind.DYN4J);
         assertThat(parsed("--robots", "5", "--quick").robots()).containsExactly(1, 2, 10, 100);
     }

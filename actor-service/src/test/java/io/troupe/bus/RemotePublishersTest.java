@@ -1,0 +1,72 @@
+package io.troupe.bus;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import java.time.Duration;
+import org.junit.jupiter.api.Test;
+
+/** How old frames are, and how many values are missing, by what a node knows of others. */
+class RemotePublishersTest {
+    private static final Duration MINUTE = Duration.ofMinutes(1);
+
+    private final RemotePublishers publishers = new RemotePublishers();
+
+    private static Frames.Header header(String node, Duration sent) {
+        return new Frames.Header(new Address(node, "a"), 1, 1, sent.toNanos() / 1_000);
+    }
+
+    private long ageMillis(String node, Duration sent, Duration arrived) {
+        return publishers.ageNanos(header(node, sent), arrived.toNanos()) / 1_000_000;
+    }
+
+    /** The age of a frame that arrives that long after it was sent, by clocks that differ. */
+    private long ageMillis(Duration sent, long delayMillis) {
+        return ageMillis("far", sent, sent.plusHours(5).plusMillis(delayMillis));
+    }
+
+    @Test
+    void age_isTheDelayBeyondThatOfTheFastestFrame() {
+        assertThat(ageMillis(Duration.ZERO, 7)).isZero();
+        assertThat(ageMillis(Duration.ofSeconds(1), 10)).isEqualTo(3);
+        assertThat(ageMillis(Duration.ofSeconds(2), 2)).isZero();
+        assertThat(ageMillis(Duration.ofSeconds(3), 10)).isEqualTo(8);
+    }
+
+    @Test
+    void fastestFrame_isForgottenAfterAMinuteOrTwo_becauseClocksDrift() {
+        assertThat(ageMillis(Duration.ZERO, 0)).isZero();
+        assertThat(ageMillis(MINUTE.plusMillis(1), 200)).as("of this minute").isEqualTo(200);
+        assertThat(ageMillis(MINUTE.plusSeconds(1), 100)).isEqualTo(100);
+        assertThat(ageMillis(MINUTE.plusSeconds(2), 150)).isEqualTo(150);
+        assertThat(ageMillis(MINUTE.multipliedBy(2).plusSeconds(1), 300))
+                .as("100 ms is the usual delay by now")
+                .isEqualTo(200);
+    }
+
+    @Test
+    void gap_isCountedOnce_andALateValueIsNone() {
+        var far = header("far", Duration.ZERO);
+        assertThat(publishers.missing(far, "t", 5, false)).isZero();
+        assertThat(publishers.missing(far, "t", 8, false)).isEqualTo(2);
+        assertThat(publishers.missing(far, "t", 7, false)).isZero();
+        publishers.missing(far, "u", 1, false);
+        publishers.forget("t");
+        assertThat(publishers.missing(far, "t", 20, false)).isZero();
+        assertThat(publishers.missing(far, "u", 3, false)).isEqualTo(1);
+    }
+
+    @Test
+    void memory_doesNotGrowWithTheNamesThatOthersInvent() {
+        var far = header("far", Duration.ZERO);
+        for (int i = 0; i <= 10_000; i++) {
+            publishers.missing(far, "topic" + i, 1, false);
+        }
+        assertThat(publishers.missing(far, "topic0", 9, false)).as("forgotten").isZero();
+        assertThat(publishers.missing(far, "topic10000", 9, false)).isEqualTo(7);
+        for (int i = 0; i <= 10_000; i++) {
+            ageMillis("node" + i, Duration.ZERO, Duration.ZERO);
+        }
+        assertThat(ageMillis("node0", Duration.ZERO, MINUTE)).as("forgotten").isZero();
+        assertThat(ageMillis("node10000", Duration.ZERO, MINUTE)).isEqualTo(60_000);
+    }
+}
