@@ -14,6 +14,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
 
@@ -21,7 +22,8 @@ import java.util.function.Consumer;
  * Publications: for each topic, publisher and subscriber, from the first value that concerns the subscriber to the last
  * one, the values that were sent are those that were delivered and those that were reported.
  *
- * <p>The first value is number 1 if the publisher was opened after the subscriber, else the first one that has arrived.
+ * <p>The first value is number 1 if the publisher was opened after the subscriber, else at latest the first one that has
+ * arrived, and at the earliest the first one that was published after the subscriber began.
  * Of a publisher or a subscriber that was killed, the last value is the last one that was delivered: what was on its
  * way is gone with the process that would have counted it.
  */
@@ -38,6 +40,7 @@ final class PublicationRules {
 
     private static final class Sending {
         long last;
+        final TreeMap<Long, Long> numbersByNanos = new TreeMap<>();
         final TreeSet<Long> unsent = new TreeSet<>();
         final List<Entry> evidence = new ArrayList<>();
 
@@ -45,6 +48,7 @@ final class PublicationRules {
         Sending toItself() {
             var all = new Sending();
             all.last = last;
+            all.numbersByNanos.putAll(numbersByNanos);
             return all;
         }
 
@@ -65,6 +69,7 @@ final class PublicationRules {
     private final Map<Series, Sending> sendings = new HashMap<>();
     private final Map<Flow, Receiving> receivings = new LinkedHashMap<>();
     private final Map<String, Long> opened = new HashMap<>();
+    private final Map<String, Long> begun = new HashMap<>();
     private final Map<String, Long> closed = new HashMap<>();
     private final History history;
     private final Consumer<Violation> violations;
@@ -80,11 +85,13 @@ final class PublicationRules {
     }
 
     private void note(Entry entry) {
+        begun.putIfAbsent(entry.process(), entry.nanos());
         switch (entry.event()) {
             case Opened(String node) -> opened.put(entry.process(), entry.nanos());
             case Closed last -> closed.put(entry.process(), entry.nanos());
             case Published(String topic, long last) -> {
                 Sending sending = sending(entry.process(), topic);
+                sending.numbersByNanos.put(entry.nanos(), sending.last + 1);
                 sending.last = Math.max(sending.last, last);
             }
             case Unsent(String topic, long number) -> {
@@ -126,6 +133,12 @@ final class PublicationRules {
                 new Flow(new Series(publisher, topic), entry.process()), flow -> new Receiving());
     }
 
+    /** The first value that concerns the subscriber: a mark may have told it of values before the first arrival. */
+    private long firstAfter(String subscriber, Sending sending) {
+        var next = sending.numbersByNanos.ceilingEntry(begun.getOrDefault(subscriber, Long.MIN_VALUE));
+        return next == null ? Long.MAX_VALUE : next.getValue();
+    }
+
     private void check(Flow flow, Receiving received) {
         Sending sending = sendings.get(flow.series);
         if (sending == null) {
@@ -142,7 +155,7 @@ final class PublicationRules {
         }
         boolean isComplete = closed.containsKey(publisher) && closed.containsKey(flow.subscriber);
         long least = sending.sent(received.first, isComplete ? sending.last : received.lastDelivered);
-        long most = sending.sent(received.first, sending.last);
+        long most = sending.sent(Math.min(received.first, firstAfter(flow.subscriber, sending)), sending.last);
         if (received.count < least || received.count > most) {
             var evidence = new ArrayList<>(received.evidence);
             evidence.addAll(sending.evidence);
@@ -157,7 +170,7 @@ final class PublicationRules {
                                     isComplete ? sending.last : received.lastDelivered,
                                     least,
                                     received.count,
-                                    isComplete ? "" : " (at most " + most + ")"),
+                                    most == least ? "" : " (at most " + most + ")"),
                     evidence));
         }
     }
