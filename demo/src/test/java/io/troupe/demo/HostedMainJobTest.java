@@ -37,8 +37,8 @@ import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /**
- * The main job over a real NATS server: a world in this JVM and its Player server, {@code troupe offer} in processes of
- * their own, and {@code troupe run}. Times are those of the robots' clock, which is real time but for a busy machine.
+ * The main job over a real NATS server: a world in this JVM and its Player server, {@code troupe offer} in separate
+ * processes, and {@code troupe run}. Times are those of the robots' clock, which is real time but for a busy machine.
  */
 @Timeout(value = 10, unit = TimeUnit.MINUTES)
 class HostedMainJobTest extends CommandLineBench {
@@ -104,7 +104,7 @@ class HostedMainJobTest extends CommandLineBench {
         return command + " --robots " + robots + " --bus " + bus + " ";
     }
 
-    /** A {@code troupe offer} in a process of its own. */
+    /** A {@code troupe offer} in a separate process. */
     private final class Offer implements AutoCloseable {
         final List<String> lines = new ArrayList<>(); // guarded by itself
         private final Process process;
