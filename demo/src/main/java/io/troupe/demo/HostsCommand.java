@@ -3,7 +3,9 @@ package io.troupe.demo;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.bus.Bus;
+import io.troupe.bus.BusObserver;
 import io.troupe.bus.BusSettings;
+import io.troupe.bus.Loss;
 import io.troupe.bus.nats.NatsBus;
 import io.troupe.bus.nats.NatsSettings;
 import io.troupe.common.process.NatsServerProcess;
@@ -184,7 +186,8 @@ final class HostsCommand implements Callable<Integer> {
                 throws IOException, InterruptedException {
             var server = NatsSettings.at(processes.bus()).withUser(HostProcesses.USER, processes.password());
             try (var space = ActorSpace.create(SpaceSettings.named("broker"));
-                    var bus = NatsBus.open("arbitrator", server, BusSettings.on(space));
+                    var bus = NatsBus.open(
+                            "arbitrator", server, BusSettings.on(space).withObserver(events));
                     var node = RobotNode.open(bus, space, event -> {}, 0);
                     var log = new RunLog(out.resolve("run.jsonl"));
                     var progress = ProgressBar.onTerminal(seconds)) {
@@ -233,13 +236,14 @@ final class HostsCommand implements Callable<Integer> {
         }
 
         /** Breaks the provider that drives when half of the time is over. */
-        private final class Faults implements RecordedHostedRun.Listener {
+        private final class Faults implements RecordedHostedRun.Listener, BusObserver {
             private static final long FROZEN_MICROS = 5_000_000;
 
             private final Map<Integer, String> drivers = new TreeMap<>(); // guarded by itself; robots from 0
             private RecordedHostedRun.Listener shown = new RecordedHostedRun.Listener() {};
             private @Nullable DriverFault happened;
             private boolean isFrozen;
+            private volatile long nowMicros;
 
             /** Keeps which node drives which robot. */
             void watch(Bus bus) {
@@ -256,24 +260,31 @@ final class HostsCommand implements Callable<Integer> {
 
             @Override
             public void stateStarted(String change) {
-                shown.stateStarted(change);
+                synchronized (terminal) {
+                    shown.stateStarted(change);
+                }
             }
 
             @Override
             public void driverChanged(String line) {
-                shown.driverChanged(line);
+                synchronized (terminal) {
+                    shown.driverChanged(line);
+                }
             }
 
             @Override
             public void ticked(long timeMicros) {
-                shown.ticked(timeMicros);
+                nowMicros = timeMicros;
+                synchronized (terminal) {
+                    shown.ticked(timeMicros);
+                }
                 DriverFault before = happened;
                 if (fault != Fault.NONE && before == null && timeMicros >= seconds * 1e6 / 2) {
                     begin(timeMicros);
                 } else if (before != null && isFrozen && timeMicros >= before.timeMicros() + FROZEN_MICROS) {
                     signal(before.node(), "CONT");
                     isFrozen = false;
-                    print(timeMicros, before.node() + " goes on (SIGCONT)");
+                    happens(before.node() + " goes on (SIGCONT)");
                 }
             }
 
@@ -287,11 +298,11 @@ final class HostsCommand implements Callable<Integer> {
                 }
                 if (fault == Fault.KILL) {
                     processes.kill(victim);
-                    print(timeMicros, victim + " is killed (SIGKILL)");
+                    happens(victim + " is killed (SIGKILL)");
                 } else {
                     signal(victim, "STOP");
                     isFrozen = true;
-                    print(timeMicros, victim + " is frozen (SIGSTOP)");
+                    happens(victim + " is frozen (SIGSTOP)");
                 }
                 happened = new DriverFault(timeMicros, victim, fault == Fault.KILL ? "killed" : "frozen");
             }
@@ -304,8 +315,24 @@ final class HostsCommand implements Callable<Integer> {
                 }
             }
 
-            private void print(long timeMicros, String what) {
-                shown.driverChanged(String.format(Locale.ROOT, "%7.1f s  %s", timeMicros / 1e6, what));
+            /** On any thread. */
+            private void happens(String what) {
+                driverChanged(String.format(Locale.ROOT, "%7.1f s  %s", nowMicros / 1e6, what));
+            }
+
+            @Override
+            public void lost(Loss loss) {
+                happens("bus: " + loss);
+            }
+
+            @Override
+            public void disconnected(String why) {
+                happens("not connected to the bus: " + why);
+            }
+
+            @Override
+            public void connected() {
+                happens("connected to the bus again");
             }
 
             @Override

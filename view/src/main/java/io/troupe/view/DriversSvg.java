@@ -25,11 +25,13 @@ final class DriversSvg {
     private static final double STATE_BAR_PX = 24;
     private static final double NODE_BAR_PX = 30;
     private static final double SERVICE_BAR_PX = 14;
+    private static final double BAR_MARGIN_PX = 5;
     private static final double BETWEEN_PX = 16;
     private static final double LEGEND_LINE_PX = 24;
     private static final double AXIS_PX = 34;
     private static final double AXIS_FONT_PX = 13;
     private static final double FEWEST_PX_PER_TICK = 60;
+    private static final String STATE_OPACITY = "0.45";
     private static final String FAULT = "#d11a2a";
 
     /** Colours of nodes, used cyclically; lighter than those of services, so that a name is readable on them. */
@@ -43,6 +45,7 @@ final class DriversSvg {
     private final ServiceColours services;
     private final double endMicros;
     private final Svg body = Svg.fragment();
+    private final Svg words = Svg.fragment(); // above everything else
     private double y;
 
     DriversSvg(RunResult result, @Nullable DriverFault fault) {
@@ -84,7 +87,7 @@ final class DriversSvg {
         axis();
         legend();
         Svg page = Svg.page(WIDTH_PX, y + LEFT_PX, FONT_PX, title);
-        return page.append(body).end();
+        return page.append(body).append(words).end();
     }
 
     private String title() {
@@ -122,7 +125,7 @@ final class DriversSvg {
                     to,
                     STATE_BAR_PX,
                     Svg.colour(change.state().colour()),
-                    "0.45",
+                    STATE_OPACITY,
                     change.describe(result.table()).strip());
             words("" + change.state().number(), from, to, STATE_BAR_PX);
         }
@@ -140,12 +143,10 @@ final class DriversSvg {
                 from, y, to - from, height, colour, opacity, title);
     }
 
-    /** Words in the middle of a bar, if there is room for them. */
-    private void words(String words, double from, double to, double height) {
-        if (Svg.width(words, FONT_PX) <= to - from) {
-            body.add(
-                    "<text x=\"%.1f\" y=\"%.1f\" text-anchor=\"middle\">%s</text>\n",
-                    (from + to) / 2, y + height / 2 + 5, words);
+    /** Words at the beginning of a bar, if there is room for them. */
+    private void words(String text, double from, double to, double height) {
+        if (Svg.width(text, FONT_PX) + BAR_MARGIN_PX <= to - from) {
+            words.text(from + BAR_MARGIN_PX, y + height / 2 + 5, "", text);
         }
     }
 
@@ -249,16 +250,16 @@ final class DriversSvg {
         body.add(
                 "<rect class=\"gap\" x=\"%.2f\" y=\"%.1f\" width=\"%.2f\" height=\"%.1f\" fill=\"white\" stroke=\"%s\" stroke-width=\"1.5\"/>\n",
                 from, y, to - from, height, FAULT);
-        double length = gap.endMicros() - (fault == null ? 0 : fault.timeMicros());
-        String words =
-                gap.next() == null ? "no driver any more" : "no driver for " + seconds(length) + ", then " + gap.next();
-        centred((from + to) / 2, y + height + 17, words);
+        String length = seconds(gap.endMicros() - (fault == null ? 0 : fault.timeMicros()));
+        String text = gap.next() == null ? "no driver any more" : "no driver for " + length + ", then " + gap.next();
+        centred((from + to) / 2, y + height + 17, text);
     }
 
-    private void centred(double middle, double baseline, String words) {
-        double half = Svg.width(words, FONT_PX) / 2;
+    private void centred(double middle, double baseline, String text) {
+        double half = Svg.width(text, FONT_PX) / 2;
         double x = Math.max(LEFT_PX + half, Math.min(LEFT_PX + PLOT_PX - half, middle));
-        body.textOnLines(x, baseline, "text-anchor=\"middle\" fill=\"" + FAULT + "\"", words);
+        String style = "text-anchor=\"middle\" fill=\"" + FAULT + "\"";
+        words.textOnLines(x, baseline, style, text);
     }
 
     private void drawFault(DriverFault known, double top) {
@@ -287,30 +288,34 @@ final class DriversSvg {
     }
 
     private void legend() {
-        List<String[]> entries = new ArrayList<>();
-        nodes.forEach((node, colour) -> entries.add(new String[] {colour, "1", "driven by " + node}));
-        for (Service service : result.table().services()) {
-            entries.add(new String[] {services.of(service.name()), "1", "service " + service});
-        }
-        for (State state : result.table().states()) {
-            entries.add(new String[] {
-                Svg.colour(state.colour()),
-                "0.45",
-                "state " + state.number() + " (" + result.table().colourName(state.colour()) + ")"
-            });
-        }
-        double x = LEFT_PX;
         y += LEGEND_LINE_PX / 2;
-        for (String[] entry : entries) {
-            double width = 34 + Svg.width(entry[2], FONT_PX) + 14;
-            if (x > LEFT_PX && x + width > LEFT_PX + PLOT_PX) {
-                x = LEFT_PX;
-                y += LEGEND_LINE_PX;
-            }
-            body.add(
-                    "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"%s\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">%s</text>\n",
-                    x, y - 12, entry[0], entry[1], x + 34, y, entry[2]);
-            x += width;
+        double x = LEFT_PX;
+        for (String node : nodes.keySet().stream().sorted().toList()) {
+            x = entry(x, nodes.getOrDefault(node, ""), "1", "node " + node);
         }
+        x = newLine(x);
+        for (Service service : result.table().services()) {
+            x = entry(x, services.of(service.name()), "1", "service " + service);
+        }
+        x = newLine(x);
+        for (State state : result.table().states()) {
+            String colour = result.table().colourName(state.colour());
+            x = entry(x, Svg.colour(state.colour()), STATE_OPACITY, "state " + state.number() + " (" + colour + ")");
+        }
+    }
+
+    private double newLine(double x) {
+        y += x > LEFT_PX ? LEGEND_LINE_PX : 0;
+        return LEFT_PX;
+    }
+
+    /** Returns where the next entry begins. */
+    private double entry(double x, String colour, String opacity, String text) {
+        double width = 34 + Svg.width(text, FONT_PX) + 6;
+        double from = x > LEFT_PX && x + width > LEFT_PX + PLOT_PX ? newLine(x) : x;
+        body.add(
+                "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"%s\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">%s</text>\n",
+                from, y - 12, colour, opacity, from + 34, y, text);
+        return from + width;
     }
 }

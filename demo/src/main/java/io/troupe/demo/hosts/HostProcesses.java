@@ -21,7 +21,7 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 
 /**
- * The processes of {@code troupe hosts}: a NATS server, and commands of Troupe in JVMs of their own. Each writes its
+ * The processes of {@code troupe hosts}: a NATS server, and commands of Troupe in separate JVMs. Each writes its
  * output to a file {@code NAME.log}.
  *
  * <p>All are ended by {@link #close}; at the latest when this process exits; and the JVMs also when it is killed, since
@@ -93,7 +93,7 @@ public final class HostProcesses implements AutoCloseable {
         }
 
         /**
-         * Waits for the line that tells that it is ready.
+         * Waits for the line that reports that it is ready.
          *
          * @throws IOException with its last line, if it ends before, or is not ready in time
          */
