@@ -24,6 +24,9 @@ import picocli.CommandLine.Model.CommandSpec;
 
 /** The part of {@code troupe run} that is over hosts: the arbitrator and the record. */
 final class HostedRunJob {
+    /** Of two arbitrators for one application, the bus refuses the second. */
+    private static final String NODE = "arbitrator";
+
     private final BusOptions busOptions;
     private final Path out;
     private final PrintWriter terminal;
@@ -38,7 +41,7 @@ final class HostedRunJob {
     void run(RecordedHostedRun.Settings settings, Interruption interruption) throws IOException, InterruptedException {
         try (var progress = ProgressBar.onTerminal(settings.seconds());
                 var space = ActorSpace.create(SpaceSettings.named("broker"));
-                var bus = busOptions.open(BusSettings.on(space).withObserver(observer(progress)));
+                var bus = busOptions.open(NODE, BusSettings.on(space).withObserver(observer(progress)));
                 var node = RobotNode.open(bus, space, HostedRunJob::log, 0)) {
             var run = new RecordedHostedRun(settings);
             interruption.onRequest(run::stop);

@@ -75,7 +75,7 @@ public final class BusOptions {
     @Option(
             names = "--name",
             paramLabel = "NODE",
-            description = "the name of this process on the bus; host and process id unless given")
+            description = "the name of this process on the bus; unless given host and process id, of run: arbitrator")
     private @Nullable String node;
 
     /** True if the command is to use a bus. */
@@ -132,6 +132,11 @@ public final class BusOptions {
      */
     public Bus open(BusSettings settings) {
         return NatsBus.open(node(), settings(), settings);
+    }
+
+    /** The same with a name that is used unless one is given. */
+    public Bus open(String defaultNode, BusSettings settings) {
+        return NatsBus.open(node == null ? defaultNode : node(), settings(), settings);
     }
 
     NatsSettings settings(Map<String, String> environment) {

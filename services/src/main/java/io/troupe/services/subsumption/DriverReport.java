@@ -6,7 +6,7 @@ import io.troupe.bus.BusTopic;
 
 /**
  * What a provider of robot services on another host does with a robot: the events of a {@link ServiceObserver}, as a
- * value on the topic {@link #TOPIC}. The address of its publisher tells the node.
+ * value on the topic {@link #TOPIC}. The address of its publisher has the node.
  *
  * @param robot Player index, from 0
  * @param service the name of the service; empty if a colour was sent

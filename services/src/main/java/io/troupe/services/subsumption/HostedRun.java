@@ -24,7 +24,6 @@ import org.jspecify.annotations.Nullable;
  * continued by another provider, in the same state.
  *
  * {@snippet :
- * var node = RobotNode.open(bus, space, BrokerObserver.logging(), 0);
  * try (var run = HostedRun.start(node, Mode.PROMISE, SubsumptionTable.ofThePaper(), listener)) {
  *     while (goesOn()) {
  *         run.check();

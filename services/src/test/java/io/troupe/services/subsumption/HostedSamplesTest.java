@@ -1,0 +1,101 @@
+package io.troupe.services.subsumption;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.testkit.TestSpace;
+import io.troupe.broker.BrokerObserver;
+import io.troupe.broker.MissingServiceException;
+import io.troupe.bus.Bus;
+import io.troupe.bus.BusSettings;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.List;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** The samples of the Javadoc about the main job over hosts, with provider and arbitrator in one process. */
+@Timeout(300)
+class HostedSamplesTest {
+    private final ActorSpace space = ActorSpace.create(SpaceSettings.named("broker"));
+    private final ActorSpace driving = ActorSpace.create(SpaceSettings.named("robots"));
+    private final Bus bus = Bus.inProcess("host", BusSettings.on(space));
+    private final TestSpace unused = new TestSpace();
+    private final FakeRobots robots = new FakeRobots(unused, 2);
+    private final int port = FakeRobots.PORT;
+    private final CountDownLatch driven = new CountDownLatch(2);
+    private final List<String> states = Collections.synchronizedList(new ArrayList<>());
+
+    private final HostedRun.Listener listener = new HostedRun.Listener() {
+        @Override
+        public void stateStarted(State state, @Nullable Integer seenBy) {
+            states.add("state " + state.number());
+        }
+
+        @Override
+        public void reported(DriverReport report, String node) {
+            if (report.event() == DriverReport.Event.STARTED) {
+                states.add(node + " " + report.robot() + " " + report.service());
+                driven.countDown();
+            }
+        }
+    };
+
+    @AfterEach
+    void close() {
+        bus.close();
+        driving.close();
+        space.close();
+        robots.close();
+        unused.close();
+    }
+
+    private boolean goesOn() throws InterruptedException {
+        robots.tick(100);
+        return !driven.await(20, TimeUnit.MILLISECONDS); // the clients are on other threads, and need not keep up
+    }
+
+    @Test
+    void node_offersServices_andRunsTheArbitrator() throws Exception {
+        var node = RobotNode.open(bus, space, BrokerObserver.logging(), 0);
+        var robots = RobotServicesActor.Settings.ofThePaper().withPort(port);
+        var offer = node.offer(driving, robots, List.of("wallFollower", "spaceWanderer"));
+        offer.published().get(Duration.ofMinutes(1));
+        try (var run = HostedRun.start(node, Mode.PROMISE, SubsumptionTable.ofThePaper(), listener)) {
+            while (goesOn()) {
+                run.check();
+            }
+        }
+        assertThat(states).startsWith("state 1").contains("host 0 wallFollower", "host 1 spaceWanderer");
+        offer.withdraw().get(Duration.ofMinutes(1));
+        node.close();
+    }
+
+    @Test
+    void serviceThatNoNodeOffers_isNamed() throws Exception {
+        var node = RobotNode.open(bus, space, BrokerObserver.logging(), 0);
+        assertThatMissing(() -> HostedRun.start(node, Mode.CALLBACK, SubsumptionTable.ofThePaper(), listener));
+        node.close();
+    }
+
+    private interface Start {
+        HostedRun run() throws InterruptedException;
+    }
+
+    private static void assertThatMissing(Start start) throws InterruptedException {
+        try (var run = start.run()) {
+            run.check();
+            throw new AssertionError("it was started");
+        } catch (MissingServiceException missing) {
+            assertThat(missing)
+                    .hasMessage("\"arbitrator\" needs the capability \"wallFollower\", which nobody offers;"
+                            + " registered: nothing");
+        }
+    }
+}
