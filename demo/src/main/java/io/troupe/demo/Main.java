@@ -71,6 +71,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             OfferCommand.class,
             ReplayCommand.class,
             ServicesCommand.class,
+            HostsCommand.class,
             DrawCommand.class,
             HelpCommand.class
         })

@@ -2,6 +2,7 @@ package io.troupe.view;
 
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.WorldSpec;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The pictures of a world and of its runs, as the text of an SVG file.
@@ -36,6 +37,15 @@ public final class Pictures {
      */
     public static String modes(ModeComparison comparison, String title) {
         return new ModesSvg(comparison, title).draw();
+    }
+
+    /**
+     * Which node drove each robot of a run over hosts when, and with which service.
+     *
+     * @param fault is marked, with the time until another node drove; null if there was none
+     */
+    public static String drivers(RunResult result, @Nullable DriverFault fault) {
+        return new DriversSvg(result, fault).draw();
     }
 
     /**

@@ -7,10 +7,8 @@ import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
-import java.util.Map;
 import java.util.stream.Collectors;
 
 /**
@@ -35,18 +33,11 @@ final class TrajectorySvg {
     /** Dash patterns of the robots' paths, used cyclically; the first one is solid. */
     private static final List<String> DASHES = List.of("", "8 4", "2 3", "14 4 2 4", "18 6", "8 3 2 3 2 3", "5 2");
 
-    private static final Map<String, String> PATH_COLOURS = Map.of(
-            Service.WALL_FOLLOWER.name(), "#7b3fa0",
-            Service.SPACE_WANDERER.name(), "#1b9e9e");
-    /** Colours of further services, used cyclically. */
-    private static final List<String> MORE_COLOURS =
-            List.of("#d95f02", "#4c78a8", "#9c755f", "#66a61e", "#b07aa1", "#888888");
-
     private final WorldSpec world;
     private final RunResult result;
     private final WorldMap map;
     private final boolean crowd;
-    private final Map<String, String> pathColours = new HashMap<>(PATH_COLOURS);
+    private final ServiceColours services;
     private final Svg legend = Svg.fragment();
     private final List<String> title;
     private final Svg svg;
@@ -56,6 +47,7 @@ final class TrajectorySvg {
     TrajectorySvg(WorldSpec world, RunResult result) {
         this.world = world;
         this.result = result;
+        this.services = new ServiceColours(result.table());
         List<Point> corners = world.obstacles().stream()
                 .flatMap(obstacle -> obstacle.shape().polygons().stream()
                         .flatMap(List::stream)
@@ -66,10 +58,6 @@ final class TrajectorySvg {
         title = Svg.wrap(finding(), map.pageWidthPx() - 2 * LEFT_PX, TITLE_PX);
         map.below(title.size() * LINE_PX + 6);
         legendY = map.bottomPx() + LINE_PX;
-        for (Service service : result.table().services()) {
-            int more = pathColours.size() - PATH_COLOURS.size();
-            pathColours.putIfAbsent(service.name(), MORE_COLOURS.get(more % MORE_COLOURS.size()));
-        }
         drawLegend();
         svg = Svg.page(map.pageWidthPx(), legendY + LEFT_PX, FONT_PX, finding());
     }
@@ -153,7 +141,7 @@ final class TrajectorySvg {
     }
 
     private String colourOf(RobotRecord.Sample sample) {
-        return pathColours.getOrDefault(sample.service(), "#888888");
+        return services.of(sample.service());
     }
 
     /** Draws arrow heads along the path at equal distances. */
@@ -254,7 +242,7 @@ final class TrajectorySvg {
     private void drawLegend() {
         legendX += map.scaleBar(legend, legendX + 1, legendY - 5, FONT_PX) + LINE_PX;
         for (Service service : result.table().services()) {
-            entry(service.name(), "stroke=\"" + pathColours.get(service.name()) + "\" stroke-width=\"3\"");
+            entry(service.name(), "stroke=\"" + services.of(service.name()) + "\" stroke-width=\"3\"");
         }
         if (!crowd) {
             for (int robot = 0; robot < result.robots().size(); robot++) {
