@@ -50,8 +50,13 @@ public sealed interface Event {
     /** A node has settled its calls, and publishes nothing more; the marks of its topics have been sent. */
     record Closed() implements Event {}
 
-    /** A call is made now, and has to be settled within the limit. */
-    record Called(String call, String target, CallKind kind, long limitMillis) implements Event {}
+    /**
+     * A call is made now.
+     *
+     * @param limitMillis it has to be settled within this time
+     * @param executionMillis the limit that travels with it: after that no handler may begin it
+     */
+    record Called(String call, String target, CallKind kind, long limitMillis, long executionMillis) implements Event {}
 
     /**
      * A call was settled.

@@ -26,6 +26,11 @@ public final class HistoryChecker {
         return List.copyOf(checker.violations);
     }
 
+    /** How long after its limit the slowest call was settled, without the pauses of its caller; negative if before. */
+    public static long worstMillisBeyondLimit(History history) {
+        return CallRules.worstMillisBeyondLimit(history);
+    }
+
     private void checkAlone(Entry entry) {
         if (entry.event() instanceof Memory(long bytes) && bytes > MOST_BYTES) {
             violations.add(new Violation(
