@@ -1,6 +1,7 @@
 package io.troupe.demo;
 
 import io.troupe.broker.MissingServiceException;
+import io.troupe.bus.BusException;
 import io.troupe.common.text.SourceException;
 import io.troupe.common.text.Suggestions;
 import io.troupe.demo.app.AppCommand;
@@ -142,6 +143,7 @@ public final class Main implements Callable<Integer> {
                             || thrown instanceof UncheckedIOException
                             || thrown instanceof RecordingException
                             || thrown instanceof ApplicationException
+                            || thrown instanceof BusException
                             || thrown instanceof PlayerException) {
                         return reportFailure(err, thrown, FAILED);
                     }

@@ -52,7 +52,9 @@ import java.util.concurrent.FutureTask;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Predicate;
 import java.util.function.Supplier;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -340,15 +342,52 @@ class DriverGoneTest {
 
     // ---- over TCP
 
-    @Test
-    void connectionThatIsCutWithoutAWord() throws Exception {
+    /** The directions in which a connection is cut. */
+    private enum Cut {
+        TO_SERVER(true, false),
+        TO_CLIENT(false, true),
+        BOTH(true, true);
+
+        private final boolean toServer;
+        private final boolean toClient;
+
+        Cut(boolean toServer, boolean toClient) {
+            this.toServer = toServer;
+            this.toClient = toClient;
+        }
+    }
+
+    /** Neither side gets a FIN or RST: the robot stands by its limit, and the service ends by its own. */
+    @ParameterizedTest
+    @EnumSource
+    void connectionThatIsCutWithoutAWord_endsTheServiceWithAnErrorToo(Cut cut) throws Exception {
+        var driving = new Service("driving", false, () -> senses -> Optional.of(TURNING));
+        var table = SubsumptionTable.forRobots(1).when(NamedColours.BLUE, driving);
         try (var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0);
                 var cable = new Cable(tcp.port());
-                var space = space()) {
-            drive(space, cable.listener.getLocalPort());
+                var run = SubsumptionRun.start(settings(
+                        Mode.PROMISE,
+                        cable.listener.getLocalPort(),
+                        table.allowFinal().build(),
+                        (state, seenBy) -> {}))) {
             awaitMoving(0);
-            cable.cut = true;
+            cable.cut = cut;
             assertStandsAfterHalfASecond(0);
+            assertThat(failure(run))
+                    .isInstanceOf(PlayerException.class)
+                    .hasMessageContaining("is connected and silent: nothing has come from it for 5000 ms");
+        }
+    }
+
+    /** Waits for the error that ends a run. */
+    private static Throwable failure(SubsumptionRun run) throws InterruptedException {
+        while (true) {
+            try {
+                run.check();
+                Thread.sleep(10);
+            } catch (RuntimeException error) {
+                return error;
+            }
         }
     }
 
@@ -356,7 +395,7 @@ class DriverGoneTest {
     private static final class Cable implements AutoCloseable {
         private final ServerSocket listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress());
         private final List<Socket> ends = new CopyOnWriteArrayList<>();
-        private volatile boolean cut;
+        private volatile @Nullable Cut cut;
 
         Cable(int serverPort) throws IOException {
             start(() -> {
@@ -366,8 +405,8 @@ class DriverGoneTest {
                     end.setTcpNoDelay(true);
                     ends.add(end);
                 }
-                start(() -> forward(client, server));
-                return forward(server, client);
+                start(() -> forward(client, server, each -> each.toServer));
+                return forward(server, client, each -> each.toClient);
             });
         }
 
@@ -376,14 +415,15 @@ class DriverGoneTest {
             Thread.ofVirtual().start(new FutureTask<>(task));
         }
 
-        private boolean forward(Socket from, Socket to) throws IOException {
+        private boolean forward(Socket from, Socket to, Predicate<Cut> ends) throws IOException {
             var bytes = new byte[8192];
             for (int count = 0; count >= 0; count = from.getInputStream().read(bytes)) {
-                if (!cut) {
+                var now = cut;
+                if (now == null || !ends.test(now)) {
                     to.getOutputStream().write(bytes, 0, count);
                 }
             }
-            return cut;
+            return true;
         }
 
         @Override

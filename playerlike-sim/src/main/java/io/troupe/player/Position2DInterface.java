@@ -31,6 +31,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Player interface position2d.
  */
 public class Position2DInterface extends AbstractPositionDevice {
+    private static final int MAX_LATENESS_MILLIS = 300;
+
     private final LatestValue<PlayerPosition2dData> data = new LatestValue<>();
     private final LatestValue<PlayerPosition2dGeom> geometry = new LatestValue<>();
 
@@ -96,6 +98,10 @@ public class Position2DInterface extends AbstractPositionDevice {
      * affected. After a speed has expired, the next one drives again. Other Player servers refuse this request and
      * decide themselves when to stop; that is logged once (INFO).
      *
+     * <p>With a limit, a server of ours in another process also drops speeds that arrive more than 300 ms late: after a
+     * cut of the network TCP delivers all that was sent meanwhile. Lateness is measured against the fastest message of
+     * this client in the last one to two minutes, so the clocks need not agree.
+     *
      * @param limit whole milliseconds, longer than the longest time between two speeds of the program; zero for no
      *     limit
      */
@@ -106,12 +112,12 @@ public class Position2DInterface extends AbstractPositionDevice {
                     "command limit of " + this + " is " + limit + ", expected whole milliseconds, 0 or more");
         }
         ask(new DeviceRequest.SetIntegerProperty(DeviceRequest.COMMAND_LIMIT_KEY, (int) millis));
+        ask(new DeviceRequest.SetIntegerProperty(DeviceRequest.COMMAND_AGE_KEY, millis == 0 ? 0 : MAX_LATENESS_MILLIS));
     }
 
     @Override
     void refused(DeviceRequest request, String reason) {
-        if (request instanceof DeviceRequest.SetIntegerProperty set
-                && set.key().equals(DeviceRequest.COMMAND_LIMIT_KEY)) {
+        if (request instanceof DeviceRequest.SetIntegerProperty) {
             pc.commandLimitRefused(this, reason);
         } else {
             super.refused(request, reason);

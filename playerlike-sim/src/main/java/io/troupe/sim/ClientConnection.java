@@ -75,7 +75,7 @@ final class ClientConnection implements PlayerConnection {
     }
 
     boolean isFreeRunning() {
-        return !isWaitedFor() && isSubscribed();
+        return !isAnswering() && isSubscribed();
     }
 
     /** True once the client waits for data and is subscribed to a device that publishes. */
@@ -83,12 +83,12 @@ final class ClientConnection implements PlayerConnection {
         return started && isSubscribed();
     }
 
-    private boolean isWaitedFor() {
+    private boolean isAnswering() {
         return answers && simulation.isLockStep();
     }
 
     boolean hasAnswered(long tick) {
-        return !isWaitedFor() || answeredTick >= tick || turnTick != tick && !isSubscribed();
+        return !isAnswering() || answeredTick >= tick || turnTick != tick && !isSubscribed();
     }
 
     void tickBegins(long tick) {
@@ -219,7 +219,7 @@ final class ClientConnection implements PlayerConnection {
     }
 
     private void enqueue(PortDevice device, PendingCommands.Kind kind, Runnable action) {
-        boolean late = isWaitedFor() && publishedTick != NO_TICK && answeredTick >= publishedTick;
+        boolean late = isAnswering() && publishedTick != NO_TICK && answeredTick >= publishedTick;
         pending.add(device, kind, action, late);
     }
 
@@ -247,6 +247,11 @@ final class ClientConnection implements PlayerConnection {
             answers = whether;
             return true;
         });
+    }
+
+    @Override
+    public boolean isWaitedFor() {
+        return simulation.withLockNoNotify(this::isAnswering);
     }
 
     @Override

@@ -159,24 +159,28 @@ final class DeviceRequestHandler {
                         ? ACK
                         : new DeviceReply.Nack(
                                 "position mode is " + mode.mode() + ", expected 0 (velocity) or 1 (position)");
-            case DeviceRequest.SetIntegerProperty set -> commandLimit(device, set);
+            case DeviceRequest.SetIntegerProperty set -> property(device, set);
             default -> NOT_OFFERED;
         };
     }
 
     /**
      * Sets the time for which later commands hold. The limit belongs to the client and not to the world, so a reset of
-     * the world keeps it.
+     * the world keeps it. The limit of their age is up to the server that the client is connected to by a socket: a
+     * command that is sent here is never late.
      */
-    private DeviceReply commandLimit(PortDevice device, DeviceRequest.SetIntegerProperty set) {
-        if (!set.key().equals(DeviceRequest.COMMAND_LIMIT_KEY)) {
-            return new DeviceReply.Nack(
-                    "there is no property '" + set.key() + "', expected " + DeviceRequest.COMMAND_LIMIT_KEY);
+    private DeviceReply property(PortDevice device, DeviceRequest.SetIntegerProperty set) {
+        boolean isLimit = set.key().equals(DeviceRequest.COMMAND_LIMIT_KEY);
+        if (!isLimit && !set.key().equals(DeviceRequest.COMMAND_AGE_KEY)) {
+            return new DeviceReply.Nack("there is no property '" + set.key() + "', expected "
+                    + DeviceRequest.COMMAND_LIMIT_KEY + " or " + DeviceRequest.COMMAND_AGE_KEY);
         }
         if (set.value() < 0) {
             return new DeviceReply.Nack(set.key() + " is " + set.value() + ", expected 0 (no limit) or more");
         }
-        commandLimitsMicros.put(device, set.value() * 1000L);
+        if (isLimit) {
+            commandLimitsMicros.put(device, set.value() * 1000L);
+        }
         return ACK;
     }
 

@@ -212,7 +212,8 @@ class CommandLimitTest {
     void otherPropertiesAndNegativeLimits_areRefused() {
         var client = client();
         assertThat(client.ask(POSITION2D, 0, new DeviceRequest.SetIntegerProperty("gain", 3)))
-                .isEqualTo(new DeviceReply.Nack("there is no property 'gain', expected " + KEY));
+                .isEqualTo(new DeviceReply.Nack(
+                        "there is no property 'gain', expected " + KEY + " or troupe_command_age_ms"));
         assertThat(limit(client, -1)).isEqualTo(new DeviceReply.Nack(KEY + " is -1, expected 0 (no limit) or more"));
         assertThat(client.ask(POSITION2D, 0, new DeviceRequest.Capability(3, 253)))
                 .isEqualTo(new DeviceReply.Ack());

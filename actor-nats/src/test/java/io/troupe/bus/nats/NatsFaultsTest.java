@@ -13,6 +13,7 @@ import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTopic;
 import io.troupe.bus.Loss;
+import io.troupe.common.process.NatsServerProcess;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -373,14 +374,14 @@ class NatsFaultsTest extends NatsTest {
         while (received.size() < 50) { // after them it is known how long a value is usually on its way
             received.add(Integer.valueOf(lines.readLine()));
         }
-        NatsServer.signal(child, "STOP");
+        NatsServerProcess.signal(child, "STOP");
         int frozenAt = values.last;
         values.sent.drainPermits();
         assertThat(values.sent.tryAcquire(500, 120, TimeUnit.SECONDS))
                 .as("five seconds")
                 .isTrue();
         long goesOnNanos = System.nanoTime();
-        NatsServer.signal(child, "CONT");
+        NatsServerProcess.signal(child, "CONT");
         int goesOnAt = values.last;
         while (received.getLast() < goesOnAt + 50) {
             received.add(Integer.valueOf(lines.readLine()));

@@ -31,7 +31,7 @@ class NatsHostsTest extends NatsTest {
 
     /** A server with a file of the documentation, on another port. */
     private NatsServer start(Path file, Map<String, String> environment) throws IOException {
-        var server = NatsServer.start(NatsServer.freePort(), List.of("-c", file.toString()), environment);
+        var server = NatsServer.start(List.of("-c", file.toString()), environment);
         servers.add(server);
         return server;
     }

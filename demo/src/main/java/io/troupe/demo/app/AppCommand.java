@@ -1,14 +1,21 @@
 package io.troupe.demo.app;
 
+import io.troupe.common.text.Suggestions;
+import io.troupe.demo.hosts.BusOptions;
+import io.troupe.demo.hosts.RobotAddress;
 import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.WorldLoader;
+import io.troupe.services.component.application.ApplicationPlan;
+import io.troupe.services.component.application.ApplicationReader;
 import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.sim.model.Scenario;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -25,6 +32,7 @@ import picocli.CommandLine.Spec;
         name = "app",
         description = {
             "Runs a declared application on a simulated world: the broker finds and starts the services that it needs.",
+            "With --bus, several processes run it together, on the robots of a server (troupe serve): each one starts the same file under the name of one of its nodes.",
             "Exit status 3: a service that it needs is missing."
         },
         mixinStandardHelpOptions = true,
@@ -42,7 +50,7 @@ public final class AppCommand implements Callable<Integer> {
     @Option(names = "--list", description = "print the kinds of components that a declaration can name")
     private boolean list;
 
-    @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run")
+    @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run; over a bus real time")
     private double seconds = 60;
 
     @Option(
@@ -61,6 +69,15 @@ public final class AppCommand implements Callable<Integer> {
     @Option(names = "--realtime", description = "no faster than real time")
     private boolean realtime;
 
+    @Option(
+            names = "--robots",
+            paramLabel = "HOST:PORT",
+            description = "over a bus: where a Player server offers the robots; the file's values host and port")
+    private @Nullable String robots;
+
+    @Mixin
+    private BusOptions bus;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
@@ -77,6 +94,13 @@ public final class AppCommand implements Callable<Integer> {
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
         FileProblems.checkInput(spec, file, "the file of a declaration");
+        if (bus.isGiven()) {
+            return overBus(file, terminal);
+        }
+        bus.refuseWithoutBus();
+        if (robots != null) {
+            throw wrong("--robots is " + robots + ", but there is no bus: expected --bus as well");
+        }
         Scenario scenario = loader.read(world);
         try (var opened = jars;
                 var interruption = Interruption.open()) {
@@ -85,5 +109,46 @@ public final class AppCommand implements Callable<Integer> {
                     .run(seconds, realtime, interruption::isRequested);
             return interruption.isRequested() ? Interruption.STATUS : 0;
         }
+    }
+
+    private int overBus(Path declaration, PrintWriter terminal) throws IOException, InterruptedException {
+        for (String option : List.of("--world", "--realtime")) {
+            if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
+                throw wrong(
+                        option + " is given with --bus, expected only --robots: over a bus the world runs elsewhere,"
+                                + " in real time");
+            }
+        }
+        if (robots == null) {
+            throw wrong("--robots is missing, expected HOST:PORT of a Player server (troupe serve)");
+        }
+        RobotAddress address = RobotAddress.parse(spec, robots);
+        try (var opened = jars;
+                var interruption = Interruption.open()) {
+            var plan = ApplicationReader.read(
+                    declaration,
+                    ComponentKinds.standard(opened.catalogue(declaration)),
+                    Map.of("host", address.host(), "port", String.valueOf(address.port())));
+            checkNode(declaration, plan);
+            new AppOverBus(declaration, plan, bus::open, new AppReport(terminal))
+                    .run(seconds, interruption::isRequested);
+            return interruption.isRequested() ? Interruption.STATUS : 0;
+        }
+    }
+
+    private void checkNode(Path declaration, ApplicationPlan plan) {
+        if (plan.nodes().isEmpty()) {
+            throw wrong(declaration + " names no nodes, expected \"application " + plan.name()
+                    + " on NODE,NODE\" for --bus");
+        }
+        boolean first = plan.nodes().getFirst().equals(bus.node());
+        if (!first && plan.componentsOn(bus.node()).isEmpty()) {
+            throw wrong("--name is " + bus.node() + ", which is no node with components of " + declaration + "; "
+                    + Suggestions.hintWithSome(bus.node(), plan.nodes()));
+        }
+    }
+
+    private ParameterException wrong(String problem) {
+        return new ParameterException(spec.commandLine(), problem);
     }
 }

@@ -3,12 +3,14 @@ package io.troupe.demo.app;
 import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.ServiceRecord;
 import io.troupe.bus.Address;
+import io.troupe.bus.Loss;
 import io.troupe.common.text.NamedColours;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.application.ApplicationEvent;
 import io.troupe.services.component.application.ApplicationPlan.Wire;
 import io.troupe.services.component.kinds.RobotTopics.ColourSeen;
+import io.troupe.services.component.kinds.RobotTopics.PositionReading;
 import io.troupe.sim.Snapshot;
 import java.io.PrintWriter;
 import java.util.List;
@@ -31,6 +33,15 @@ final class AppReport implements ComponentObserver {
     private double[] distanceM = {};
     private int[] contacts = {};
     private Snapshot last;
+    private final Map<String, Integer> losses = new TreeMap<>(); // by kind
+    private final Map<String, Odometry> odometry = new TreeMap<>(); // by robot, if the world is elsewhere
+
+    /** A robot's way by its own account. */
+    private record Odometry(double distanceM, PositionReading last) {
+        Odometry then(PositionReading now) {
+            return new Odometry(distanceM + StrictMath.hypot(now.xM() - last.xM(), now.yM() - last.yM()), now);
+        }
+    }
 
     AppReport(PrintWriter terminal) {
         this.terminal = terminal;
@@ -42,6 +53,50 @@ final class AppReport implements ComponentObserver {
         clockMicros = newClockMicros;
         distanceM = new double[first.robots().size()];
         contacts = new int[first.robots().size()];
+    }
+
+    /** Starts the report of an application whose world is elsewhere. */
+    synchronized void watch(LongSupplier newClockMicros) {
+        clockMicros = newClockMicros;
+    }
+
+    /** A robot's position, from its topic. */
+    synchronized void moved(String topic, PositionReading now) {
+        odometry.compute(
+                topic.substring(0, topic.indexOf('/')),
+                (robot, before) -> before == null ? new Odometry(0, now) : before.then(now));
+    }
+
+    /** How far a robot has come by odometry. */
+    synchronized double odometryM(String robot) {
+        var known = odometry.get(robot);
+        return known == null ? 0 : known.distanceM();
+    }
+
+    /** This node serves components. */
+    synchronized void serves(String node, List<String> components, String application) {
+        terminal.println(node + " serves " + String.join(", ", components) + " for " + application + ", until Ctrl-C");
+        terminal.flush();
+    }
+
+    /** The bus has lost something; of each kind of loss, number 1, 2, 4, 8 and so on are printed. */
+    void lost(Loss loss) {
+        int soFar = count(loss);
+        if (Integer.bitCount(soFar) == 1) {
+            print("lost", loss + (soFar == 1 ? "" : " (" + soFar + " of this kind so far)"));
+        }
+    }
+
+    private synchronized int count(Loss loss) {
+        return losses.merge(loss.getClass().getSimpleName(), 1, Integer::sum);
+    }
+
+    void connection(String what, String why) {
+        print(what, why);
+    }
+
+    void state(String what, Address component) {
+        print(what, component.name());
     }
 
     synchronized void moved(Snapshot snapshot) {
@@ -152,6 +207,21 @@ final class AppReport implements ComponentObserver {
                     commands == 0 ? "no" : commands,
                     contacts[robot]);
         }
+        terminal.flush();
+    }
+
+    /** The summary of an application whose world is elsewhere. */
+    synchronized void summary(String application) {
+        terminal.printf(Locale.ROOT, "%n%s over a bus, %.1f s%n", application, clockMicros.getAsLong() / 1e6);
+        odometry.forEach((robot, way) -> {
+            int commands = loops.getOrDefault(robot + "/velocity", 0);
+            terminal.printf(
+                    Locale.ROOT,
+                    "%-8s %7.2f m by odometry  %6s loops over the bus%n",
+                    robot,
+                    way.distanceM(),
+                    commands == 0 ? "no" : commands);
+        });
         terminal.flush();
     }
 }

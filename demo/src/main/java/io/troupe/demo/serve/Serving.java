@@ -222,7 +222,9 @@ final class Serving implements AutoCloseable {
     }
 
     String farewell() {
-        return String.format(Locale.ROOT, "%.1f simulated seconds", simulation.timeMicros() / 1e6);
+        long late = servers.values().stream().mapToLong(TcpServer::lateCommands).sum();
+        return String.format(Locale.ROOT, "%.1f simulated seconds", simulation.timeMicros() / 1e6)
+                + (late == 0 ? "" : "; " + late + " speeds arrived late and were dropped");
     }
 
     @Override

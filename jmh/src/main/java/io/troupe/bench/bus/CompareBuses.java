@@ -4,6 +4,7 @@ import io.troupe.bench.BenchmarkCommand;
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
 import io.troupe.bench.bus.BusWorkload.Part;
 import io.troupe.common.measure.ProgressLine;
+import io.troupe.common.process.NatsServerProcess;
 import java.io.IOException;
 import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
@@ -119,8 +120,7 @@ public final class CompareBuses implements Callable<Integer> {
     int call(boolean isInstalled) throws IOException {
         boolean needsServer = parts.stream().anyMatch(part -> part != Part.CODEC);
         if (needsServer && !isInstalled) {
-            System.err.println("nats-server is not on the PATH; install it (Debian: apt-get install nats-server),"
-                    + " or measure without it: --parts codec");
+            System.err.println(NatsServerProcess.HOW_TO_GET + "; or measure without it: --parts codec");
             return NO_SERVER;
         }
         double load = load();

@@ -5,6 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.bench.BenchmarkTests;
 import io.troupe.bench.bus.BusWorkload.Part;
+import io.troupe.common.process.NatsServerProcess;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -82,7 +83,7 @@ class CompareBusesTest {
             value = BusContender.class,
             names = {"TROUPE", "RAW"})
     void pairs_overARealServer_loseNothing_andAreMeasured(BusContender contender) throws Exception {
-        assumeTrue(NatsServerProcess.isInstalled(), "nats-server is not installed: not tested");
+        assumeTrue(NatsServerProcess.isInstalled(), NatsServerProcess.HOW_TO_GET + "; not tested");
         try (var server = NatsServerProcess.start()) {
             var child = new BusProcess.Child(contender, server.address());
             for (BusWorkload each : Part.ASK.workloads()) {

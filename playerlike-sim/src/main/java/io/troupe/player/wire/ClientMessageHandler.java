@@ -2,6 +2,7 @@ package io.troupe.player.wire;
 
 import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -31,13 +32,22 @@ final class ClientMessageHandler {
     /** The address of each device in this JVM, by interface and index. */
     private final Map<Place, DeviceAddress> devices = new LinkedHashMap<>();
 
+    private final TcpServer.Shared shared;
+    private final MessageAge ages;
+    /** Age in milliseconds above which a speed is dropped, for each device with a limit. */
+    private final Map<DeviceAddress, Integer> ageLimitsMillis = new HashMap<>();
+
+    private int lateInARow;
     private boolean pull;
 
     /**
      * @param host host part of every address that the client sees
      * @param robot robot part (the port) of every such address
      */
-    ClientMessageHandler(String peer, PlayerConnection connection, Outbox outbox, int host, int robot) {
+    ClientMessageHandler(
+            String peer, PlayerConnection connection, Outbox outbox, int host, int robot, TcpServer.Shared shared) {
+        this.shared = shared;
+        this.ages = new MessageAge(shared.clock().nanos());
         this.peer = peer;
         this.connection = connection;
         this.outbox = outbox;
@@ -83,14 +93,16 @@ final class ClientMessageHandler {
     // ---- from the client
 
     void handle(WireMessage message) {
+        double ageSeconds =
+                ages.seconds(message.header().timeSeconds(), shared.clock().nanos());
         switch (message.header().type()) {
-            case CMD -> command(message);
+            case CMD -> command(message, ageSeconds);
             case REQ -> request(message);
             case DATA, ACK, SYNCH, NACK -> drop(message, "expected commands and requests only");
         }
     }
 
-    private void command(WireMessage message) {
+    private void command(WireMessage message, double ageSeconds) {
         Header header = message.header();
         DeviceAddress device = devices.get(Place.of(header.address()));
         if (device == null) {
@@ -100,13 +112,48 @@ final class ClientMessageHandler {
         try {
             var command = CommandCodec.decode(device.interfaceCode(), header.subtype(), message.payload());
             if (command.isPresent()) {
-                connection.command(device, command.get());
+                if (!isLate(device, command.get(), ageSeconds)) {
+                    connection.command(device, command.get());
+                }
             } else {
                 drop(message, "not a known command");
             }
         } catch (WireException | IllegalArgumentException e) {
             drop(message, String.valueOf(e.getMessage()));
         }
+    }
+
+    /**
+     * True for a speed that is older than the client's limit: after a cut of the network TCP delivers everything that
+     * was sent meanwhile. The first of several is logged, and then their number.
+     */
+    private boolean isLate(DeviceAddress device, DeviceCommand command, double ageSeconds) {
+        Integer limitMillis = ageLimitsMillis.get(device);
+        if (limitMillis == null || command instanceof DeviceCommand.GoTo) {
+            return false;
+        }
+        if (ageSeconds * 1_000 <= limitMillis || connection.isWaitedFor()) {
+            if (lateInARow > 0) {
+                LOG.log(Level.INFO, "{0} is in time again; {1} late speeds were dropped", peer, lateInARow);
+                lateInARow = 0;
+            }
+            return false;
+        }
+        shared.lateCommands().incrementAndGet();
+        if (lateInARow++ == 0) {
+            String what = Double.isInfinite(ageSeconds)
+                    ? "a speed without a time stamp"
+                    : "a speed that arrives " + Math.round(ageSeconds * 1_000) + " ms late";
+            LOG.log(
+                    Level.WARNING,
+                    "{0} sent {1}:{2} {3}; speeds are dropped that are more than {4} ms late",
+                    peer,
+                    Interfaces.name(device.interfaceCode()),
+                    device.index(),
+                    what,
+                    limitMillis);
+        }
+        return true;
     }
 
     private void drop(WireMessage message, String reason) {
@@ -126,6 +173,11 @@ final class ClientMessageHandler {
                 DeviceReply answer = request instanceof DeviceRequest.Unknown
                         ? new DeviceReply.Nack("not a known request")
                         : connection.request(device, request);
+                if (answer instanceof DeviceReply.Ack
+                        && request instanceof DeviceRequest.SetIntegerProperty(String key, int millis)
+                        && key.equals(DeviceRequest.COMMAND_AGE_KEY)) {
+                    ageLimit(device, millis);
+                }
                 if (answer instanceof DeviceReply.Nack(String reason)) {
                     refuse(message, reason);
                 } else {
@@ -134,6 +186,14 @@ final class ClientMessageHandler {
             }
         } catch (WireException | IllegalArgumentException e) {
             refuse(message, String.valueOf(e.getMessage()));
+        }
+    }
+
+    private void ageLimit(DeviceAddress device, int millis) {
+        if (millis == 0) {
+            ageLimitsMillis.remove(device);
+        } else {
+            ageLimitsMillis.put(device, millis);
         }
     }
 

@@ -61,7 +61,7 @@ final class ClientSession implements DataSink {
             opened.close();
             return;
         }
-        handler = new ClientMessageHandler(peer, opened, outbox, host, socket.getLocalPort());
+        handler = new ClientMessageHandler(peer, opened, outbox, host, socket.getLocalPort(), shared);
         LOG.log(Level.DEBUG, () -> peer + " has connected");
         thread("player-write-", this::write);
         thread("player-read-", this::read);

@@ -14,6 +14,13 @@ public sealed interface DeviceRequest {
      */
     String COMMAND_LIMIT_KEY = "troupe_command_limit_ms";
 
+    /**
+     * Key of a position2d property: a speed that this client sends is dropped if it arrives more than so many
+     * milliseconds late, by the time stamp in its header. 0 = never, as in Player. The stamps have to come from a
+     * monotonic clock.
+     */
+    String COMMAND_AGE_KEY = "troupe_command_age_ms";
+
     /** REQ 1 of position2d, sonar, ranger and laser: requests the geometry. */
     record Geometry() implements DeviceRequest {}
 
@@ -91,7 +98,7 @@ public sealed interface DeviceRequest {
     /**
      * position2d REQ 253: sets an integer property of the driver.
      *
-     * @param key our server only has {@link #COMMAND_LIMIT_KEY}
+     * @param key our server only has {@link #COMMAND_LIMIT_KEY} and {@link #COMMAND_AGE_KEY}
      */
     record SetIntegerProperty(String key, int value) implements DeviceRequest {
         public SetIntegerProperty {

@@ -63,6 +63,11 @@ public interface PlayerConnection extends AutoCloseable {
      */
     void answers(boolean whether);
 
+    /** True if the world's time does not pass until this client answers: then none of its commands is late. */
+    default boolean isWaitedFor() {
+        return false;
+    }
+
     /**
      * Sets the delivery mode of a connection over a socket. A client that requests its data ({@link Delivery#PULL})
      * answers a tick by its next request. In this JVM nothing changes.

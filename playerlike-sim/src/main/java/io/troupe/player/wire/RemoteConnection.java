@@ -49,6 +49,7 @@ final class RemoteConnection implements PlayerConnection {
     private final @Nullable ActorSpace space;
     private final Thread reader;
     private final Clock clock;
+    private final long firstStampNanos; // a second before the connection, because a stamp of 0 means none
     private final PendingReplies pending;
     private final FrameAssembler frames = new FrameAssembler();
     private final Map<DeviceAddress, String> drivers = new ConcurrentHashMap<>();
@@ -75,6 +76,7 @@ final class RemoteConnection implements PlayerConnection {
         this.space = space;
         this.replyLimit = replyLimit;
         this.clock = clock;
+        this.firstStampNanos = clock.nanos() - 1_000_000_000;
         this.pending = new PendingReplies(clock);
         this.reader = Thread.ofPlatform()
                 .daemon()
@@ -327,7 +329,8 @@ final class RemoteConnection implements PlayerConnection {
             Deadline deadline,
             Runnable nothingSent) {
         byte[] payload = content.payload();
-        var header = new Header(device, type, content.subtype(), 0, sequence, payload.length);
+        double stampSeconds = (clock.nanos() - firstStampNanos) / 1e9;
+        var header = new Header(device, type, content.subtype(), stampSeconds, sequence, payload.length);
         checkOpen();
         sending(() -> socket.send(new WireMessage(header, payload).bytes(), deadline), deadline, nothingSent);
     }

@@ -20,6 +20,7 @@ import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -116,10 +117,15 @@ public final class TcpServer implements AutoCloseable {
      *
      * @param handling one permit per message that may be handled at a time; fair, so that a client waits at most for
      *     one message of each other client
+     * @param lateCommands how many commands were dropped because they arrived late
      */
-    record Shared(Settings settings, Clock clock, Semaphore handling) {
+    record Shared(Settings settings, Clock clock, Semaphore handling, AtomicLong lateCommands) {
         Shared(Settings settings, Clock clock) {
             this(settings, clock, new Semaphore(Math.max(1, Runtime.getRuntime().availableProcessors() / 2), true));
+        }
+
+        Shared(Settings settings, Clock clock, Semaphore handling) {
+            this(settings, clock, handling, new AtomicLong());
         }
     }
 
@@ -230,6 +236,11 @@ public final class TcpServer implements AutoCloseable {
     /** The port that the server listens on. */
     public int port() {
         return socket.getLocalPort();
+    }
+
+    /** Number of speeds that were dropped because they arrived later than their client allows. */
+    public long lateCommands() {
+        return shared.lateCommands().get();
     }
 
     /** Number of connected clients. */

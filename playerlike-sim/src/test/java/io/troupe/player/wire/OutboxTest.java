@@ -2,6 +2,7 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.time.Clock;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
@@ -315,7 +316,8 @@ class OutboxTest {
     @Test
     void subscription_isConfirmed_whenTheDevicesKnowOfIt() throws InterruptedException {
         var ranger = new ScriptedServer(Interfaces.RANGER);
-        var handler = new ClientMessageHandler("test", ranger, outbox, 1, 2);
+        var handler = new ClientMessageHandler(
+                "test", ranger, outbox, 1, 2, new TcpServer.Shared(TcpServer.Settings.ofMachine(1), Clock.system()));
         handler.handle(Hex.message(RawClient.bytes(new PlayerRequest.DataMode(Delivery.PULL))));
         outbox.take();
         var seen = new ArrayList<Thread.State>();

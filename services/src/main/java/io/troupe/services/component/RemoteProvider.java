@@ -27,6 +27,7 @@ public final class RemoteProvider implements Provider {
     private final BusPort port;
     private final Address component;
     private final Duration limit;
+    private final Duration checkLimit;
     private volatile long life; // of the component, as the last start has reported it; 0 = unknown
 
     /**
@@ -35,27 +36,38 @@ public final class RemoteProvider implements Provider {
      * @param limit time limit of each control message
      */
     public RemoteProvider(BusPort port, Address component, Duration limit) {
+        this(port, component, limit, limit);
+    }
+
+    /**
+     * With limits below those of the broker.
+     *
+     * @param limit time limit of a start and of a termination
+     * @param checkLimit time limit of a health check
+     */
+    public RemoteProvider(BusPort port, Address component, Duration limit, Duration checkLimit) {
         this.port = port;
         this.component = component;
         this.limit = limit;
+        this.checkLimit = checkLimit;
     }
 
     @Override
     public Promise<@Nullable Void> start() {
         life = 0;
-        return ask(Control.INVOKE, new Control.Invoke(port.address().toString()))
+        return ask(Control.INVOKE, new Control.Invoke(port.address().toString()), limit)
                 .thenAccept(done -> life = done.life());
     }
 
     @Override
     public Promise<@Nullable Void> stop() {
-        return ask(Control.TERMINATE, new Control.Terminate(port.address().toString(), life))
+        return ask(Control.TERMINATE, new Control.Terminate(port.address().toString(), life), limit)
                 .thenAccept(done -> {});
     }
 
     @Override
     public Promise<@Nullable Void> check() {
-        return ask(Control.HEALTH, new Control.AskHealth(port.address().toString(), life))
+        return ask(Control.HEALTH, new Control.AskHealth(port.address().toString(), life), checkLimit)
                 .thenAccept(report -> {
                     if (!report.isHealthy()) {
                         throw new ProviderException(report.problem());
@@ -64,8 +76,9 @@ public final class RemoteProvider implements Provider {
     }
 
     /** Converts a timeout to an overdue error, since the component may still complete the request after the limit. */
-    private <Q extends Record, A extends Record> Promise<A> ask(Operation<Q, A> operation, Q question) {
-        return port.ask(component, operation, question, limit)
+    private <Q extends Record, A extends Record> Promise<A> ask(
+            Operation<Q, A> operation, Q question, Duration within) {
+        return port.ask(component, operation, question, within)
                 .exceptionallyCompose(error -> Promise.failed(
                         error instanceof BusTimeoutException
                                 ? ProviderException.overdue(String.valueOf(error.getMessage()), error)

@@ -301,7 +301,9 @@ class RobotServicesTest extends RobotsBench {
     @Test
     void robot_isStoppedByItsServerIfItsServiceEnds_andASilentServerIsNoticed() {
         wallFollower(1);
-        assertThat(robots.limits).containsExactly("silence PT5S", "robot 2 troupe_command_limit_ms 400");
+        assertThat(robots.limits)
+                .containsExactly(
+                        "silence PT5S", "robot 2 troupe_command_limit_ms 400", "robot 2 troupe_command_age_ms 300");
     }
 
     @Test

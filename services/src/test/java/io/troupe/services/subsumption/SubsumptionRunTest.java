@@ -101,7 +101,10 @@ class SubsumptionRunTest extends RobotsBench {
         try (var run = SubsumptionRun.start(settings)) {
             assertThat(robots.connections()).isOne();
             String limit = " troupe_command_limit_ms 400";
-            assertThat(robots.limits).containsExactly("silence PT5S", "robot 1" + limit, "robot 2" + limit);
+            String age = " troupe_command_age_ms 300";
+            assertThat(robots.limits)
+                    .containsExactly(
+                            "silence PT5S", "robot 1" + limit, "robot 1" + age, "robot 2" + limit, "robot 2" + age);
             assertInCharge(WF, SW);
             ticks(100);
             assertCommands(1, 0);

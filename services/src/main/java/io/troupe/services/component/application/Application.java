@@ -6,7 +6,9 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.broker.Broker;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
+import io.troupe.broker.Provider;
 import io.troupe.broker.ServiceRecord;
+import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.services.component.Component;
@@ -50,10 +52,14 @@ public final class Application {
     private final BusPort port;
     private final TopicWiring wiring;
     private final Map<String, ComponentInterface<?, ?>> interfaces = new LinkedHashMap<>();
+    private final Map<String, Offer> offers = new LinkedHashMap<>();
     private final List<NeedConnection> connections = new ArrayList<>();
     private final Deferred<@Nullable Void> started = new Deferred<>();
     private final Deferred<@Nullable Void> ended = new Deferred<>();
     private boolean ending;
+
+    /** What the broker gets for a component, which may run on another node. */
+    private record Offer(Component<?, ?> component, Address address, Provider provider) {}
 
     private Application(ActorSpace space, ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
         this.space = space;
@@ -68,13 +74,20 @@ public final class Application {
     /**
      * Starts an application.
      *
+     * @param plan if it has several nodes, the bus has the name of the first one, and the others have to be there
+     *     within 5 s ({@link ApplicationNode})
      * @throws IllegalStateException if the current thread is not that of an actor space
+     * @throws IllegalArgumentException if another node runs the application
      */
     public static Application start(ApplicationPlan plan, Bus bus, Broker broker, ApplicationSettings settings) {
         ActorSpace space = ActorSpace.current();
         if (space == null) {
             throw new IllegalStateException("application " + plan.name()
                     + " was started on no actor space, expected the one it is to live on: use space.execute(..)");
+        }
+        if (!plan.nodes().isEmpty() && !plan.nodes().getFirst().equals(bus.node())) {
+            throw new IllegalArgumentException("node " + plan.nodes().getFirst() + " runs " + plan.name()
+                    + ", and this is node " + bus.node() + ", which serves components: use ApplicationNode");
         }
         var application = new Application(space, plan, bus, broker, settings);
         application.begin();
@@ -93,33 +106,49 @@ public final class Application {
 
     private void begin() {
         ended.exceptionally(error -> null); // a failed start is reported by started(); ended() needs no listener
-        Promise<?> registered = Promise.done();
         try {
-            for (var each : plan.components().entrySet()) {
-                var opened = ComponentInterface.open(bus, each.getKey(), each.getValue(), settings.components());
-                interfaces.put(each.getKey(), opened);
-            }
+            plan.components().forEach(this::open);
             wiring.claim(null, plan.wires());
             wiring.open(plan.wires());
-            for (var opened : interfaces.values()) {
-                if (plan.isRegisteredAtStart(opened.address().name())) {
-                    var component = opened.component();
-                    registered = combine(
-                            registered,
-                            broker.register(component.service(), component.capabilities(), opened.address(), opened));
-                }
-            }
         } catch (RuntimeException refused) {
             end(refused);
             return;
         }
-        registered
+        new OtherNodes(space, plan, bus.node(), port)
+                .awaitAll(() -> ending)
+                .thenCompose(present -> register())
                 .thenCompose(all -> meetNeeds(plan.needs().iterator()))
                 .thenAccept(met -> run())
                 .exceptionally(error -> {
                     end(error);
                     return null;
                 });
+    }
+
+    private void open(String name, Component<?, ?> component) {
+        if (plan.nodes().isEmpty() || plan.componentsOn(bus.node()).contains(name)) {
+            var opened = ComponentInterface.open(bus, name, component, settings.components());
+            interfaces.put(name, opened);
+            offers.put(name, new Offer(component, opened.address(), opened));
+        } else {
+            var address = OtherNodes.address(plan, name);
+            offers.put(name, new Offer(component, address, OtherNodes.provider(port, address)));
+        }
+    }
+
+    private Promise<?> register() {
+        Promise<?> registered = Promise.done();
+        for (var each : offers.entrySet()) {
+            if (!ending && plan.isRegisteredAtStart(each.getKey())) {
+                registered = combine(registered, register(each.getValue()));
+            }
+        }
+        return registered;
+    }
+
+    private Promise<ServiceRecord> register(Offer offer) {
+        var component = offer.component();
+        return broker.register(component.service(), component.capabilities(), offer.address(), offer.provider());
     }
 
     private static Promise<?> combine(Promise<?> first, Promise<?> second) {
@@ -172,8 +201,8 @@ public final class Application {
         if (ending) {
             return Promise.failed(stoppedError("replaces nothing"));
         }
-        var before = componentInterface(old);
-        var next = componentInterface(by);
+        var before = offer(old);
+        var next = offer(by);
         return broker.registered()
                 .thenCompose(all -> {
                     var offer = offerOf(before, all);
@@ -181,7 +210,8 @@ public final class Application {
                     next.component().capabilities().stream()
                             .filter(each -> !capabilities.contains(each))
                             .forEach(capabilities::add);
-                    return broker.replace(before.address(), offer.service(), capabilities, next.address(), next);
+                    return broker.replace(
+                            before.address(), offer.service(), capabilities, next.address(), next.provider());
                 })
                 .thenAccept(replaced -> {});
     }
@@ -190,7 +220,7 @@ public final class Application {
      * The service for which a component is registered, which is not its original one if it has replaced another
      * component.
      */
-    private ServiceRecord offerOf(ComponentInterface<?, ?> component, List<ServiceRecord> all) {
+    private ServiceRecord offerOf(Offer component, List<ServiceRecord> all) {
         return all.stream()
                 .filter(each -> each.provider().equals(component.address()))
                 .findFirst()
@@ -211,7 +241,9 @@ public final class Application {
         var opened = ComponentInterface.open(bus, name, component, settings.components());
         interfaces.put(name, opened);
         wiring.addComponent(name, component);
-        return broker.register(component.service(), component.capabilities(), opened.address(), opened);
+        var offer = new Offer(component, opened.address(), opened);
+        offers.put(name, offer);
+        return register(offer);
     }
 
     private ApplicationException stoppedError(String what) {
@@ -219,15 +251,25 @@ public final class Application {
     }
 
     /**
-     * The interface of a component.
+     * The interface of a component of this process.
      *
      * @throws IllegalArgumentException if there is no such component
      */
     public ComponentInterface<?, ?> componentInterface(String component) {
         var found = interfaces.get(component);
         if (found == null) {
+            var elsewhere = offer(component); // has a clearer error if there is no such component
+            throw new IllegalArgumentException(component + " runs on node "
+                    + elsewhere.address().node() + ", expected one of " + interfaces.keySet());
+        }
+        return found;
+    }
+
+    private Offer offer(String component) {
+        var found = offers.get(component);
+        if (found == null) {
             throw new IllegalArgumentException(
-                    plan.name() + " has no component " + component + ", it has " + interfaces.keySet());
+                    plan.name() + " has no component " + component + ", it has " + offers.keySet());
         }
         return found;
     }

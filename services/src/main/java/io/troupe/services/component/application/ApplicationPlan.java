@@ -31,13 +31,18 @@ import java.util.stream.Stream;
  *     whose topics are connected with those of the provider, or the application itself
  * @param wires connections that hold all the time
  * @param replacements replacements of components, with their times
+ * @param nodes the processes on the bus that run it; the first one runs the application itself and the components
+ *     without a place. Empty for an application inside one process
+ * @param places the nodes of components, by the names of the components
  */
 public record ApplicationPlan(
         String name,
         Map<String, Component<?, ?>> components,
         List<Need> needs,
         List<Wire<?>> wires,
-        List<Replacement> replacements) {
+        List<Replacement> replacements,
+        List<String> nodes,
+        Map<String, String> places) {
     /**
      * Connection of two topics: values published on the first are also published on the second.
      *
@@ -62,11 +67,13 @@ public record ApplicationPlan(
         needs = List.copyOf(needs);
         wires = List.copyOf(wires);
         replacements = List.copyOf(replacements);
+        nodes = List.copyOf(nodes);
+        places = Map.copyOf(places);
     }
 
     /** An empty application. */
     public static ApplicationPlan named(String name) {
-        return new ApplicationPlan(name, Map.of(), List.of(), List.of(), List.of());
+        return new ApplicationPlan(name, Map.of(), List.of(), List.of(), List.of(), List.of(), Map.of());
     }
 
     /**
@@ -80,7 +87,55 @@ public record ApplicationPlan(
         }
         Map<String, Component<?, ?>> more = new LinkedHashMap<>(components);
         more.put(component, what);
-        return new ApplicationPlan(name, more, needs, wires, replacements);
+        return new ApplicationPlan(name, more, needs, wires, replacements, nodes, places);
+    }
+
+    /**
+     * A copy for several processes, before components are placed.
+     *
+     * @param nodes their names on the bus; the first one runs the application itself
+     */
+    public ApplicationPlan onNodes(List<String> nodes) {
+        if (nodes.stream().distinct().count() < nodes.size()) {
+            throw new IllegalArgumentException("the nodes of " + name + " are " + nodes + ", expected each once");
+        }
+        return new ApplicationPlan(name, components, needs, wires, replacements, nodes, places);
+    }
+
+    /** A copy in which all components run in the process of the application. */
+    public ApplicationPlan inOneProcess() {
+        return new ApplicationPlan(name, components, needs, wires, replacements, List.of(), Map.of());
+    }
+
+    /**
+     * A copy with the place of a component.
+     *
+     * @throws IllegalArgumentException if there is no such component or node
+     */
+    public ApplicationPlan placing(String component, String node) {
+        checkComponent(component);
+        if (!nodes.contains(node)) {
+            throw new IllegalArgumentException(
+                    "\"" + node + "\" is no node of " + name + "; " + Suggestions.hintWithSome(node, nodes));
+        }
+        Map<String, String> more = new LinkedHashMap<>(places);
+        more.put(component, node);
+        return new ApplicationPlan(name, components, needs, wires, replacements, nodes, more);
+    }
+
+    /** The components that run on a node, in their order. */
+    public List<String> componentsOn(String node) {
+        return components.keySet().stream()
+                .filter(each -> !nodes.isEmpty()
+                        && places.getOrDefault(each, nodes.getFirst()).equals(node))
+                .toList();
+    }
+
+    private void checkComponent(String component) {
+        if (!components.containsKey(component)) {
+            throw new IllegalArgumentException("\"" + component + "\" is no component of " + name + "; "
+                    + Suggestions.hintWithSome(component, components.keySet()));
+        }
     }
 
     /** A copy with one more need, for a service by its name. */
@@ -101,7 +156,7 @@ public record ApplicationPlan(
                     "\"" + need.by() + "\" is neither the application nor a component nor a robot of one; "
                             + Suggestions.hintWithSome(need.by(), users));
         }
-        return new ApplicationPlan(name, components, append(needs, need), wires, replacements);
+        return new ApplicationPlan(name, components, append(needs, need), wires, replacements, nodes, places);
     }
 
     /** Permitted users of a need: the application, its components, and the owners of topics. */
@@ -138,7 +193,7 @@ public record ApplicationPlan(
             throw new IllegalArgumentException(wire + " is there already, expected it once");
         }
         checkAcyclic(wire, wires);
-        return new ApplicationPlan(name, components, needs, append(wires, wire), replacements);
+        return new ApplicationPlan(name, components, needs, append(wires, wire), replacements, nodes, places);
     }
 
     /**
@@ -167,17 +222,13 @@ public record ApplicationPlan(
      * @throws IllegalArgumentException if a component is unknown, takes a place twice, or would replace itself
      */
     public ApplicationPlan replacing(Duration after, String old, String by) {
-        for (String each : List.of(old, by)) {
-            if (!components.containsKey(each)) {
-                throw new IllegalArgumentException("\"" + each + "\" is no component of " + name + "; "
-                        + Suggestions.hintWithSome(each, components.keySet()));
-            }
-        }
+        checkComponent(old);
+        checkComponent(by);
         if (replacements.stream().anyMatch(each -> each.by().equals(by)) || old.equals(by)) {
             throw new IllegalArgumentException("\"" + by + "\" cannot take a place twice, or its own");
         }
         return new ApplicationPlan(
-                name, components, needs, wires, append(replacements, new Replacement(after, old, by)));
+                name, components, needs, wires, append(replacements, new Replacement(after, old, by)), nodes, places);
     }
 
     /**

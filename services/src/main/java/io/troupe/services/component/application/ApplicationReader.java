@@ -34,21 +34,23 @@ import java.util.stream.Stream;
  * <p><b>Units and shapes.</b> One statement per line:
  *
  * <pre>
- * application NAME
- * component NAME is KIND [PARAMETER=VALUE ..] [service=NAME] [capabilities=NAME,..]
+ * application NAME [on NODE,..]
+ * component NAME is KIND [PARAMETER=VALUE ..] [service=NAME] [capabilities=NAME,..] [on NODE]
  * USER needs [service NAME] [capability NAME]
  * connect TOPIC to TOPIC
  * at TIME replace COMPONENT by COMPONENT
  * </pre>
  *
  * A user is the application, a component, or a robot of a component. Times are written {@code 500ms}, {@code 20s} or
- * {@code 2min}, and count from the moment when all needs are met.
+ * {@code 2min}, and count from the moment when all needs are met. Nodes are the processes on the bus that run the
+ * application; the first one runs the application itself and the components without a node.
  *
  * <p><b>Errors.</b> {@link ApplicationFileException}, with the position of the first error.
  */
 public final class ApplicationReader {
     private static final Pattern TIME = Pattern.compile("([0-9]+(?:\\.[0-9]+)?)(ms|s|min)");
     private static final Map<String, Double> MILLIS = Map.of("ms", 1.0, "s", 1_000.0, "min", 60_000.0);
+    private static final String ON = "on";
     private static final List<String> STATEMENTS = List.of("application", "component", "connect", "at");
     private static final String STATEMENT = "application, component, connect, at, or a user that needs a service";
 
@@ -134,6 +136,20 @@ public final class ApplicationReader {
         }
         named = true;
         plan = ApplicationPlan.named(tokens.name("the application's name"));
+        if (tokens.hasNext()) {
+            tokens.expect(ON);
+            Token nodes = tokens.next("nodes with commas between them");
+            List<String> names = List.of(nodes.text().split(",", -1));
+            if (!names.stream().allMatch(each -> LineTokens.NAME.matcher(each).matches())) {
+                throw tokens.error(
+                        nodes, "the nodes are \"" + nodes.text() + "\", expected names with commas between them");
+            }
+            try {
+                plan = plan.onNodes(names);
+            } catch (IllegalArgumentException twice) {
+                throw tokens.error(nodes, twice.getMessage());
+            }
+        }
     }
 
     private void component(LineTokens tokens) {
@@ -142,6 +158,22 @@ public final class ApplicationReader {
             plan = plan.with(read.name(), read.component());
         } catch (IllegalArgumentException twice) {
             throw tokens.error(read.kind(), twice.getMessage());
+        }
+        if (tokens.hasNext()) {
+            tokens.expect(ON);
+            place(read.name(), tokens.next("a node"), tokens);
+        }
+    }
+
+    private void place(String component, Token node, LineTokens tokens) {
+        if (plan.nodes().isEmpty()) {
+            throw tokens.error(
+                    node, plan.name() + " names no nodes, expected \"application " + plan.name() + " on NODE,NODE\"");
+        }
+        try {
+            plan = plan.placing(component, node.text());
+        } catch (IllegalArgumentException unknown) {
+            throw tokens.error(node, unknown.getMessage());
         }
     }
 
@@ -299,7 +331,7 @@ public final class ApplicationReader {
                             Stream.of(SERVICE, CAPABILITIES))
                     .toList();
             Map<String, Token> arguments = new LinkedHashMap<>();
-            while (tokens.hasNext()) {
+            while (tokens.hasNext() && !tokens.isNext(ON)) {
                 Token token = tokens.next("PARAMETER=VALUE");
                 int equals = token.text().indexOf('=');
                 if (equals < 1) {

@@ -3,6 +3,7 @@ package io.troupe.services.component.kinds;
 import io.troupe.bus.BusTopic;
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.Velocity;
+import java.time.Duration;
 import java.util.List;
 
 /**
@@ -47,26 +48,38 @@ public final class RobotTopics {
     /** A colour that has come into sight. */
     public record ColourSeen(double timeSeconds, int colour) {}
 
+    /**
+     * Half of the age that a speed may have when it reaches a robot: it passes two topics, that of its driver and that
+     * of its robot.
+     */
+    private static final Duration MAX_AGE_OF_SPEED = Duration.ofMillis(150);
+
+    /** A control law does not drive by older readings; they too pass two topics. */
+    private static final Duration MAX_AGE_OF_READING = Duration.ofMillis(300);
+
     private RobotTopics() {}
 
     public static BusTopic<SonarReading> sonar(String owner) {
-        return new BusTopic<>(owner + "/sonar", SonarReading.class);
+        return new BusTopic<>(owner + "/sonar", SonarReading.class).droppingOlderThan(MAX_AGE_OF_READING);
     }
 
     public static BusTopic<PositionReading> position(String owner) {
-        return new BusTopic<>(owner + "/position", PositionReading.class);
+        return new BusTopic<>(owner + "/position", PositionReading.class).droppingOlderThan(MAX_AGE_OF_READING);
     }
 
     public static BusTopic<BlobsReading> blobs(String owner) {
-        return new BusTopic<>(owner + "/blobs", BlobsReading.class);
+        return new BusTopic<>(owner + "/blobs", BlobsReading.class).droppingOlderThan(MAX_AGE_OF_READING);
     }
 
     public static BusTopic<LaserReading> laser(String owner) {
-        return new BusTopic<>(owner + "/laser", LaserReading.class);
+        return new BusTopic<>(owner + "/laser", LaserReading.class).droppingOlderThan(MAX_AGE_OF_READING);
     }
 
+    /** Speeds, of which only the newest counts; one that the bus delivers late is dropped. */
     public static BusTopic<Velocity> velocity(String owner) {
-        return new BusTopic<>(owner + "/velocity", Velocity.class);
+        return new BusTopic<>(owner + "/velocity", Velocity.class)
+                .keepingOnlyLatest()
+                .droppingOlderThan(MAX_AGE_OF_SPEED);
     }
 
     public static BusTopic<ColourSeen> colours(String owner) {

@@ -95,6 +95,43 @@ class ApplicationReaderTest {
     }
 
     @Test
+    void nodes_areThoseOfTheFirstLine_andTheFirstOneHasWhatIsPlacedNowhere() {
+        var plan = read("""
+                application demo on base,laptop,robot-2
+                component a is wallFollower corners=backward on laptop
+                component b is spaceWanderer service=s
+                component c is spaceWanderer on base
+                """);
+        assertThat(plan.nodes()).containsExactly("base", "laptop", "robot-2");
+        assertThat(plan.componentsOn("base")).containsExactly("b", "c");
+        assertThat(plan.componentsOn("laptop")).containsExactly("a");
+        assertThat(plan.componentsOn("robot-2")).isEmpty();
+        assertThat(plan.inOneProcess().nodes()).isEmpty();
+        assertThat(plan.inOneProcess().components()).isEqualTo(plan.components());
+        assertThat(read("application demo\n").componentsOn("base")).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = ';',
+            value = {
+                "application d at base; my.app:1:15: found \"at\", expected \"on\"",
+                "application d on; my.app:1:17: the line ends here, expected nodes with commas between them",
+                "application d on a,,b; my.app:1:18: the nodes are \"a,,b\", expected names with commas between them",
+                "application d on a,b,a; my.app:1:18: the nodes of d are [a, b, a], expected each once",
+                "application d on a b; my.app:1:20: found \"b\", expected the end of the line",
+                "application d on base,laptop/component w is wallFollower on labtop; 'my.app:2:32: \"labtop\" is no node of d; did you mean \"laptop\"? expected one of base, laptop'",
+                "application d on base/component w is wallFollower on; my.app:2:31: the line ends here, expected a node",
+                "application d on base/component w is wallFollower on base x; my.app:2:37: found \"x\", expected the end of the line",
+                "application d/component w is wallFollower on base; my.app:2:32: d names no nodes, expected \"application d on NODE,NODE\"",
+            })
+    void mistakeAboutNodes_isNamedByItsPlace(String lines, String message) {
+        assertThatThrownBy(() -> read(lines.replace('/', '\n') + "\n"))
+                .isInstanceOf(ApplicationFileException.class)
+                .hasMessage(message);
+    }
+
+    @Test
     void wiresBetweenDifferentTypes_inACircle_orTwice_areRefused() {
         String two = "application demo\ncomponent r is player robots=1,2\nconnect robot1/velocity to robot2/velocity\n";
         assertThatThrownBy(() -> read(two + "connect robot1/sonar to robot1/velocity\n"))

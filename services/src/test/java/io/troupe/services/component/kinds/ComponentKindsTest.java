@@ -298,7 +298,11 @@ class ComponentKindsTest extends ComponentBench {
         startPlayer();
         assertThat(robots.limits)
                 .containsExactly(
-                        "silence PT5S", "robot 1 troupe_command_limit_ms 400", "robot 2 troupe_command_limit_ms 400");
+                        "silence PT5S",
+                        "robot 1 troupe_command_limit_ms 400",
+                        "robot 1 troupe_command_age_ms 300",
+                        "robot 2 troupe_command_limit_ms 400",
+                        "robot 2 troupe_command_age_ms 300");
         drive("robot1", 0.3, 0);
         test.get(player.check());
         test.run(robots::vanish);
