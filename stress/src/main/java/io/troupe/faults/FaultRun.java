@@ -14,6 +14,7 @@ import io.troupe.faults.history.History;
 import io.troupe.faults.hosts.HostProcess;
 import io.troupe.faults.hosts.Hosts;
 import io.troupe.faults.node.NodeMain;
+import io.troupe.faults.node.WorldMain;
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.net.Socket;
@@ -61,6 +62,7 @@ final class FaultRun implements AutoCloseable {
     private final Map<String, HostProcess> processes = new ConcurrentHashMap<>();
     private final Map<String, Integer> lives = new ConcurrentHashMap<>();
     private final Map<String, Long> wellSince = new HashMap<>(); // guarded by itself; without the hosts that are broken
+    private String world = "";
     private final ExecutorService breaking = Executors.newCachedThreadPool(
             Thread.ofPlatform().daemon().factory()); // virtual ones wait for processes in turns
 
@@ -90,6 +92,7 @@ final class FaultRun implements AutoCloseable {
 
     /** Breaks that many things, and repairs them. */
     History run(int faults) throws IOException, InterruptedException {
+        startWorld();
         startServer();
         for (String node : Hosts.NODES) {
             startNode(node);
@@ -167,9 +170,23 @@ final class FaultRun implements AutoCloseable {
         }
     }
 
+    /** On the host of the last node, whose link is cut as well. */
+    private void startWorld() throws IOException, InterruptedException {
+        String host = Hosts.NODES.getLast();
+        List<String> arguments = List.of("world-1", folder.toString(), hosts.address(host));
+        var started = HostProcess.start(
+                "world-1", hosts.on(host, HostProcess.java(WorldMain.class, arguments)), this::surprise);
+        processes.put("world", started);
+        String line = started.await("world at ", READY_SECONDS);
+        if (line == null) {
+            throw new IOException("the world does not start: " + started.lastLines());
+        }
+        world = hosts.address(host) + ":" + line.substring(line.lastIndexOf(' ') + 1);
+    }
+
     private void startNode(String node) throws IOException {
         String process = node + "-" + lives.merge(node, 1, Integer::sum);
-        List<String> arguments = List.of(node, process, server(), folder.toString(), "" + random.nextLong());
+        List<String> arguments = List.of(node, process, server(), folder.toString(), "" + random.nextLong(), world);
         var command = hosts.on(node, HostProcess.java(NodeMain.class, arguments));
         processes.put(node, HostProcess.start(process, command, this::surprise));
     }

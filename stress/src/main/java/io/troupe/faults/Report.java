@@ -30,6 +30,8 @@ final class Report {
     private long streams;
     private long delivered;
     private long reported;
+    private long commands;
+    private long worstKeptMillis;
     private long worstMillisBeyondLimit = Long.MIN_VALUE;
 
     void add(long seed, History history, List<Violation> found) {
@@ -46,6 +48,8 @@ final class Report {
             }
         }
         found.forEach(violation -> before(violation, history).violations++);
+        commands += HistoryChecker.commands(history);
+        worstKeptMillis = Math.max(worstKeptMillis, HistoryChecker.worstKeptMillis(history));
         worstMillisBeyondLimit = Math.max(worstMillisBeyondLimit, HistoryChecker.worstMillisBeyondLimit(history));
     }
 
@@ -82,6 +86,8 @@ final class Report {
                 .formatted(calls, streams, delivered, reported));
         text.append("the slowest call was settled %d ms after its limit (0 ms = exactly then)%n"
                 .formatted(worstMillisBeyondLimit));
+        text.append("%,d speeds have reached a robot; it kept none for longer than %d ms%n"
+                .formatted(commands, worstKeptMillis));
         text.append("seeds %d to %d%n".formatted(seeds.getFirst(), seeds.getLast()));
         return text.toString();
     }
@@ -96,7 +102,7 @@ final class Report {
                 .append("\"%s\": {\"count\": %d, \"violations\": %d}"
                         .formatted(name(kind), row.faults, row.violations)));
         return text.append(
-                        "}, \"violations\": %d, \"calls\": %d, \"streams\": %d, \"delivered\": %d, \"reported\": %d, \"worstMillisBeyondLimit\": %d, \"seeds\": %s}%n"
+                        "}, \"violations\": %d, \"calls\": %d, \"streams\": %d, \"delivered\": %d, \"reported\": %d, \"worstMillisBeyondLimit\": %d, \"commands\": %d, \"worstKeptMillis\": %d, \"seeds\": %s}%n"
                                 .formatted(
                                         violations.size(),
                                         calls,
@@ -104,6 +110,8 @@ final class Report {
                                         delivered,
                                         reported,
                                         worstMillisBeyondLimit,
+                                        commands,
+                                        worstKeptMillis,
                                         seeds))
                 .toString();
     }

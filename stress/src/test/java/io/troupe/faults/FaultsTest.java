@@ -42,6 +42,7 @@ class FaultsTest {
         assertThat(count(history, Called.class)).isPositive();
         assertThat(count(history, Delivered.class)).isPositive();
         assertThat(count(history, StreamEnded.class)).isPositive();
+        assertThat(HistoryChecker.commands(history)).as("commands of robots").isPositive();
         var report = new Report();
         report.add(seed, history, HistoryChecker.check(history));
         assertThat(report.toString()).contains("fault", "all  ", "seeds " + seed);

@@ -11,10 +11,12 @@ import io.troupe.faults.history.Event.Executed;
 import io.troupe.faults.history.Event.FirstArrival;
 import io.troupe.faults.history.Event.Lost;
 import io.troupe.faults.history.Event.Memory;
+import io.troupe.faults.history.Event.Moved;
 import io.troupe.faults.history.Event.Opened;
 import io.troupe.faults.history.Event.Paused;
 import io.troupe.faults.history.Event.Published;
 import io.troupe.faults.history.Event.Reason;
+import io.troupe.faults.history.Event.Sent;
 import io.troupe.faults.history.Event.Settled;
 import io.troupe.faults.history.Event.StreamEnded;
 import io.troupe.faults.history.Event.StreamItem;
@@ -216,6 +218,38 @@ class HistoryCheckerTest {
         assertBroken(Rule.FRESH);
     }
 
+    // ---- robots
+
+    private void ticks(int first, int last, double turnRadps) {
+        for (int tick = first; tick <= last; tick++) {
+            at(1_000 + tick * 100, "world-1", new Moved(tick * 100_000, 0, turnRadps));
+        }
+    }
+
+    @Test
+    void robotThatStopsInTime_andOneThatDoesNot() {
+        at(1_050, "a-1", new Sent(0, 0.25));
+        ticks(1, 5, 0.25);
+        ticks(6, 30, 0);
+        assertBroken();
+        assertThat(HistoryChecker.worstKeptMillis(new History(entries))).isEqualTo(500);
+        assertThat(HistoryChecker.commands(new History(entries))).isEqualTo(1);
+        entries.clear();
+        ticks(1, 6, 0.25);
+        assertBroken(Rule.STOPPED);
+    }
+
+    @Test
+    void speedThatReachesARobotLate() {
+        at(1_000, "a-1", new Sent(0, 0.25));
+        ticks(4, 4, 0.25);
+        assertBroken();
+        entries.clear();
+        at(1_000, "a-1", new Sent(0, 0.25));
+        ticks(6, 6, 0.25);
+        assertBroken(Rule.FRESH);
+    }
+
     // ---- the rest
 
     @Test
@@ -243,7 +277,7 @@ class HistoryCheckerTest {
         var events = List.<Event>of(
                 new Called("a-1.1", "tool of \"b\" = 1", CallKind.LONG, 700, 4_000),
                 new Settled("a-1.1", false, true, "broken\nline %"),
-                new Event.Moved(7, 1, 0.25, -1e-9));
+                new Moved(7, 1, -1e-9));
         try (var writer = new History.Writer(folder, "a-1")) {
             events.forEach(writer::add);
         }
