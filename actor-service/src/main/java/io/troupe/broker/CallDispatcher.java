@@ -54,6 +54,15 @@ interface CallDispatcher {
                     .toArray();
         }
 
+        /** Ends the callbacks of a call that was not sent; on the connection's space. */
+        void failCallbacks(Throwable why) {
+            for (Object each : arguments) {
+                if (each instanceof BoundCallback bound && bound.callback != null) {
+                    bound.callback.fail(why);
+                }
+            }
+        }
+
         boolean isOneWay() {
             return answer == null;
         }

@@ -69,7 +69,8 @@ final class CallReceiver {
         @Nullable Object[] arguments;
         try {
             arguments = method.decode(
-                    call.arguments(), (stream, type) -> new OutgoingStream(port, call.caller(), stream, type, values));
+                    call.arguments(),
+                    (stream, type) -> new OutgoingStream(space, port, call.caller(), stream, type, values));
         } catch (UnreadableException unreadable) {
             throw new NotBegunException("cannot read the arguments: " + unreadable.getMessage());
         }

@@ -6,6 +6,7 @@ import io.troupe.bus.Address;
 import io.troupe.bus.RemoteFailure;
 import io.troupe.bus.internal.UnreadableException;
 import java.lang.reflect.Type;
+import java.security.SecureRandom;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -19,7 +20,8 @@ final class IncomingStreams {
 
     private final CallableMethods.Values values;
     private final Map<Long, Stream> open = new HashMap<>();
-    private long last;
+    /** Not from 0: items for an earlier process of this name are for none of these. */
+    private long last = new SecureRandom().nextLong(1L << 52);
 
     IncomingStreams(CallableMethods.Values values) {
         this.values = values;
@@ -104,6 +106,20 @@ final class IncomingStreams {
     /** Ends streams with an error: they will get no more items. */
     void fail(List<Long> numbers, Throwable why) {
         numbers.forEach(number -> fail(open.remove(number), why));
+    }
+
+    /** Ends those streams of a call that have got nothing: the call may have been lost. */
+    void failThoseWithoutItems(List<Long> numbers, Throwable why) {
+        fail(
+                numbers.stream()
+                        .filter(number -> open.containsKey(number) && open.get(number).expected == 1)
+                        .toList(),
+                why);
+    }
+
+    /** They were not used. */
+    void forget(List<Long> numbers) {
+        open.keySet().removeAll(numbers);
     }
 
     /** Ends the streams of an actor that is gone. */

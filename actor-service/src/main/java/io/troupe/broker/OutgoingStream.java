@@ -1,5 +1,6 @@
 package io.troupe.broker;
 
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
 import io.troupe.bus.Address;
 import io.troupe.bus.BusPort;
@@ -17,13 +18,18 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Errors.</b> At most {@link #MOST_UNANSWERED} items are without an answer of the reader, and at most
  * {@link #MOST_BUFFERED} more are kept here; one more ends the stream with an error on both sides. So does an item that
  * cannot be encoded. A reader that has cancelled, is gone or does not answer ends it here, so that the actor sees
- * {@link #isCancelled}.
+ * {@link #isCancelled}. The end is sent again until the reader has confirmed it, because a reader that has not got it
+ * would wait for ever.
  */
 final class OutgoingStream implements Callback<@Nullable Object> {
     static final int MOST_UNANSWERED = 256;
     static final int MOST_BUFFERED = 1_024;
     private static final Duration LIMIT = Duration.ofSeconds(10); // of the answer to an item
+    private static final Duration END_LIMIT =
+            Duration.ofSeconds(1); // of the answer to the end, and between two of them
+    private static final int MOST_ENDS = 15; // for longer than the offers of a silent process count
 
+    private final ActorSpace space;
     private final BusPort port;
     private final Address reader;
     private final long stream;
@@ -35,7 +41,9 @@ final class OutgoingStream implements Callback<@Nullable Object> {
     private CallMessages.@Nullable Part end; // behind the buffered items
     private volatile boolean over; // written under this
 
-    OutgoingStream(BusPort port, Address reader, long stream, Type type, CallableMethods.Values values) {
+    OutgoingStream(
+            ActorSpace space, BusPort port, Address reader, long stream, Type type, CallableMethods.Values values) {
+        this.space = space;
         this.port = port;
         this.reader = reader;
         this.stream = stream;
@@ -105,7 +113,17 @@ final class OutgoingStream implements Callback<@Nullable Object> {
 
     private synchronized void finish(CallMessages.Part with) {
         over = true;
-        send(with);
+        sendEnd(new CallMessages.StreamPart(stream, ++last, with), MOST_ENDS);
+    }
+
+    private void sendEnd(CallMessages.StreamPart part, int attempts) {
+        port.ask(reader, CallMessages.STREAM, part, END_LIMIT)
+                .toCompletableFuture()
+                .whenComplete((received, error) -> {
+                    if (error != null && attempts > 1) {
+                        space.delay(END_LIMIT).thenRun(() -> sendEnd(part, attempts - 1));
+                    }
+                });
     }
 
     private void send(CallMessages.Part part) {
@@ -123,10 +141,11 @@ final class OutgoingStream implements Callback<@Nullable Object> {
         if (received != null && received.wantsMore()) {
             sendBuffered();
         } else {
-            over = true;
             buffered.clear();
             if (error != null) { // the reader may still be there
-                send(failed(error));
+                finish(failed(error));
+            } else {
+                over = true;
             }
         }
     }

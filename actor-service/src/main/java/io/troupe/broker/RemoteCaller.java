@@ -58,7 +58,7 @@ final class RemoteCaller {
             });
             call = new CallMessages.Call(port().address(), method.name, encoded);
         } catch (RuntimeException refused) {
-            streams.fail(opened, refused);
+            streams.forget(opened); // the connection ends the callbacks
             throw new RunningActor.NotSentException(refused);
         }
         if (method.isOneWay() && opened.isEmpty()) {
@@ -69,8 +69,12 @@ final class RemoteCaller {
         Promise<CallMessages.Result> answer = port().ask(to.address(), CallMessages.CALL, call, until);
         if (!opened.isEmpty()) {
             answer.handle((result, error) -> {
-                if (error instanceof BusException undelivered && !undelivered.mayHaveBeenHandled()) {
-                    streams.fail(opened, error);
+                if (error instanceof BusException undelivered) {
+                    if (undelivered.mayHaveBeenHandled()) {
+                        streams.failThoseWithoutItems(opened, error); // the others get their end from the actor
+                    } else {
+                        streams.fail(opened, error);
+                    }
                 }
                 return null;
             });

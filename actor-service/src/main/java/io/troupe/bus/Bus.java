@@ -307,6 +307,11 @@ public final class Bus implements AutoCloseable {
         return subscriptions.isEmpty() ? null : subscriptions.getFirst().topic.type();
     }
 
+    /** Returns whether a subscriber of this node drops values of the topic that are too old. */
+    boolean dropsOldValues(String topic) {
+        return directory.subscriptions(topic).stream().anyMatch(each -> each.topic.maxAge() != null);
+    }
+
     /** The type of an operation's requests, or null if no handler is at that address. */
     @Nullable
     Class<?> requestType(Address to, String operation) {

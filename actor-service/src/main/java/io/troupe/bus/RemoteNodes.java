@@ -31,6 +31,8 @@ final class RemoteNodes implements BusEngine.Listener {
     private final RecordCodec codec = new RecordCodec();
     private final Frames frames;
     private final RemotePublishers publishers = new RemotePublishers();
+    private final FirstContacts contacts;
+    private final Map<String, Long> subscribedNanos = new ConcurrentHashMap<>(); // by topic
     private final Map<SeriesKey, Series> published = new ConcurrentHashMap<>();
     private final AtomicBoolean marking = new AtomicBoolean(); // a round of marks is scheduled
     private final Map<Long, BusMessage> notices = new LinkedHashMap<>() { // guarded by itself
@@ -61,6 +63,7 @@ final class RemoteNodes implements BusEngine.Listener {
         this.engine = engine;
         this.incarnation = incarnation;
         this.frames = new Frames(codec, bus.settings.space().clock(), incarnation);
+        this.contacts = new FirstContacts(bus, publishers, this::askTime);
     }
 
     void start() {
@@ -72,12 +75,14 @@ final class RemoteNodes implements BusEngine.Listener {
     }
 
     void subscribe(String topic) {
+        subscribedNanos.put(topic, bus.nanos());
         engine.subscribe(topic);
     }
 
     void unsubscribe(String topic) {
         engine.unsubscribe(topic);
         publishers.forget(topic);
+        subscribedNanos.remove(topic);
     }
 
     // ---- sending
@@ -182,6 +187,25 @@ final class RemoteNodes implements BusEngine.Listener {
         sending.send(frame);
     }
 
+    /** Sends a request to a node that only measures how long its reply takes. */
+    private void askTime(String node, long number) {
+        var request = new Purpose.Request(new Address(node, FirstContacts.PORT), FirstContacts.OPERATION);
+        var from = new Address(bus.node(), FirstContacts.PORT);
+        var message = BusMessage.of(Operation.Kind.CONTROL, from, request, number, FirstContacts.NOTHING);
+        checked(frames.request(message, request, 0), bytes -> engine.send(node, number, bytes));
+    }
+
+    private void answerTime(Frames.Header header, Purpose.Request request) {
+        var reply = new Purpose.Reply(header.from(), request.operation(), header.number());
+        var message =
+                BusMessage.of(Operation.Kind.CONTROL, request.to(), reply, bus.nextNumber(), FirstContacts.NOTHING);
+        try {
+            reply(message, reply, header.incarnation());
+        } catch (RuntimeException disconnected) {
+            return; // it asks again
+        }
+    }
+
     // ---- receiving
 
     @Override
@@ -203,6 +227,25 @@ final class RemoteNodes implements BusEngine.Listener {
             return;
         }
         long nowNanos = bus.nanos();
+        publishers.ageNanos(header, nowNanos);
+        switch (frame.body()) {
+            case Frames.Body.Requested(var request, var kind, long limitMicros)
+            when FirstContacts.isTime(request) -> answerTime(header, request);
+            case Frames.Body.Replied(var reply, var kind, long toIncarnation)
+            when toIncarnation == incarnation && contacts.answered(header, reply.request()) -> {}
+            case Frames.Body.Rejected(var rejection, var kind, long toIncarnation)
+            when toIncarnation == incarnation && contacts.answered(header, rejection.request()) -> {}
+            default -> {
+                if (!contacts.hold(frame, () -> handle(frame, nowNanos))) {
+                    handle(frame, nowNanos);
+                }
+            }
+        }
+    }
+
+    /** @param nowNanos when it arrived */
+    private void handle(Frames.Frame frame, long nowNanos) {
+        var header = frame.header();
         long ageNanos = publishers.ageNanos(header, nowNanos);
         switch (frame.body()) {
             case Frames.Body.Published(var publication, long series) -> {
@@ -233,7 +276,8 @@ final class RemoteNodes implements BusEngine.Listener {
     }
 
     private void noteMissing(Frames.Header header, String topic, long number, boolean isMark) {
-        long missing = publishers.missing(header, topic, number, isMark);
+        long missing =
+                publishers.missing(header, topic, number, isMark, subscribedNanos.getOrDefault(topic, Long.MAX_VALUE));
         if (missing > 0) {
             bus.counters.missed.add(missing);
             bus.notifier.lost(new Loss.Missed(header.from(), topic, missing));
@@ -296,6 +340,9 @@ final class RemoteNodes implements BusEngine.Listener {
 
     @Override
     public void unreachable(String node, long number, String why) {
+        if (contacts.isAsked(number)) {
+            return; // it is asked again
+        }
         BusMessage notice;
         synchronized (notices) {
             notice = notices.remove(number);

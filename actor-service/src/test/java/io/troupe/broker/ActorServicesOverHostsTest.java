@@ -694,6 +694,65 @@ class ActorServicesOverHostsTest extends HostsBench {
         losses.clear();
     }
 
+    @Test
+    void streamOfACallThatFindsNoProvider_endsWithAnError() {
+        var connection = near.services.connect(Counter.class, Need.ofService("guest", "counter"));
+        connection.first().handle((provider, missing) -> null);
+        var probe = test.<Integer>callback();
+        connection.actor().give(probe);
+        seconds(2);
+        assertThat(probe.expectFailed())
+                .isInstanceOfSatisfying(
+                        ServiceCallException.class,
+                        error -> assertThat(error.wasSent()).isFalse())
+                .hasMessageContaining("found no provider within PT1S");
+    }
+
+    @Test
+    void streamOfACallThatIsLost_endsWithAnError() {
+        var counter = counter();
+        var probe = test.<Integer>callback();
+        pipe.loseNext(1);
+        counter.count(3, probe);
+        seconds(6);
+        assertThat(probe.expectFailed()).hasMessageContaining("no answer within");
+    }
+
+    @Test
+    void streamWhoseEndIsLost_getsItAgain() {
+        var probe = test.<Integer>callback();
+        var sender = given(counter(), probe);
+        sender.next(1);
+        test.crank();
+        pipe.loseNext(1);
+        sender.finish();
+        seconds(3);
+        assertThat(probe.results()).containsExactly(1);
+        probe.expectFinished();
+    }
+
+    @Test
+    void streamToAnEarlierLifeOfItsReader_endsNoneOfTheNewOne() {
+        counter();
+        var earlier = host("third");
+        var old = earlier.services.connect(Counter.class, Need.ofService("guest", "counter"));
+        get(old.whenReady());
+        var toOld = given(old.actor(), (value, error) -> {});
+        earlier.die();
+        var later = host("third");
+        var next = later.services.connect(Counter.class, Need.ofService("guest", "counter"));
+        get(next.whenReady());
+        var probe = test.<Integer>callback();
+        var toNew = given(next.actor(), probe);
+        toOld.next(17);
+        toNew.next(1);
+        test.crank();
+        assertThat(probe.results()).containsExactly(1);
+        probe.expectOpen();
+        assertThat(toOld.isCancelled()).isTrue();
+        assertThat(toNew.isCancelled()).isFalse();
+    }
+
     // ---- providers of this process
 
     @Test

@@ -98,6 +98,20 @@ class RemoteNodesTest {
         return farFrames.reply(new BusMessage.Data(FAR, purpose, 1, payload), purpose, toIncarnation);
     }
 
+    /** The other node answers the request for its time, which is the last frame that was sent. */
+    private void farAnswersItsTime() {
+        farAnswersItsTime(farFrames);
+    }
+
+    private void farAnswersItsTime(Frames life) {
+        var asked = engine.sent.removeLast();
+        assertThat(Frames.read(asked.frame(), "far").body().purpose())
+                .isEqualTo(new Purpose.Request(new Address("far", "bus"), "time"));
+        var purpose = new Purpose.Reply(new Address("near", "bus"), "time", asked.number());
+        var message = new BusMessage.Data(new Address("far", "bus"), purpose, 1, FirstContacts.NOTHING);
+        arrives(life.reply(message, purpose, engine.incarnation));
+    }
+
     private List<Integer> subscribe(BusTopic<Count> topic) {
         var received = new ArrayList<Integer>();
         test.run(() -> port.subscribe(topic, (count, from) -> received.add(count.value())));
@@ -205,6 +219,7 @@ class RemoteNodesTest {
     void gap_inPublications_isReportedWithItsSize_alsoAtTheEnd_andNotForTheFirstValueOrANewLife() {
         var received = subscribe(COUNTS);
         arrives(publication(5, 5));
+        farAnswersItsTime();
         arrives(publication(6, 6));
         assertThat(losses).isEmpty();
         arrives(publication(9, 9));
@@ -214,10 +229,27 @@ class RemoteNodesTest {
         arrives(farFrames.mark(FAR, "counts", 13));
         assertThat(take(losses)).containsExactly("4 values of counts from far/b have not arrived");
         var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Count(20));
-        arrives(new Frames(codec, test.clock(), FAR_LIFE + 1).publication(message, "counts", 20));
+        var newLife = new Frames(codec, test.clock(), FAR_LIFE + 1);
+        arrives(newLife.publication(message, "counts", 20));
+        farAnswersItsTime(newLife);
         test.crank();
         assertThat(received).containsExactly(5, 6, 9, 20);
         assertThat(bus.metrics().missed()).isEqualTo(6);
+    }
+
+    @Test
+    void firstValuesOfANodeThatWasOpenedAfterTheSubscription_areMissed() {
+        var received = subscribe(COUNTS);
+        test.advance(SECOND);
+        var late = new Frames(codec, test.clock(), FAR_LIFE + 1);
+        var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Count(4));
+        byte[] heldUp = late.publication(message, "counts", 4);
+        test.advance(SECOND);
+        arrives(heldUp);
+        farAnswersItsTime(late);
+        test.crank();
+        assertThat(received).containsExactly(4);
+        assertThat(take(losses)).containsExactly("3 values of counts from far/b have not arrived");
     }
 
     @Test
@@ -238,6 +270,7 @@ class RemoteNodesTest {
         var drive = COUNTS.droppingOlderThan(Duration.ofMillis(300));
         var received = subscribe(drive);
         arrives(publication(1, 1));
+        farAnswersItsTime();
         byte[] heldUp = publication(2, 2);
         test.advance(Duration.ofMillis(301));
         arrives(heldUp);
@@ -250,6 +283,84 @@ class RemoteNodesTest {
         assertThatThrownBy(() -> COUNTS.droppingOlderThan(Duration.ZERO))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("the greatest age of values of topic counts is PT0S, expected more than zero");
+    }
+
+    @Test
+    void firstFramesOfANode_thatWereAllHeldUp_areAsOldAsTheyAre() {
+        var received = subscribe(COUNTS.droppingOlderThan(Duration.ofMillis(300)));
+        List<byte[]> heldUp = new ArrayList<>();
+        for (int value = 1; value <= 3; value++) {
+            heldUp.add(publication(value, value));
+            test.advance(Duration.ofMillis(100));
+        }
+        test.advance(Duration.ofSeconds(5));
+        heldUp.forEach(this::arrives);
+        arrives(publication(4, 4));
+        test.crank();
+        assertThat(received).as("held until their age is known").isEmpty();
+        farAnswersItsTime();
+        test.crank();
+        assertThat(received).containsExactly(4);
+        assertThat(take(losses))
+                .hasSize(3)
+                .last()
+                .isEqualTo("near/a does not hear publication on counts from far/b (number 3): it is 5100 ms old");
+        arrives(publication(5, 5));
+        test.crank();
+        assertThat(received).containsExactly(4, 5);
+        assertThat(engine.sent).isEmpty();
+    }
+
+    @Test
+    void nodeWhoseAgesMatter_isAskedAgain_whileItsAnswerIsSlow_missing_orThatOfAnotherLife() {
+        var received = subscribe(COUNTS.droppingOlderThan(SECOND));
+        arrives(publication(1, 1));
+        test.advance(Duration.ofMillis(200));
+        farAnswersItsTime();
+        assertThat(engine.sent).as("asked again, because the answer was slow").hasSize(1);
+        engine.listener().unreachable("far", engine.sent.removeLast().number(), "no such node");
+        test.advance(Duration.ofMillis(500));
+        var asked = engine.sent.getLast();
+        var other = new Frames(codec, test.clock(), FAR_LIFE + 1);
+        var rejection = new Purpose.Rejection(new Address("near", "bus"), "time", asked.number());
+        var ofOther = new BusMessage.Data(FAR, rejection, 1, new BusMessage.Failure.NotDelivered("no"));
+        arrives(other.rejection(ofOther, rejection, engine.incarnation));
+        test.crank();
+        assertThat(received).isEmpty();
+        engine.sent.removeLast();
+        arrives(farFrames.rejection(ofOther, rejection, engine.incarnation)); // a small node that knows no such request
+        test.crank();
+        assertThat(received).containsExactly(1);
+    }
+
+    @Test
+    void nodeThatDoesNotAnswerHowOldItsFramesAre_losesThem_withTheirCount() {
+        var received = subscribe(COUNTS.droppingOlderThan(SECOND));
+        for (int value = 1; value <= 1_002; value++) {
+            arrives(publication(value, value));
+        }
+        for (int attempt = 1; attempt <= 6; attempt++) {
+            assertThat(take(losses)).isEmpty();
+            test.advance(Duration.ofMillis(500));
+        }
+        assertThat(take(losses))
+                .containsExactly("1002 messages were lost: node far does not answer how old its messages are");
+        assertThat(engine.sent).hasSize(6);
+        assertThat(received).isEmpty();
+        engine.sent.clear();
+        arrives(publication(1_003, 1_003));
+        farAnswersItsTime();
+        test.crank();
+        assertThat(received).containsExactly(1_003);
+    }
+
+    @Test
+    void requestForTheTime_isAnsweredAtOnce() {
+        var purpose = new Purpose.Request(new Address("near", "bus"), "time");
+        arrives(farFrames.request(new BusMessage.Data(FAR, purpose, 9, FirstContacts.NOTHING), purpose, 0));
+        assertThat(engine.takeSent("far"))
+                .containsExactly(
+                        "reply far: Replied[purpose=answer to far/b for time, kind=CONTROL, toIncarnation=77]");
     }
 
     @Test
@@ -314,6 +425,7 @@ class RemoteNodesTest {
             return Promise.of(new Text("number " + count.value()));
         });
         arrives(request(1, SECOND, new Count(1)));
+        farAnswersItsTime();
         test.crank();
         assertThat(engine.takeSent("far"))
                 .containsExactly("reply far: Replied[purpose=answer to far/b for spell, kind=DATA, toIncarnation=77]");
@@ -340,6 +452,7 @@ class RemoteNodesTest {
             return kept.getLast();
         });
         arrives(request(1, SECOND, new Count(1)));
+        farAnswersItsTime();
         test.crank();
         engine.listener().gone("far", FAR_LIFE + 1);
         engine.listener().gone("far", FAR_LIFE);
@@ -411,6 +524,7 @@ class RemoteNodesTest {
     void replyThatIsTooLarge_isFollowedByARejectionThatSaysSo() {
         port.answer(SPELL, count -> Promise.of(new Text("x".repeat(2_000))));
         arrives(request(1, SECOND, new Count(1)));
+        farAnswersItsTime();
         test.crank();
         assertThat(engine.sent).hasSize(1);
         var frame = Frames.read(engine.sent.getFirst().frame(), "far");
@@ -427,6 +541,7 @@ class RemoteNodesTest {
         port.answer(SPELL, count -> Promise.of(new Text("one")));
         engine.replyError = new StackOverflowError("in the engine");
         arrives(request(1, SECOND, new Count(1)));
+        farAnswersItsTime();
         test.crank();
         assertThat(engine.takeSent("far"))
                 .containsExactly(
@@ -487,6 +602,7 @@ class RemoteNodesTest {
                 .containsExactly("publication on counts from far/b cannot be read:"
                         + " Count.value: expected a whole number, not a text");
         arrives(request(1, SECOND, new Text("x")));
+        farAnswersItsTime();
         assertThat(engine.takeSent("far")).singleElement().asString().startsWith("reply far: Rejected");
         assertThat(take(losses))
                 .singleElement()

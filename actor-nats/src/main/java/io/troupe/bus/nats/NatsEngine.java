@@ -129,7 +129,11 @@ final class NatsEngine implements BusEngine {
         var claim = new CompletableFuture<@Nullable Void>();
         var inbox = new Inflow(opened, listener);
         inbox.subscribe(subjects.who(node), message -> answerWho(opened, message, claim));
-        inbox.subscribe(subjects.node(node), message -> listener.frame(message.getData()));
+        inbox.subscribe(subjects.node(node), message -> {
+            if (hasName) { // else they are for the process that has it
+                listener.frame(message.getData());
+            }
+        });
         inbox.subscribe(replies + "*", message -> receiveReply(message, listener, claim));
         inbox.subscribe(gone + ">", message -> receiveGone(message, listener));
         publications = new Inflow(opened, listener);

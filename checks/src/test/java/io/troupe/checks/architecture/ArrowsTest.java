@@ -38,7 +38,7 @@ class ArrowsTest {
         "view,           io.troupe.view..",
         "demo,           io.troupe.demo..",
         "jmh,            io.troupe.bench..",
-        "stress,         io.troupe.actor.."
+        "stress,         io.troupe.actor.. io.troupe.faults.."
     })
     void module_holdsOnlyItsOwnPackages(String module, String packages) {
         classes()

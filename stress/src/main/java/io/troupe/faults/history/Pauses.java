@@ -1,0 +1,40 @@
+package io.troupe.faults.history;
+
+import io.troupe.faults.history.Event.Paused;
+import io.troupe.faults.history.History.Entry;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+
+/** When the processes of a run did not run, and how long they lived. */
+final class Pauses {
+    private record Interval(long fromNanos, long toNanos) {}
+
+    private final Map<String, List<Interval>> pauses = new HashMap<>();
+    private final Map<String, Long> last = new HashMap<>();
+
+    Pauses(History history) {
+        for (Entry entry : history.entries()) {
+            last.put(entry.process(), entry.nanos());
+            if (entry.event() instanceof Paused(long nanos)) {
+                pauses.computeIfAbsent(entry.process(), process -> new ArrayList<>())
+                        .add(new Interval(entry.nanos() - nanos, entry.nanos()));
+            }
+        }
+    }
+
+    /** How long a process ran between two moments. */
+    long runningNanos(String process, long fromNanos, long toNanos) {
+        long running = toNanos - fromNanos;
+        for (Interval pause : pauses.getOrDefault(process, List.of())) {
+            running -= Math.max(0, Math.min(toNanos, pause.toNanos) - Math.max(fromNanos, pause.fromNanos));
+        }
+        return running;
+    }
+
+    /** The time of the last event of a process. */
+    long lastNanos(String process) {
+        return last.getOrDefault(process, Long.MIN_VALUE);
+    }
+}
