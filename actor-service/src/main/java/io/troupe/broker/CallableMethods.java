@@ -17,9 +17,11 @@ import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.Type;
 import java.util.Arrays;
 import java.util.Comparator;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
@@ -35,6 +37,7 @@ final class CallableMethods {
     private static final int EXPECTED_SIZE = 128;
 
     private final Map<String, CallableMethod> byName = new LinkedHashMap<>();
+    private final Map<Method, CallableMethod> byMethod = new HashMap<>();
 
     /** Values of any type as bytes, shared by the interfaces of one process. */
     static final class Values {
@@ -122,6 +125,7 @@ final class CallableMethods {
             throw method.rejection("there is " + shown(before.method) + " as well as " + shown(method.method)
                     + ", expected methods that differ in the simple names of their types");
         }
+        byMethod.put(method.method, before == null ? method : before);
     }
 
     private static String shown(Method method) {
@@ -131,7 +135,7 @@ final class CallableMethods {
     }
 
     /** The name of a method in a call. */
-    static String nameOf(Method method) {
+    private static String nameOf(Method method) {
         return Arrays.stream(method.getParameterTypes())
                 .map(Class::getSimpleName)
                 .collect(Collectors.joining(", ", method.getName() + "(", ")"));
@@ -139,6 +143,11 @@ final class CallableMethods {
 
     List<String> names() {
         return List.copyOf(byName.keySet());
+    }
+
+    /** @param method an abstract method of the interface */
+    CallableMethod method(Method method) {
+        return Objects.requireNonNull(byMethod.get(method), "not an abstract method of the interface");
     }
 
     @Nullable

@@ -75,8 +75,6 @@ final class RemoteActor extends RunningActor {
     }
 
     private CallableMethods.CallableMethod method(CallDispatcher.Call call) {
-        return Objects.requireNonNull(
-                interfaces.of(call.method.getDeclaringClass()).method(CallableMethods.nameOf(call.method)),
-                "not an abstract method of an interface");
+        return interfaces.of(call.method.getDeclaringClass()).method(call.method);
     }
 }

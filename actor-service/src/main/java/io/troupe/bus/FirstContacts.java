@@ -14,7 +14,8 @@ import org.jspecify.annotations.Nullable;
  * <p>The age of a frame is how much longer it took than the fastest frame of its node. If the first frames of a node
  * were all held up, by a cut or because this process did not run, the first one would look fast. So the first frame
  * whose age matters is held, with all that follow it, until a request to its node has been answered: the reply was sent
- * after the request, so it is no older than the two took together.
+ * after the request, so it is no older than the two took together. That also shows when the node was opened, and so
+ * whether values that it published before are missing here.
  *
  * <p><b>Threads.</b> Any thread. <b>Order.</b> Held frames are handled in their order, before later ones.
  */
@@ -40,13 +41,15 @@ final class FirstContacts {
     record Nothing() {}
 
     private final Bus bus;
+    private final RemotePublishers publishers;
     private final ObjLongConsumer<String> ask;
     private final Map<String, Contact> contacts = new ConcurrentHashMap<>(); // by node
     private final Map<Long, Contact> asked = new ConcurrentHashMap<>(); // by the number of the last request
 
     /** @param ask sends the request to a node, with a number; it may throw if there is no connection */
-    FirstContacts(Bus bus, ObjLongConsumer<String> ask) {
+    FirstContacts(Bus bus, RemotePublishers publishers, ObjLongConsumer<String> ask) {
         this.bus = bus;
+        this.publishers = publishers;
         this.ask = ask;
     }
 
@@ -85,10 +88,17 @@ final class FirstContacts {
 
     private boolean needsAge(Frames.Frame frame) {
         return switch (frame.body()) {
-            case Frames.Body.Published(var publication, long series) -> bus.dropsOldValues(publication.topic());
+            case Frames.Body.Published(var publication, long series) ->
+                bus.dropsOldValues(publication.topic()) || isLateFirst(frame, publication, series);
+            case Frames.Body.Mark(var publication, long series) -> isLateFirst(frame, publication, series);
             case Frames.Body.Requested(var request, var kind, long limitMicros) -> limitMicros != 0;
             default -> false;
         };
+    }
+
+    /** Values before it may have been lost: it depends on when the publisher's node was opened. */
+    private boolean isLateFirst(Frames.Frame frame, Purpose.Publication publication, long series) {
+        return series > 1 && publishers.isFirst(frame.header(), publication.topic());
     }
 
     private void ask(Contact contact) {

@@ -32,6 +32,7 @@ final class RemoteNodes implements BusEngine.Listener {
     private final Frames frames;
     private final RemotePublishers publishers = new RemotePublishers();
     private final FirstContacts contacts;
+    private final Map<String, Long> subscribedNanos = new ConcurrentHashMap<>(); // by topic
     private final Map<SeriesKey, Series> published = new ConcurrentHashMap<>();
     private final AtomicBoolean marking = new AtomicBoolean(); // a round of marks is scheduled
     private final Map<Long, BusMessage> notices = new LinkedHashMap<>() { // guarded by itself
@@ -62,7 +63,7 @@ final class RemoteNodes implements BusEngine.Listener {
         this.engine = engine;
         this.incarnation = incarnation;
         this.frames = new Frames(codec, bus.settings.space().clock(), incarnation);
-        this.contacts = new FirstContacts(bus, this::askTime);
+        this.contacts = new FirstContacts(bus, publishers, this::askTime);
     }
 
     void start() {
@@ -74,12 +75,14 @@ final class RemoteNodes implements BusEngine.Listener {
     }
 
     void subscribe(String topic) {
+        subscribedNanos.put(topic, bus.nanos());
         engine.subscribe(topic);
     }
 
     void unsubscribe(String topic) {
         engine.unsubscribe(topic);
         publishers.forget(topic);
+        subscribedNanos.remove(topic);
     }
 
     // ---- sending
@@ -273,7 +276,8 @@ final class RemoteNodes implements BusEngine.Listener {
     }
 
     private void noteMissing(Frames.Header header, String topic, long number, boolean isMark) {
-        long missing = publishers.missing(header, topic, number, isMark);
+        long missing =
+                publishers.missing(header, topic, number, isMark, subscribedNanos.getOrDefault(topic, Long.MAX_VALUE));
         if (missing > 0) {
             bus.counters.missed.add(missing);
             bus.notifier.lost(new Loss.Missed(header.from(), topic, missing));

@@ -34,10 +34,17 @@ final class RemotePublishers {
      * Records a value of a publisher, or a mark.
      *
      * @param number the number of the value, counted from 1; of a mark, that of the last value
-     * @return how many values before it are missing; 0 for the first value of a publisher
+     * @param subscribedNanos since when this node subscribes to the topic
+     * @return how many values before it are missing; for the first one of a publisher, 0 if its node was opened before
+     *     the subscription
      */
-    long missing(Frames.Header header, String topic, long number, boolean isMark) {
-        return peer(header).missing(new Series(header.from().name(), topic), number, isMark);
+    long missing(Frames.Header header, String topic, long number, boolean isMark, long subscribedNanos) {
+        return peer(header).missing(new Series(header.from().name(), topic), number, isMark, subscribedNanos);
+    }
+
+    /** Returns whether nothing has arrived yet from a publisher on a topic. */
+    boolean isFirst(Frames.Header header, String topic) {
+        return peer(header).isFirst(new Series(header.from().name(), topic));
     }
 
     /** Forgets how many values of the topic have arrived: nothing was subscribed for a while. */
@@ -63,7 +70,7 @@ final class RemotePublishers {
         final long incarnation;
         private final Map<Series, Long> last = new LinkedHashMap<>(); // guarded by this, as all fields below
         private boolean known;
-        private long leastNanos;
+        private long leastNanos; // also the time here when the node was opened there
         private long leastOfWindowNanos;
         private long windowEndNanos;
 
@@ -88,15 +95,19 @@ final class RemotePublishers {
             return difference - leastNanos;
         }
 
-        synchronized long missing(Series series, long number, boolean isMark) {
+        synchronized boolean isFirst(Series series) {
+            return !last.containsKey(series);
+        }
+
+        synchronized long missing(Series series, long number, boolean isMark, long subscribedNanos) {
             if (last.size() >= MOST_SERIES) {
                 last.remove(last.keySet().iterator().next());
             }
             Long before = last.put(series, number);
-            if (before == null) {
-                return 0;
+            if (before == null && known && leastNanos - subscribedNanos <= 0) {
+                return 0; // what it published before is of no concern here
             }
-            return Math.max(0, number - before - (isMark ? 0 : 1));
+            return Math.max(0, number - (before == null ? 0 : before) - (isMark ? 0 : 1));
         }
 
         synchronized void forget(String topic) {

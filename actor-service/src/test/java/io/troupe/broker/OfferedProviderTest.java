@@ -286,6 +286,24 @@ class OfferedProviderTest extends HostsBench {
     }
 
     @Test
+    void offerWithoutMethods_isNoActor() {
+        peer.offer(Health.NOT_STARTED, 0, List.of(), 0, List.of());
+        var connection = near.connect(ConnectionSettings.DEFAULT);
+        test.crank();
+        peer.started(1);
+        assertThat(test.error(connection.first()))
+                .hasMessageEndingWith("its provider peer/parrot is no actor that can be called from other hosts");
+    }
+
+    @Test
+    void actorThatHasEnded_getsNoCalls_beforeItsConnectionIsNotified() {
+        var actor = new RemoteActor(PARROT_OF_PEER, METHODS, new CallableInterfaces());
+        assertThat(actor.hasEnded()).isFalse();
+        actor.end();
+        assertThat(actor.hasEnded()).isTrue();
+    }
+
+    @Test
     void lateOffers_ofAnEarlierIncarnation_areIgnored() {
         peer.offer(Health.NOT_STARTED, 0);
         peer.incarnation = 8;

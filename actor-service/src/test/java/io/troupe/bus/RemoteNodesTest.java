@@ -100,12 +100,16 @@ class RemoteNodesTest {
 
     /** The other node answers the request for its time, which is the last frame that was sent. */
     private void farAnswersItsTime() {
+        farAnswersItsTime(farFrames);
+    }
+
+    private void farAnswersItsTime(Frames life) {
         var asked = engine.sent.removeLast();
         assertThat(Frames.read(asked.frame(), "far").body().purpose())
                 .isEqualTo(new Purpose.Request(new Address("far", "bus"), "time"));
         var purpose = new Purpose.Reply(new Address("near", "bus"), "time", asked.number());
         var message = new BusMessage.Data(new Address("far", "bus"), purpose, 1, FirstContacts.NOTHING);
-        arrives(farFrames.reply(message, purpose, engine.incarnation));
+        arrives(life.reply(message, purpose, engine.incarnation));
     }
 
     private List<Integer> subscribe(BusTopic<Count> topic) {
@@ -215,6 +219,7 @@ class RemoteNodesTest {
     void gap_inPublications_isReportedWithItsSize_alsoAtTheEnd_andNotForTheFirstValueOrANewLife() {
         var received = subscribe(COUNTS);
         arrives(publication(5, 5));
+        farAnswersItsTime();
         arrives(publication(6, 6));
         assertThat(losses).isEmpty();
         arrives(publication(9, 9));
@@ -224,10 +229,27 @@ class RemoteNodesTest {
         arrives(farFrames.mark(FAR, "counts", 13));
         assertThat(take(losses)).containsExactly("4 values of counts from far/b have not arrived");
         var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Count(20));
-        arrives(new Frames(codec, test.clock(), FAR_LIFE + 1).publication(message, "counts", 20));
+        var newLife = new Frames(codec, test.clock(), FAR_LIFE + 1);
+        arrives(newLife.publication(message, "counts", 20));
+        farAnswersItsTime(newLife);
         test.crank();
         assertThat(received).containsExactly(5, 6, 9, 20);
         assertThat(bus.metrics().missed()).isEqualTo(6);
+    }
+
+    @Test
+    void firstValuesOfANodeThatWasOpenedAfterTheSubscription_areMissed() {
+        var received = subscribe(COUNTS);
+        test.advance(SECOND);
+        var late = new Frames(codec, test.clock(), FAR_LIFE + 1);
+        var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Count(4));
+        byte[] heldUp = late.publication(message, "counts", 4);
+        test.advance(SECOND);
+        arrives(heldUp);
+        farAnswersItsTime(late);
+        test.crank();
+        assertThat(received).containsExactly(4);
+        assertThat(take(losses)).containsExactly("3 values of counts from far/b have not arrived");
     }
 
     @Test

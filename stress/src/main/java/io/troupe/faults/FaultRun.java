@@ -1,5 +1,6 @@
 package io.troupe.faults;
 
+import io.troupe.actor.ActorSpace;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusException;
 import io.troupe.bus.BusSettings;
@@ -13,9 +14,12 @@ import io.troupe.faults.history.History;
 import io.troupe.faults.hosts.HostProcess;
 import io.troupe.faults.hosts.Hosts;
 import io.troupe.faults.node.NodeMain;
+import io.troupe.faults.node.WorldMain;
 import java.io.IOException;
+import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketException;
+import java.net.SocketTimeoutException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -40,8 +44,7 @@ final class FaultRun implements AutoCloseable {
     private static final int AFTER_QUIET_MILLIS = 3_000; // the marks of the topics are sent
     private static final long WELL_AFTER_NANOS = 5_000_000_000L;
     /** What the shipped configuration sets, without users. */
-    private static final String SERVER_CONFIGURATION =
-            """
+    private static final String SERVER_CONFIGURATION = """
             host: "0.0.0.0"
             port: %d
             ping_interval: "1s"
@@ -55,17 +58,24 @@ final class FaultRun implements AutoCloseable {
     private final Path folder;
     private final Random random;
     private final History.Writer history;
-    private final Consumer<String> progress;
+    private final Consumer<Progress> progress;
     private final Map<String, HostProcess> processes = new ConcurrentHashMap<>();
     private final Map<String, Integer> lives = new ConcurrentHashMap<>();
     private final Map<String, Long> wellSince = new HashMap<>(); // guarded by itself; without the hosts that are broken
-    private final ExecutorService breaking = Executors.newVirtualThreadPerTaskExecutor();
+    private String world = "";
+    private final ExecutorService breaking = Executors.newCachedThreadPool(
+            Thread.ofPlatform().daemon().factory()); // virtual ones wait for processes in turns
+
+    /** The number and the description of a fault that begins now. */
+    record Progress(long number, String text) {}
 
     /**
+     * Creates a run.
+     *
      * @param folder gets the histories
-     * @param progress receives a line about each fault
+     * @param progress is called at each fault
      */
-    FaultRun(Hosts hosts, Path folder, long seed, Consumer<String> progress) throws IOException {
+    FaultRun(Hosts hosts, Path folder, long seed, Consumer<Progress> progress) throws IOException {
         this.hosts = hosts;
         this.port = hosts.canCut() ? PORT : freePort();
         this.folder = Files.createDirectories(folder);
@@ -75,13 +85,14 @@ final class FaultRun implements AutoCloseable {
     }
 
     private static int freePort() throws IOException {
-        try (var socket = new java.net.ServerSocket(0)) {
+        try (var socket = new ServerSocket(0)) {
             return socket.getLocalPort();
         }
     }
 
     /** Breaks that many things, and repairs them. */
     History run(int faults) throws IOException, InterruptedException {
+        startWorld();
         startServer();
         for (String node : Hosts.NODES) {
             startNode(node);
@@ -94,12 +105,14 @@ final class FaultRun implements AutoCloseable {
             Thread.sleep(random.nextInt(300, 1_500));
             Fault fault = next();
             history.add(new FaultBegan(number, fault.kind, fault.host, fault.details));
-            progress.accept(number + " of " + faults + ": " + fault);
+            progress.accept(new Progress(number, fault.toString()));
             long its = number;
             open.add(breaking.submit(() -> {
                 fault.act.run();
                 history.add(new FaultEnded(its));
-                isWell(fault.host);
+                if (!isHarmless(fault.kind)) {
+                    isWell(fault.host);
+                }
                 return null;
             }));
         }
@@ -119,7 +132,11 @@ final class FaultRun implements AutoCloseable {
         for (String phase : List.of("settle", "quiet", "close")) {
             Hosts.NODES.forEach(node -> processes.get(node).command(phase));
             for (String node : Hosts.NODES) {
-                if (processes.get(node).await(phase.equals("quiet") ? phase : phase.replaceFirst("e$", "") + "ed", READY_SECONDS)
+                if (processes
+                                .get(node)
+                                .await(
+                                        phase.equals("quiet") ? phase : phase.replaceFirst("e$", "") + "ed",
+                                        READY_SECONDS)
                         == null) {
                     surprise(processes.get(node) + " does not " + phase);
                 }
@@ -135,7 +152,6 @@ final class FaultRun implements AutoCloseable {
 
     private void surprise(String what) {
         history.add(new Surprise(what));
-        progress.accept(what);
     }
 
     // ---- processes
@@ -154,9 +170,23 @@ final class FaultRun implements AutoCloseable {
         }
     }
 
+    /** On the host of the last node, whose link is cut as well. */
+    private void startWorld() throws IOException, InterruptedException {
+        String host = Hosts.NODES.getLast();
+        List<String> arguments = List.of("world-1", folder.toString(), hosts.address(host));
+        var started = HostProcess.start(
+                "world-1", hosts.on(host, HostProcess.java(WorldMain.class, arguments)), this::surprise);
+        processes.put("world", started);
+        String line = started.await("world at ", READY_SECONDS);
+        if (line == null) {
+            throw new IOException("the world does not start: " + started.lastLines());
+        }
+        world = hosts.address(host) + ":" + line.substring(line.lastIndexOf(' ') + 1);
+    }
+
     private void startNode(String node) throws IOException {
         String process = node + "-" + lives.merge(node, 1, Integer::sum);
-        List<String> arguments = List.of(node, process, server(), folder.toString(), "" + random.nextLong());
+        List<String> arguments = List.of(node, process, server(), folder.toString(), "" + random.nextLong(), world);
         var command = hosts.on(node, HostProcess.java(NodeMain.class, arguments));
         processes.put(node, HostProcess.start(process, command, this::surprise));
     }
@@ -212,7 +242,8 @@ final class FaultRun implements AutoCloseable {
         FaultKind[] kinds = FaultKind.values();
         while (true) {
             Fault fault = fault(kinds[random.nextInt(kinds.length)]);
-            boolean isPossible = hosts.canCut() || fault.kind != FaultKind.CUT_NODE && fault.kind != FaultKind.CUT_SERVER;
+            boolean isPossible =
+                    hosts.canCut() || fault.kind != FaultKind.CUT_NODE && fault.kind != FaultKind.CUT_SERVER;
             if (isPossible && (isHarmless(fault.kind) || take(fault.host))) {
                 return fault;
             }
@@ -287,13 +318,18 @@ final class FaultRun implements AutoCloseable {
     /** Another process has the name of a node: the bus refuses it, unless the node itself is broken. */
     private void takeName(String node) {
         boolean mustBeRefused = isWellForLong(node) && isWellForLong(Hosts.SERVER);
-        try (Bus twin = NatsBus.open(node, NatsSettings.at(server()), BusSettings.on(io.troupe.actor.ActorSpace.global()))) {
+        try (Bus twin = NatsBus.open(
+                node,
+                NatsSettings.at(server()),
+                BusSettings.on(ActorSpace.global()).withObserver(loss -> {}))) {
             if (mustBeRefused && isWellForLong(node) && isWellForLong(Hosts.SERVER)) {
                 surprise("two processes have the name of " + twin.node());
             }
         } catch (BusException refused) {
-            if (mustBeRefused && !String.valueOf(refused.getMessage()).contains("another process has that name")
-                    && isWellForLong(node) && isWellForLong(Hosts.SERVER)) {
+            if (mustBeRefused
+                    && !String.valueOf(refused.getMessage()).contains("another process has that name")
+                    && isWellForLong(node)
+                    && isWellForLong(Hosts.SERVER)) {
                 surprise("a second " + node + " was refused by: " + refused.getMessage());
             }
         }
@@ -314,8 +350,9 @@ final class FaultRun implements AutoCloseable {
             out.write("PING\r\n".getBytes(StandardCharsets.US_ASCII));
             out.flush();
             socket.setSoTimeout(FREEZE_MILLIS);
-            while (socket.getInputStream().read() >= 0 && socket.getInputStream().available() > 0) {}
-        } catch (SocketException | java.net.SocketTimeoutException broken) {
+            while (socket.getInputStream().read() >= 0
+                    && socket.getInputStream().available() > 0) {}
+        } catch (SocketException | SocketTimeoutException broken) {
             return; // the server is broken as well
         } catch (IOException failure) {
             surprise("unreadable bytes could not be sent: " + failure);

@@ -1,18 +1,27 @@
 package io.troupe.faults;
 
+import io.troupe.common.measure.ProgressLine;
 import io.troupe.faults.history.History;
 import io.troupe.faults.history.HistoryChecker;
 import io.troupe.faults.history.Violation;
+import io.troupe.faults.history.Violation.Rule;
 import io.troupe.faults.hosts.Hosts;
+import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.EnumMap;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Spec;
 
 /** The command line of the fault suite. Its exit status is 0; 1 if a rule was broken; or 2 for invalid arguments. */
 @Command(
@@ -21,12 +30,18 @@ import picocli.CommandLine.Option;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class FaultsMain implements Callable<Integer> {
-    private static final int VIOLATIONS_PRINTED = 20;
+    private static final int PRINTED_PER_RULE = 5;
+
+    @Spec
+    private CommandSpec spec;
 
     @Option(names = "--faults", paramLabel = "N", description = "how many")
     private int faults = 20;
 
-    @Option(names = "--faults-per-run", paramLabel = "N", description = "after so many, all begins again and is checked")
+    @Option(
+            names = "--faults-per-run",
+            paramLabel = "N",
+            description = "after so many, all begins again and is checked")
     private int faultsPerRun = 50;
 
     @Option(names = "--seed", paramLabel = "N", description = "of the faults; default: another one each time")
@@ -48,24 +63,69 @@ public final class FaultsMain implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
+        if (faults < 1 || faultsPerRun < 1) {
+            throw new ParameterException(
+                    spec.commandLine(),
+                    "--faults is " + faults + " and --faults-per-run is " + faultsPerRun + ", expected at least 1");
+        }
+        if (!isServerInstalled()) {
+            System.out.println("faults: nats-server is not installed (Debian: apt-get install nats-server)");
+            return CommandLine.ExitCode.SOFTWARE;
+        }
         long first = seed == null ? System.nanoTime() % 1_000_000 : seed;
         Path folder = Files.createTempDirectory("troupe-faults-");
-        int bad = 0;
-        try (Hosts hosts = Hosts.open(kind)) {
+        var report = new Report();
+        try (Hosts hosts = Hosts.open(kind);
+                var line = ProgressLine.open()) {
             System.out.println("hosts: " + hosts);
             for (int done = 0; done < faults; done += faultsPerRun) {
-                long its = first + done / faultsPerRun;
-                System.out.println("seed " + its + ", histories in " + folder.resolve("" + its));
-                History history;
-                try (var run = new FaultRun(hosts, folder.resolve("" + its), its, System.out::println)) {
-                    history = run.run(Math.min(faultsPerRun, faults - done));
-                }
-                List<Violation> violations = HistoryChecker.check(history);
-                System.out.println(history.entries().size() + " lines, " + violations.size() + " violations");
-                violations.stream().limit(VIOLATIONS_PRINTED).forEach(System.out::println);
-                bad += violations.size();
+                run(hosts, folder, first + done / faultsPerRun, done, line, report);
             }
         }
-        return bad == 0 ? 0 : 1;
+        System.out.print(report);
+        if (json != null) {
+            Files.writeString(json, report.json());
+        }
+        return report.violations().isEmpty() ? 0 : 1;
+    }
+
+    /** One run, of which the histories are kept if they break a rule. */
+    private void run(Hosts hosts, Path folder, long its, int done, ProgressLine line, Report report)
+            throws IOException, InterruptedException {
+        Path histories = folder.resolve("" + its);
+        History history;
+        try (var run = new FaultRun(
+                hosts, histories, its, fault -> line.show((done + fault.number()) + " of " + faults, fault.text()))) {
+            history = run.run(Math.min(faultsPerRun, faults - done));
+        }
+        List<Violation> violations = HistoryChecker.check(history);
+        report.add(its, history, violations);
+        line.interrupt(() -> {
+            System.out.println("seed " + its + ": " + history.entries().size() + " lines, " + violations.size()
+                    + " violations" + (violations.isEmpty() ? "" : ", histories in " + histories));
+            Map<Rule, Integer> printed = new EnumMap<>(Rule.class);
+            violations.stream()
+                    .filter(each -> printed.merge(each.rule(), 1, Integer::sum) <= PRINTED_PER_RULE)
+                    .forEach(System.out::println);
+        });
+        if (violations.isEmpty()) {
+            remove(histories);
+        }
+    }
+
+    private static void remove(Path folder) throws IOException {
+        try (Stream<Path> files = Files.list(folder)) {
+            for (Path file : files.toList()) {
+                Files.delete(file);
+            }
+        }
+        Files.delete(folder);
+    }
+
+    /** Returns whether the program that the suite needs is on the path. */
+    static boolean isServerInstalled() {
+        String path = System.getenv().getOrDefault("PATH", "");
+        return Stream.of(path.split(File.pathSeparator))
+                .anyMatch(folder -> Files.isExecutable(Path.of(folder, "nats-server")));
     }
 }

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusException;
+import io.troupe.bus.Operation;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.InputStreamReader;
@@ -213,6 +214,7 @@ class NatsConnectionTest extends NatsTest {
                 authorization {
                   users = [
                     {user: all, password: p, permissions: {publish: "troupe.>", subscribe: "troupe.>"}}
+                    {user: deaf, password: p, permissions: {publish: "troupe.>", subscribe: ["troupe.who.>", "troupe.n.>", "troupe.x.>", "troupe.g.>"]}}
                     {user: few, password: p, permissions: {publish: ["troupe.who.>", "troupe.x.>", "troupe.n.>"], subscribe: "troupe.>"}}
                   ]
                 }
@@ -222,6 +224,19 @@ class NatsConnectionTest extends NatsTest {
             var all = open("all", at.withUser("all", "p")).attach("a");
             all.publish(TEXTS, new Text("x".repeat(5_000)));
             assertThat(next(losses)).contains("bytes, expected at most 4096");
+            var echo = new Operation<>("echo", Text.class, Text.class, Operation.Kind.DATA);
+            var request = all.ask(new Address("far", "b"), echo, new Text("x".repeat(5_000)), LONG);
+            assertThatThrownBy(() -> request.get(LONG))
+                    .isInstanceOfSatisfying(
+                            BusException.class,
+                            error -> assertThat(error.mayHaveBeenHandled()).isFalse())
+                    .hasMessageContaining("all/a asked far/b for echo: ")
+                    .hasMessageContaining("bytes, expected at most 4096");
+            assertThat(next(losses)).contains("bytes, expected at most 4096");
+            open("deaf", at.withUser("deaf", "p")).attach("a").subscribe(TEXTS, (text, from) -> {});
+            assertThat(next(losses))
+                    .contains("the server does not permit it to node deaf: ")
+                    .contains("ubscription to \"troupe.t.texts\"");
             var few = open("few", at.withUser("few", "p")).attach("a");
             few.publish(TEXTS, new Text("x"));
             assertThat(next(losses))

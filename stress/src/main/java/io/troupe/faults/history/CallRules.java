@@ -78,8 +78,9 @@ final class CallRules {
         if (call.settled.size() > 1 || call.settled.isEmpty() && isOverdue) {
             broken.accept(Rule.SETTLED_ONCE);
         }
+        long executionNanos = called.executionMillis() * 1_000_000 + TOLERANCE_NANOS;
         call.executed.stream()
-                .filter(executed -> executed.nanos() - call.called.nanos() > limitNanos)
+                .filter(executed -> executed.nanos() - call.called.nanos() > executionNanos)
                 .findAny()
                 .ifPresent(late -> broken.accept(Rule.NOT_LATE));
         for (Entry entry : call.settled) {
@@ -100,10 +101,10 @@ final class CallRules {
     static long worstMillisBeyondLimit(History history) {
         var rules = new CallRules(history, new Pauses(history), violation -> {});
         return rules.calls.values().stream()
-                .filter(call -> call.called != null && !call.settled.isEmpty())
-                .mapToLong(rules::nanosBeyondLimit)
-                .max()
-                .orElse(Long.MIN_VALUE)
+                        .filter(call -> call.called != null && !call.settled.isEmpty())
+                        .mapToLong(rules::nanosBeyondLimit)
+                        .max()
+                        .orElse(Long.MIN_VALUE)
                 / 1_000_000;
     }
 

@@ -50,8 +50,13 @@ public sealed interface Event {
     /** A node has settled its calls, and publishes nothing more; the marks of its topics have been sent. */
     record Closed() implements Event {}
 
-    /** A call is made now, and has to be settled within the limit. */
-    record Called(String call, String target, CallKind kind, long limitMillis) implements Event {}
+    /**
+     * A call is made now.
+     *
+     * @param limitMillis it has to be settled within this time
+     * @param executionMillis the limit that travels with it: after that no handler may begin it
+     */
+    record Called(String call, String target, CallKind kind, long limitMillis, long executionMillis) implements Event {}
 
     /**
      * A call was settled.
@@ -107,21 +112,13 @@ public sealed interface Event {
     /** The heap in use after a collection. */
     record Memory(long bytes) implements Event {}
 
-    // ---- written by the world
+    // ---- about robots
 
-    /** The speed of a robot after a tick, if it has changed, and at least twice a second. */
-    record Moved(long worldMicros, int robot, double forwardMps, double turnRadps) implements Event {}
+    /** The speed of a robot after a tick of the world. */
+    record Moved(long worldMicros, int robot, double turnRadps) implements Event {}
 
-    // ---- written by the drivers and their client
-
-    /** A driver sends a speed to a robot. */
+    /** A driver sends a speed to a robot; it never sends one twice. */
     record Sent(int robot, double turnRadps) implements Event {}
-
-    /** The client of the drivers has got a driver for a robot, on a node. */
-    record Driven(int robot, String node) implements Event {}
-
-    /** The client of the drivers has none any more. */
-    record Undriven(int robot, String why) implements Event {}
 
     // ---- written by the suite
 

@@ -22,8 +22,28 @@ public final class HistoryChecker {
         new CallRules(history, pauses, checker.violations::add).check();
         new StreamRules(history, checker.violations::add).check();
         new PublicationRules(history, checker.violations::add).check();
+        new RobotRules(history, pauses, checker.violations::add).check();
         history.entries().forEach(checker::checkAlone);
         return List.copyOf(checker.violations);
+    }
+
+    /** How long after its limit the slowest call was settled, without the pauses of its caller; negative if before. */
+    public static long worstMillisBeyondLimit(History history) {
+        return CallRules.worstMillisBeyondLimit(history);
+    }
+
+    /** The longest time on the world's clock for which a robot kept a speed without a new command. */
+    public static long worstKeptMillis(History history) {
+        return new RobotRules(history, new Pauses(history), violation -> {})
+                .check()
+                .worstKeptMillis();
+    }
+
+    /** How many commands have reached a robot. */
+    public static long commands(History history) {
+        return new RobotRules(history, new Pauses(history), violation -> {})
+                .check()
+                .matched();
     }
 
     private void checkAlone(Entry entry) {

@@ -22,7 +22,7 @@ import java.util.function.Consumer;
  * Publications: for each topic, publisher and subscriber, from the first value that concerns the subscriber to the last
  * one, the values that were sent are those that were delivered and those that were reported.
  *
- * <p>The first value is number 1 if the publisher was opened after the subscriber, else at latest the first one that has
+ * <p>The first value is number 1 if the publisher began after the subscriber was opened, else at latest the first one that has
  * arrived, and at the earliest the first one that was published after the subscriber began.
  * Of a publisher or a subscriber that was killed, the last value is the last one that was delivered: what was on its
  * way is gone with the process that would have counted it.
@@ -145,9 +145,9 @@ final class PublicationRules {
             return; // the process was killed before it wrote anything
         }
         String publisher = flow.series.publisher;
-        Long publisherOpened = opened.get(publisher);
+        Long publisherBegun = begun.get(publisher);
         Long subscriberOpened = opened.get(flow.subscriber);
-        if (publisherOpened != null && subscriberOpened != null && publisherOpened > subscriberOpened) {
+        if (publisherBegun != null && subscriberOpened != null && publisherBegun > subscriberOpened) {
             received.first = 1;
         }
         if (publisher.equals(flow.subscriber)) {

@@ -20,9 +20,8 @@ public record Violation(Rule rule, String what, List<History.Entry> evidence) {
         NOT_LATE("no call is executed after its limit"),
         STREAM("a stream has all its items in order, and one end"),
         COUNTED("every value is delivered or reported, once"),
-        FRESH("no velocity older than 300 ms is delivered"),
+        FRESH("no velocity older than 300 ms is delivered, or reaches a robot"),
         STOPPED("a robot whose driver is gone stops within 0.5 s"),
-        DRIVEN_AGAIN("and has another driver or a clear end within 5 s"),
         MEMORY("the memory of a node is bounded"),
         SURPRISE("processes do only what is done to them");
 

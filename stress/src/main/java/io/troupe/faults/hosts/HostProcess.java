@@ -33,10 +33,9 @@ public final class HostProcess implements AutoCloseable {
     }
 
     public static HostProcess start(String name, List<String> command, Consumer<String> onSurprise) throws IOException {
-        Process process =
-                new ProcessBuilder(command).redirectErrorStream(true).start();
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         var started = new HostProcess(name, process, onSurprise);
-        Thread.ofVirtual().name("output of " + name).start(started::read);
+        Thread.ofPlatform().daemon().name("output of " + name).start(started::read);
         return started;
     }
 

@@ -123,7 +123,7 @@ final class Callers {
     }
 
     private void called(String call, Target target, CallKind kind, long limitMillis) {
-        history.add(new Called(call, target.name, kind, limitMillis));
+        history.add(new Called(call, target.name, kind, limitMillis, BOTH_LIMITS_MILLIS));
     }
 
     private void watch(String call, Promise<Long> answer) {

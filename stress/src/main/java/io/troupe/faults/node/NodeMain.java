@@ -59,14 +59,19 @@ public final class NodeMain {
     private final ActorSpace handlers;
     private final Bus bus;
 
-    /** @param arguments the host, the process, the server's address, the folder of the histories, and the seed */
+    /**
+     * @param arguments the host, the process, the server's address, the folder of the histories, the seed, and the
+     *     address of the world
+     */
     public static void main(String[] arguments) throws Exception {
         Thread.ofPlatform().daemon().priority(Thread.MAX_PRIORITY).start(new FutureTask<>(() -> {
             watchPauses(new History.Writer(Path.of(arguments[3]), arguments[1]));
             return null;
         }));
         var history = new History.Writer(Path.of(arguments[3]), arguments[1]);
-        new NodeMain(arguments[0], arguments[1], arguments[2], history, Long.parseLong(arguments[4])).obey();
+        var node = new NodeMain(arguments[0], arguments[1], arguments[2], history, Long.parseLong(arguments[4]));
+        node.drive(arguments[1], arguments[5]);
+        node.obey();
         Runtime.getRuntime().halt(0);
     }
 
@@ -91,6 +96,17 @@ public final class NodeMain {
         history.add(new Opened(node));
         onWork(() -> publications.tick(work));
         System.out.println("ready");
+    }
+
+    /** Each of the first two hosts drives a robot. */
+    private void drive(String process, String world) {
+        int robot = Hosts.NODES.indexOf(node);
+        if (robot < 2) {
+            ActorSpace space = space("driving");
+            int life = Integer.parseInt(process.substring(process.indexOf('-') + 1));
+            var driving = new Driving(space, history, world, robot, life);
+            space.execute(driving::drive);
+        }
     }
 
     private ActorSpace space(String name) {
@@ -198,7 +214,7 @@ public final class NodeMain {
     }
 
     /** A busy machine, a garbage collection, or a signal. */
-    private static void watchPauses(History.Writer history) throws InterruptedException {
+    static void watchPauses(History.Writer history) throws InterruptedException {
         long last = System.nanoTime();
         while (true) {
             Thread.sleep(PAUSE_CHECK_MILLIS);

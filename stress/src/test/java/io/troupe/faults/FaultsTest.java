@@ -1,0 +1,57 @@
+package io.troupe.faults;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.troupe.faults.history.Event.Called;
+import io.troupe.faults.history.Event.Delivered;
+import io.troupe.faults.history.Event.FaultBegan;
+import io.troupe.faults.history.Event.StreamEnded;
+import io.troupe.faults.history.History;
+import io.troupe.faults.history.HistoryChecker;
+import io.troupe.faults.hosts.Hosts;
+import java.nio.file.Path;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The short mode of the fault suite: the faults are random, the rules are not. */
+@Tag("threads")
+class FaultsTest {
+    private static final int FAULTS = 12;
+
+    @TempDir
+    Path folder;
+
+    @Test
+    @Timeout(value = 5, unit = TimeUnit.MINUTES)
+    void applicationOverHosts_keepsItsPromises_whateverBreaks() throws Exception {
+        assumeTrue(
+                FaultsMain.isServerInstalled(),
+                "nats-server is not installed (Debian: apt-get install nats-server): no faults are tested");
+        long seed = System.nanoTime() % 1_000_000;
+        History history;
+        try (Hosts hosts = Hosts.open(Hosts.Kind.AUTO);
+                var run = new FaultRun(hosts, folder, seed, fault -> {})) {
+            history = run.run(FAULTS);
+        }
+        assertThat(HistoryChecker.check(history)).as("seed %d", seed).isEmpty();
+        assertThat(count(history, FaultBegan.class)).isEqualTo(FAULTS);
+        assertThat(count(history, Called.class)).isPositive();
+        assertThat(count(history, Delivered.class)).isPositive();
+        assertThat(count(history, StreamEnded.class)).isPositive();
+        assertThat(HistoryChecker.commands(history)).as("commands of robots").isPositive();
+        var report = new Report();
+        report.add(seed, history, HistoryChecker.check(history));
+        assertThat(report.toString()).contains("fault", "all  ", "seeds " + seed);
+        assertThat(report.json()).startsWith("{\"faults\": {\"").contains("\"violations\": 0");
+    }
+
+    private static long count(History history, Class<?> type) {
+        return history.entries().stream()
+                .filter(entry -> type.isInstance(entry.event()))
+                .count();
+    }
+}
