@@ -23,6 +23,7 @@ final class RemoteNodes implements BusEngine.Listener {
     private static final int REMEMBERED_NOTICES = 1_024;
     private static final Duration UNLIMITED = Duration.ofDays(3_650); // longer limits are sent as none
     private static final Duration QUIET = Duration.ofSeconds(1);
+    private static final int MOST_MARKS = 5;
     private static final Record UNREAD = new Failure.NotDelivered("its value was not read");
 
     private final Bus bus;
@@ -50,11 +51,16 @@ final class RemoteNodes implements BusEngine.Listener {
     /** Numbers the values of one port on one topic, so that other nodes notice a gap. Guarded by itself. */
     private static final class Series {
         long last;
-        long markedUpTo;
+        int marks; // sent since the last value
         long publishedAtNanos;
 
         synchronized boolean isUnmarked() {
-            return markedUpTo != last;
+            return last > 0 && marks < MOST_MARKS;
+        }
+
+        /** 1, 3, 7, 15 and 31 seconds after the last value: a subscriber may be frozen or cut off for a while. */
+        boolean isDue(long nowNanos) {
+            return nowNanos - publishedAtNanos >= QUIET.toNanos() * ((2L << marks) - 1);
         }
     }
 
@@ -92,6 +98,7 @@ final class RemoteNodes implements BusEngine.Listener {
         synchronized (series) { // frames leave in the order of their numbers
             checked(frames.publication(message, topic, series.last + 1), frame -> engine.publish(topic, frame));
             series.last++;
+            series.marks = 0;
             series.publishedAtNanos = bus.nanos();
         }
         if (marking.compareAndSet(false, true)) {
@@ -104,7 +111,7 @@ final class RemoteNodes implements BusEngine.Listener {
         var key = new SeriesKey(port, topic);
         Series series = published.remove(key);
         if (series != null) {
-            mark(key, series, 0);
+            mark(key, series, true);
         }
     }
 
@@ -118,22 +125,22 @@ final class RemoteNodes implements BusEngine.Listener {
                 return;
             }
             marking.set(false); // before the round: a value that it does not see begins another one
-            published.forEach((key, series) -> mark(key, series, QUIET.toNanos()));
+            published.forEach((key, series) -> mark(key, series, false));
             if (published.values().stream().anyMatch(Series::isUnmarked) && marking.compareAndSet(false, true)) {
                 markLater();
             }
         });
     }
 
-    private void mark(SeriesKey key, Series series, long quietNanos) {
+    private void mark(SeriesKey key, Series series, boolean atEnd) {
         synchronized (series) {
-            if (series.markedUpTo == series.last || bus.nanos() - series.publishedAtNanos < quietNanos) {
+            if (!series.isUnmarked() || (atEnd ? series.marks > 0 : !series.isDue(bus.nanos()))) {
                 return;
             }
             try {
                 byte[] frame = frames.mark(key.port, key.topic, series.last);
                 checked(frame, bytes -> engine.publish(key.topic, bytes));
-                series.markedUpTo = series.last;
+                series.marks++;
             } catch (RuntimeException disconnected) {
                 return; // the next round tries again
             }

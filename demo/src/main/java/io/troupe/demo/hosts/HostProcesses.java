@@ -21,8 +21,8 @@ import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 
 /**
- * The processes of {@code troupe hosts}: a NATS server, and commands of Troupe in separate JVMs. Each writes its
- * output to a file {@code NAME.log}.
+ * The processes of {@code troupe hosts}: a NATS server, and commands of Troupe in separate JVMs. Each writes its output
+ * to a file {@code NAME.log}.
  *
  * <p>All are ended by {@link #close}; at the latest when this process exits; and the JVMs also when it is killed, since
  * their standard input ends then.

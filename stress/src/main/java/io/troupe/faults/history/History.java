@@ -39,9 +39,8 @@ public record History(List<Entry> entries) {
     }
 
     public History {
-        entries = entries.stream()
-                .sorted(Comparator.comparingLong(Entry::nanos))
-                .toList();
+        entries =
+                entries.stream().sorted(Comparator.comparingLong(Entry::nanos)).toList();
     }
 
     /** Appends the events of one process to its file. Any thread. */
@@ -96,7 +95,10 @@ public record History(List<Entry> entries) {
     }
 
     private static String line(long nanos, Event event) {
-        var line = new StringBuilder().append(nanos).append(' ').append(event.getClass().getSimpleName());
+        var line = new StringBuilder()
+                .append(nanos)
+                .append(' ')
+                .append(event.getClass().getSimpleName());
         for (RecordComponent component : event.getClass().getRecordComponents()) {
             try {
                 String value = String.valueOf(component.getAccessor().invoke(event));

@@ -22,10 +22,10 @@ import java.util.function.Consumer;
  * Publications: for each topic, publisher and subscriber, from the first value that concerns the subscriber to the last
  * one, the values that were sent are those that were delivered and those that were reported.
  *
- * <p>The first value is number 1 if the publisher began after the subscriber was opened, else at latest the first one that has
- * arrived, and at the earliest the first one that was published after the subscriber began.
- * Of a publisher or a subscriber that was killed, the last value is the last one that was delivered: what was on its
- * way is gone with the process that would have counted it.
+ * <p>The first value is number 1 if the publisher began after the subscriber was opened, else at latest the first one
+ * that has arrived, and at the earliest the first one that was published after the subscriber began. Of a publisher or
+ * a subscriber that was killed, the last value is the last one that was delivered: what was on its way is gone with the
+ * process that would have counted it.
  */
 final class PublicationRules {
     /** Topics whose values must not be delivered late begin with this. */
