@@ -17,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  * and on a terminal without escape sequences ({@code TERM=dumb}), it is an occasional plain line, so that a log file
  * shows the progress too.
  *
- * <p><b>Threads.</b> Any thread, one at a time.
+ * <p><b>Threads.</b> Any thread.
  */
 public final class ProgressLine implements AutoCloseable {
     static final Duration REDRAW = Duration.ofMillis(250);
@@ -96,7 +96,7 @@ public final class ProgressLine implements AutoCloseable {
      * Shows the current activity. On a terminal, a text that differs from the previous one only in its numbers may be
      * delayed.
      */
-    public void show(String text) {
+    public synchronized void show(String text) {
         show(NUMBERS.matcher(text).replaceAll(""), text);
     }
 
@@ -105,7 +105,7 @@ public final class ProgressLine implements AutoCloseable {
      *
      * @param now the current activity; a terminal shows a change of it at once
      */
-    public void show(String now, String text) {
+    public synchronized void show(String now, String text) {
         if (to == null) {
             return;
         }
@@ -135,14 +135,14 @@ public final class ProgressLine implements AutoCloseable {
     }
 
     /** Prints other output in place of the line. */
-    public void interrupt(Runnable print) {
+    public synchronized void interrupt(Runnable print) {
         close();
         print.run();
     }
 
     /** Erases the line; it may be shown again. */
     @Override
-    public void close() {
+    public synchronized void close() {
         if (to != null && !shown.isEmpty()) {
             to.print("\r\033[K");
             to.flush();
