@@ -153,7 +153,7 @@ final class OfferedProvider implements Provider {
     @Override
     public Promise<@Nullable Void> start() {
         Duration limit = context.settings.startLimit().multipliedBy(3).dividedBy(4);
-        int times = (int) Math.clamp(limit.dividedBy(ASK_AGAIN), 1, Integer.MAX_VALUE);
+        int times = Math.clamp(limit.dividedBy(ASK_AGAIN), 1, Integer.MAX_VALUE);
         return askToStart(limit.dividedBy(times), times).thenAccept(started -> hasStarted(started.life()));
     }
 

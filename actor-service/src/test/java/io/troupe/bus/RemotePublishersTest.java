@@ -9,6 +9,8 @@ import org.junit.jupiter.api.Test;
 class RemotePublishersTest {
     private static final Duration MINUTE = Duration.ofMinutes(1);
 
+    private static final long AFTER_THE_OPENING = 1; // nanoseconds on the subscriber's clock
+
     private final RemotePublishers publishers = new RemotePublishers();
 
     private static Frames.Header header(String node, Duration sent) {
@@ -46,23 +48,33 @@ class RemotePublishersTest {
     @Test
     void gap_isCountedOnce_andALateValueIsNone() {
         var far = header("far", Duration.ZERO);
-        assertThat(publishers.missing(far, "t", 5, false)).isZero();
-        assertThat(publishers.missing(far, "t", 8, false)).isEqualTo(2);
-        assertThat(publishers.missing(far, "t", 7, false)).isZero();
-        publishers.missing(far, "u", 1, false);
+        publishers.ageNanos(far, 0); // "far" was opened at 0
+        assertThat(publishers.missing(far, "t", 5, false, AFTER_THE_OPENING)).isZero();
+        assertThat(publishers.missing(far, "t", 8, false, AFTER_THE_OPENING)).isEqualTo(2);
+        assertThat(publishers.missing(far, "t", 7, false, AFTER_THE_OPENING)).isZero();
+        publishers.missing(far, "u", 1, false, AFTER_THE_OPENING);
         publishers.forget("t");
-        assertThat(publishers.missing(far, "t", 20, false)).isZero();
-        assertThat(publishers.missing(far, "u", 3, false)).isEqualTo(1);
+        assertThat(publishers.missing(far, "t", 20, false, AFTER_THE_OPENING)).isZero();
+        assertThat(publishers.missing(far, "u", 3, false, AFTER_THE_OPENING)).isEqualTo(1);
+    }
+
+    @Test
+    void firstValue_isMissing_onlyIfItsNodeWasOpenedAfterTheSubscription() {
+        var far = header("far", Duration.ZERO);
+        publishers.ageNanos(far, 0);
+        assertThat(publishers.missing(far, "t", 5, false, -1)).isEqualTo(4);
+        assertThat(publishers.missing(far, "u", 5, false, 0)).isZero();
     }
 
     @Test
     void memory_doesNotGrowWithTheNamesThatOthersInvent() {
         var far = header("far", Duration.ZERO);
+        publishers.ageNanos(far, 0); // "far" was opened at 0
         for (int i = 0; i <= 10_000; i++) {
-            publishers.missing(far, "topic" + i, 1, false);
+            publishers.missing(far, "topic" + i, 1, false, AFTER_THE_OPENING);
         }
-        assertThat(publishers.missing(far, "topic0", 9, false)).as("forgotten").isZero();
-        assertThat(publishers.missing(far, "topic10000", 9, false)).isEqualTo(7);
+        assertThat(publishers.missing(far, "topic0", 9, false, AFTER_THE_OPENING)).as("forgotten").isZero();
+        assertThat(publishers.missing(far, "topic10000", 9, false, AFTER_THE_OPENING)).isEqualTo(7);
         for (int i = 0; i <= 10_000; i++) {
             ageMillis("node" + i, Duration.ZERO, Duration.ZERO);
         }
