@@ -405,7 +405,7 @@ class OfferedProviderTest extends HostsBench {
             return Peer.waiting(received);
         });
         var port = near.bus.attach("sender");
-        return new OutgoingStream(port, reader.address(), 1, Integer.class, new CallableMethods.Values());
+        return new OutgoingStream(test.space(), port, reader.address(), 1, Integer.class, new CallableMethods.Values());
     }
 
     @Test

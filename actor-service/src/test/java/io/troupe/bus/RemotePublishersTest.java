@@ -73,8 +73,11 @@ class RemotePublishersTest {
         for (int i = 0; i <= 10_000; i++) {
             publishers.missing(far, "topic" + i, 1, false, AFTER_THE_OPENING);
         }
-        assertThat(publishers.missing(far, "topic0", 9, false, AFTER_THE_OPENING)).as("forgotten").isZero();
-        assertThat(publishers.missing(far, "topic10000", 9, false, AFTER_THE_OPENING)).isEqualTo(7);
+        assertThat(publishers.missing(far, "topic0", 9, false, AFTER_THE_OPENING))
+                .as("forgotten")
+                .isZero();
+        assertThat(publishers.missing(far, "topic10000", 9, false, AFTER_THE_OPENING))
+                .isEqualTo(7);
         for (int i = 0; i <= 10_000; i++) {
             ageMillis("node" + i, Duration.ZERO, Duration.ZERO);
         }

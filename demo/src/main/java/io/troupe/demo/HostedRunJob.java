@@ -39,19 +39,21 @@ final class HostedRunJob {
     }
 
     void run(RecordedHostedRun.Settings settings, Interruption interruption) throws IOException, InterruptedException {
+        Path file = out.resolve("run.jsonl");
+        RunResult result = record(settings, file, interruption);
+        report(settings, result, file, interruption);
+    }
+
+    private RunResult record(RecordedHostedRun.Settings settings, Path file, Interruption interruption)
+            throws IOException, InterruptedException {
         try (var progress = ProgressBar.onTerminal(settings.seconds());
                 var space = ActorSpace.create(SpaceSettings.named("broker"));
                 var bus = busOptions.open(NODE, BusSettings.on(space).withObserver(observer(progress)));
-                var node = RobotNode.open(bus, space, HostedRunJob::log, 0)) {
+                var node = RobotNode.open(bus, space, HostedRunJob::log, 0);
+                var log = new RunLog(file)) {
             var run = new RecordedHostedRun(settings);
             interruption.onRequest(run::stop);
-            Path file = out.resolve("run.jsonl");
-            RunResult result;
-            try (var log = new RunLog(file)) {
-                result = run.run(node, log, progress.hostedListener(line -> print(progress, line), interruption));
-            }
-            progress.close();
-            report(settings, result, file, interruption);
+            return run.run(node, log, progress.hostedListener(line -> print(progress, line), interruption));
         }
     }
 

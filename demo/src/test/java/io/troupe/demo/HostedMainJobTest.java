@@ -138,8 +138,8 @@ class HostedMainJobTest extends CommandLineBench {
             }
         }
 
-        void kill() throws InterruptedException {
-            process.destroyForcibly().waitFor();
+        void kill() {
+            process.destroyForcibly().onExit().join();
         }
 
         void interrupt() {
@@ -147,7 +147,7 @@ class HostedMainJobTest extends CommandLineBench {
         }
 
         @Override
-        public void close() throws InterruptedException {
+        public void close() {
             kill();
         }
     }
