@@ -21,8 +21,8 @@ import java.util.stream.Stream;
 /**
  * The events of all processes of a run, in the order of their times.
  *
- * <p>A process appends a line for each event to a file of its own, with one write, so that a process that is killed
- * loses none. The times are those of the machine's monotonic clock, which all processes share.
+ * <p>A process appends a line for each event to a separate file, with one write, so that a process that is killed loses
+ * none. The times are those of the machine's monotonic clock, which all processes share.
  */
 public record History(List<Entry> entries) {
     private static final Map<String, Class<?>> TYPES = Arrays.stream(Event.class.getPermittedSubclasses())
@@ -39,9 +39,8 @@ public record History(List<Entry> entries) {
     }
 
     public History {
-        entries = entries.stream()
-                .sorted(Comparator.comparingLong(Entry::nanos))
-                .toList();
+        entries =
+                entries.stream().sorted(Comparator.comparingLong(Entry::nanos)).toList();
     }
 
     /** Appends the events of one process to its file. Any thread. */
@@ -96,7 +95,10 @@ public record History(List<Entry> entries) {
     }
 
     private static String line(long nanos, Event event) {
-        var line = new StringBuilder().append(nanos).append(' ').append(event.getClass().getSimpleName());
+        var line = new StringBuilder()
+                .append(nanos)
+                .append(' ')
+                .append(event.getClass().getSimpleName());
         for (RecordComponent component : event.getClass().getRecordComponents()) {
             try {
                 String value = String.valueOf(component.getAccessor().invoke(event));

@@ -74,8 +74,8 @@ final class Publications {
     void subscribe(Bus bus, ActorSpace subscribers) {
         BusPort opened = bus.attach(process);
         port = opened;
-        subscribers.execute(() -> ALL.forEach(
-                topic -> opened.subscribe(topic, (value, from) -> delivered(topic, from.name(), value))));
+        subscribers.execute(() ->
+                ALL.forEach(topic -> opened.subscribe(topic, (value, from) -> delivered(topic, from.name(), value))));
     }
 
     // ---- publishing, on one space
