@@ -292,7 +292,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
 
     /** Rejects a call that was not sent to any provider. */
     private void refuse(PendingCall call, Throwable why) {
-        call.call.failCallbacks(why); // a one-way call has no promise that would say so
+        call.call.failCallbacks(why); // a one-way call has no promise to reject
         if (!call.reject(why)) {
             events().publish(new BrokerEvent.Undelivered(need, call.toString(), why));
         }

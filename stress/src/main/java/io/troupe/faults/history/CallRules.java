@@ -15,7 +15,7 @@ import java.util.function.Consumer;
 import java.util.function.Function;
 import org.jspecify.annotations.Nullable;
 
-/** The rules of calls, each on its own. */
+/** The rules of calls, for each call. */
 final class CallRules {
     /** The machine may be busy: a timer of a process that runs may be late by this. */
     private static final long TOLERANCE_NANOS = 500_000_000;

@@ -62,7 +62,7 @@ public sealed interface Event {
      * A call was settled.
      *
      * @param answered true if the answer of the handler has arrived
-     * @param mayBeSent false if the error says that no handler has executed the call or will
+     * @param mayBeSent false if by the error no handler has executed the call or will
      */
     record Settled(String call, boolean answered, boolean mayBeSent, String outcome) implements Event {}
 

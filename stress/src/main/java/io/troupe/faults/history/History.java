@@ -21,8 +21,8 @@ import java.util.stream.Stream;
 /**
  * The events of all processes of a run, in the order of their times.
  *
- * <p>A process appends a line for each event to a file of its own, with one write, so that a process that is killed
- * loses none. The times are those of the machine's monotonic clock, which all processes share.
+ * <p>A process appends a line for each event to a separate file, with one write, so that a process that is killed loses
+ * none. The times are those of the machine's monotonic clock, which all processes share.
  */
 public record History(List<Entry> entries) {
     private static final Map<String, Class<?>> TYPES = Arrays.stream(Event.class.getPermittedSubclasses())

@@ -21,7 +21,7 @@ public final class HistoryChecker {
         var pauses = new Pauses(history);
         new CallRules(history, pauses, checker.violations::add).check();
         new StreamRules(history, checker.violations::add).check();
-        new PublicationRules(history, checker.violations::add).check();
+        new PublicationRules(history, pauses, checker.violations::add).check();
         new RobotRules(history, pauses, checker.violations::add).check();
         history.entries().forEach(checker::checkAlone);
         return List.copyOf(checker.violations);

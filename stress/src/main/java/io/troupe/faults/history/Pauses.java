@@ -33,6 +33,15 @@ final class Pauses {
         return running;
     }
 
+    /** The moment, or the end of the pause in which it is: a process that is frozen there goes on then. */
+    long runsAgainAt(String process, long nanos) {
+        return pauses.getOrDefault(process, List.of()).stream()
+                .filter(pause -> pause.fromNanos <= nanos && nanos < pause.toNanos)
+                .mapToLong(Interval::toNanos)
+                .findAny()
+                .orElse(nanos);
+    }
+
     /** The time of the last event of a process. */
     long lastNanos(String process) {
         return last.getOrDefault(process, Long.MIN_VALUE);

@@ -22,10 +22,10 @@ import java.util.function.Consumer;
  * Publications: for each topic, publisher and subscriber, from the first value that concerns the subscriber to the last
  * one, the values that were sent are those that were delivered and those that were reported.
  *
- * <p>The first value is number 1 if the publisher began after the subscriber was opened, else at latest the first one
- * that has arrived, and at the earliest the first one that was published after the subscriber began. Of a publisher or
- * a subscriber that was killed, the last value is the last one that was delivered: what was on its way is gone with the
- * process that would have counted it.
+ * <p>The first value is number 1 if the publisher began after the subscriber was opened. Else it is at latest the first
+ * one that has arrived, and at the earliest the first one that was published after the subscriber began. Of a publisher
+ * or a subscriber that was killed, the last value is the last one that was delivered: what was on its way is gone with
+ * the process that would have counted it.
  */
 final class PublicationRules {
     /** Topics whose values must not be delivered late begin with this. */
@@ -72,10 +72,12 @@ final class PublicationRules {
     private final Map<String, Long> begun = new HashMap<>();
     private final Map<String, Long> closed = new HashMap<>();
     private final History history;
+    private final Pauses pauses;
     private final Consumer<Violation> violations;
 
-    PublicationRules(History history, Consumer<Violation> violations) {
+    PublicationRules(History history, Pauses pauses, Consumer<Violation> violations) {
         this.history = history;
+        this.pauses = pauses;
         this.violations = violations;
     }
 
@@ -108,7 +110,9 @@ final class PublicationRules {
                 Receiving receiving = receiving(publisher, topic, entry);
                 receiving.count += count;
                 receiving.lastDelivered = Math.max(receiving.lastDelivered, last);
-                if (topic.startsWith(FRESH) && ageMicros > MOST_AGE_MICROS) {
+                // a publisher may be frozen after it has taken the time, and before it publishes
+                long publishedNanos = pauses.runsAgainAt(publisher, entry.nanos() - ageMicros * 1_000);
+                if (topic.startsWith(FRESH) && entry.nanos() - publishedNanos > MOST_AGE_MICROS * 1_000) {
                     violations.accept(new Violation(
                             Rule.FRESH,
                             "value " + last + " of " + publisher + " is " + ageMicros / 1_000 + " ms old",

@@ -27,7 +27,7 @@ final class Callers {
     private static final Duration LIMIT = Duration.ofSeconds(2);
     private static final ConnectionSettings SETTINGS =
             ConnectionSettings.DEFAULT.withWaitLimit(LIMIT).withAnswerLimit(LIMIT);
-    /** Of a call without a limit of its own: it waits for a provider, and then for the answer. */
+    /** Of a call without another limit: it waits for a provider, and then for the answer. */
     private static final long BOTH_LIMITS_MILLIS = 2 * LIMIT.toMillis();
 
     private static final long SHORT_LIMIT_MILLIS = 700;

@@ -216,6 +216,8 @@ class HistoryCheckerTest {
         at(1_000, "a-1", new Published("fresh/t", 1)).at(1_500, "b-1", new FirstArrival("fresh/t", "a-1", 1));
         at(1_500, "b-1", new Delivered("fresh/t", "a-1", 1, 1, 401_000));
         assertBroken(Rule.FRESH);
+        at(1_400, "a-1", new Paused(301_000_000)); // frozen before it could publish
+        assertBroken();
     }
 
     // ---- robots
