@@ -203,8 +203,8 @@ class HistoryCheckerTest {
 
     @Test
     void firstValues_count_ifThePublisherBeganLater() {
-        at(100, "b-1", new Opened("b")).at(200, "a-1", new Opened("a")).at(300, "a-1", new Published("t", 2));
-        at(301, "b-1", new FirstArrival("t", "a-1", 2)).at(301, "b-1", new Delivered("t", "a-1", 2, 1, 10));
+        at(100, "b-1", new Opened("b")).at(200, "a-1", new Opened("a")).at(300, "a-1", new Published("t", 9));
+        at(301, "b-1", new FirstArrival("t", "a-1", 9)).at(301, "b-1", new Delivered("t", "a-1", 9, 1, 10));
         assertBroken(Rule.COUNTED);
         entries.removeFirst();
         at(250, "b-1", new Opened("b"));
