@@ -14,7 +14,6 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -35,7 +34,7 @@ class OfferedProviderTest extends HostsBench {
         final BusPort parrot = bus.attach("parrot");
         final Deque<Deferred<OfferMessages.Started>> starts = new ArrayDeque<>();
         final Deque<Deferred<OfferMessages.Checked>> checks = new ArrayDeque<>();
-        final AtomicInteger calls = new AtomicInteger();
+        final List<CallMessages.Call> calls = new ArrayList<>();
         long incarnation = 7;
         long count;
 
@@ -43,7 +42,7 @@ class OfferedProviderTest extends HostsBench {
             port.answer(OfferMessages.START, start -> waiting(starts));
             port.answer(OfferMessages.CHECK, check -> waiting(checks));
             parrot.answer(CallMessages.CALL, call -> {
-                calls.incrementAndGet();
+                calls.add(call);
                 return new Deferred<>(null);
             });
         }
@@ -282,7 +281,7 @@ class OfferedProviderTest extends HostsBench {
         peer.started(1);
         connection.actor().hear("x");
         test.crank();
-        assertThat(peer.calls).hasValue(1);
+        assertThat(peer.calls).hasSize(1);
     }
 
     @Test
@@ -336,8 +335,14 @@ class OfferedProviderTest extends HostsBench {
 
     // ---- streams
 
-    private CallMessages.StreamPart part(long stream, CallMessages.Part content) {
-        return new CallMessages.StreamPart(stream, 1, content);
+    /** A part of the stream of the last call, which was {@code count}. */
+    private CallMessages.StreamPart part(long number, CallMessages.Part content) {
+        var arguments = peer.calls.getLast().arguments().reader();
+        arguments.readArray();
+        arguments.readLong(0, 9);
+        arguments.readMap();
+        arguments.readText();
+        return new CallMessages.StreamPart(arguments.readLong(0, Long.MAX_VALUE), number, content);
     }
 
     private Promise<CallMessages.Received> sendToCaller(CallMessages.StreamPart part) {
@@ -345,18 +350,37 @@ class OfferedProviderTest extends HostsBench {
     }
 
     @Test
-    void streamOfACallWithoutReply_goesOn_becauseTheCallMayHaveBeenExecuted() {
+    void streamWithAnItem_goesOnWithoutAReplyToItsCall_becauseTheCallIsExecuted() {
         var probe = test.<Integer>callback();
         used().count(3, probe);
+        test.crank();
+        var one = new CallableMethods.Values().encode(Integer.class, 1);
+        assertThat(get(sendToCaller(part(1, new CallMessages.Item(one)))).wantsMore())
+                .isTrue();
+        passLimitOfTheCall();
+        assertThat(probe.results()).containsExactly(1);
+        probe.expectOpen();
+        assertThat(get(sendToCaller(part(2, new CallMessages.End()))).wantsMore())
+                .isFalse();
+        probe.expectFinished();
+    }
+
+    @Test
+    void streamWithoutItemsAndWithoutAReplyToItsCall_fails_becauseTheCallMayBeLost() {
+        var probe = test.<Integer>callback();
+        used().count(3, probe);
+        passLimitOfTheCall();
+        assertThat(probe.expectFailed()).hasMessageContaining("no answer within PT5S");
+        assertThat(get(sendToCaller(part(1, new CallMessages.End()))).wantsMore())
+                .isFalse();
+    }
+
+    private void passLimitOfTheCall() {
         for (int second = 0; second < 8; second++) {
             advance(1_000);
             peer.checks.forEach(check -> check.resolve(new OfferMessages.Checked(false)));
             peer.offer(Health.WELL, 1);
         }
-        probe.expectOpen();
-        assertThat(get(sendToCaller(part(1, new CallMessages.End()))).wantsMore())
-                .isFalse();
-        probe.expectFinished();
     }
 
     @Test
@@ -364,7 +388,8 @@ class OfferedProviderTest extends HostsBench {
         var parrot = used();
         parrot.hear("x");
         test.crank();
-        assertThat(get(sendToCaller(part(99, new CallMessages.End()))).wantsMore())
+        assertThat(get(sendToCaller(new CallMessages.StreamPart(99, 1, new CallMessages.End())))
+                        .wantsMore())
                 .isFalse();
     }
 
@@ -520,7 +545,7 @@ class OfferedProviderTest extends HostsBench {
             crankBoth.run();
             peer.started(1);
             crankBoth.run();
-            assertThat(peer.calls).hasValue(1);
+            assertThat(peer.calls).hasSize(1);
             brokers.crank();
             brokers.space().close();
             brokers.crank();

@@ -413,6 +413,7 @@ class RemoteNodesTest {
             return Promise.of(new Text(""));
         });
         arrives(request(1, SECOND, new Count(1)));
+        farAnswersItsTime();
         byte[] heldUp = request(2, SECOND, new Count(2));
         test.advance(Duration.ofMillis(600));
         arrives(heldUp);
