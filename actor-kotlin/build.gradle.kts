@@ -1,0 +1,23 @@
+plugins { alias(libs.plugins.kotlin.jvm) }
+
+description = "Actors with suspend functions, and coroutines on an actor space, for Kotlin"
+
+dependencies {
+    api(project(":actor-core"))
+    api(libs.kotlin.stdlib)
+    api(libs.kotlinx.coroutines)
+    compileOnly(project(":actor-service")) // only for users of actors as services
+}
+
+configurations.testImplementation { extendsFrom(configurations.compileOnly.get()) }
+
+kotlin {
+    explicitApi()
+    compilerOptions {
+        jvmTarget.set(org.jetbrains.kotlin.gradle.dsl.JvmTarget.JVM_21)
+        allWarningsAsErrors.set(true)
+        javaParameters.set(true)
+    }
+}
+
+tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.actor.kotlin") } }
