@@ -7,6 +7,7 @@ dependencies {
     api(libs.kotlin.stdlib)
     api(libs.kotlinx.coroutines)
     compileOnly(project(":actor-service")) // only for users of actors as services
+    testImplementation(project(path = ":actor-service", configuration = "tests")) // two hosts in one process
 }
 
 configurations.testImplementation { extendsFrom(configurations.compileOnly.get()) }
@@ -18,6 +19,12 @@ kotlin {
         allWarningsAsErrors.set(true)
         javaParameters.set(true)
     }
+}
+
+tasks.test {
+    inputs.dir("src/main/kotlin") // of PublicApiTest
+    inputs.dir("src/test/api")
+    providers.systemProperty("api").orNull?.let { systemProperty("api", it) }
 }
 
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.actor.kotlin") } }
