@@ -260,6 +260,7 @@ final class ActorCell extends Recipient {
         instance = null;
         life.end();
         life.rejectOpenRequests(() -> restarted ? "the actor " + this + " was restarted" : whyStopped(), endedBy());
+        life.endAttachment();
     }
 
     /** The failure that led to the end of the last instance, or null. */

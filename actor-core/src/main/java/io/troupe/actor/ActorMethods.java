@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodType;
 import java.lang.reflect.GenericArrayType;
@@ -163,9 +164,11 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         return method.getDeclaringClass().getSimpleName() + "." + signature(method);
     }
 
+    /** Without what Kotlin's compiler adds: the mark of value classes, and the continuation. */
     static String signature(Method method) {
-        return method.getName()
-                + Arrays.stream(method.getParameterTypes())
+        int mark = method.getName().indexOf('-');
+        return (mark < 0 ? method.getName() : method.getName().substring(0, mark))
+                + Arrays.stream(SuspendingCalls.parameters(method))
                         .map(Class::getSimpleName)
                         .collect(Collectors.joining(", ", "(", ")"));
     }
@@ -270,7 +273,9 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         }
 
         static boolean canBeMessage(Method method) {
-            return method.getReturnType() == void.class || method.getReturnType() == Promise.class;
+            return method.getReturnType() == void.class
+                    || method.getReturnType() == Promise.class
+                    || SuspendingCalls.isSuspending(method);
         }
 
         void checkMessage(Method method) {
@@ -285,6 +290,9 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                                         .returnType()
                                         .getSimpleName()
                                 + "> and answer Promise.of(..)" + wayOut(method));
+            }
+            if (SuspendingCalls.isSuspending(method)) {
+                checkSuspending(method);
             }
             if (Modifier.isFinal(method.getModifiers())) {
                 throw wrong(
@@ -305,6 +313,32 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                         "takes " + slots + " argument slots (a long or double takes two), expected at most " + SLOTS
                                 + ": pass an array or a record");
             }
+        }
+
+        private void checkSuspending(Method method) {
+            if (!SuspendingCalls.areSupported()) {
+                throw wrong(
+                        method,
+                        "is a suspend function: add io.troupe:troupe-actor-kotlin, which runs these, or return a Promise");
+            }
+            Type result = SuspendingCalls.result(method);
+            if (hasTwoForms(arguments.erase(result))) {
+                throw wrong(
+                        method,
+                        "is a suspend function that returns " + result.getTypeName()
+                                + ", a value class around a reference, which Kotlin returns boxed or unboxed: return what it holds, or a Promise of it");
+            }
+        }
+
+        /**
+         * True for a value class of Kotlin that a suspend function returns unboxed if it has not suspended, else boxed.
+         */
+        private static boolean hasTwoForms(Class<?> result) {
+            return Arrays.stream(result.getAnnotations())
+                            .anyMatch(each -> each.annotationType().getName().equals("kotlin.jvm.JvmInline"))
+                    && Arrays.stream(result.getDeclaredMethods())
+                            .anyMatch(each -> each.getName().equals("unbox-impl")
+                                    && !each.getReturnType().isPrimitive());
         }
 
         private String wayOut(Method method) {

@@ -71,6 +71,7 @@ final class Closing {
         steps = List.of(
                 this::stopActors,
                 this::stopBodies,
+                space.itself()::endAttachment,
                 clockRegistration,
                 idle::close,
                 this::dropWhatWaits,

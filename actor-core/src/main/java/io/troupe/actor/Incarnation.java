@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.SuspendingRequest;
 import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.time.Timer;
 import java.util.ArrayList;
@@ -51,6 +52,19 @@ final class Incarnation extends Owner {
             if (request.reject(error) && space.isStopping()) {
                 space.closing.noteOpenRequest(request);
             }
+            if (request instanceof SuspendingRequest<?> suspended) {
+                suspended.cancelCoroutine();
+            }
+        }
+    }
+
+    /** A failure of a coroutine of this actor is a failure of the actor. */
+    @Override
+    public void failed(String what, Throwable error) {
+        if (isOver()) {
+            super.failed(what, error); // the next incarnation is not to blame
+        } else {
+            cell.failed(what, error);
         }
     }
 

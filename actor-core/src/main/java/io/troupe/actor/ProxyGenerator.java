@@ -6,10 +6,13 @@ import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.SuspendingCalls;
+import io.troupe.actor.internal.SuspendingRequest;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
+import java.util.Arrays;
 import java.util.List;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.Label;
@@ -38,12 +41,47 @@ import org.objectweb.asm.Type;
  *     }
  * }
  * }
+ *
+ * <p>The proxy of a suspend function, which Kotlin compiles to {@code Object greet(String name, Continuation caller)},
+ * ends with {@code return SuspendingCalls.await(request, caller)}; its message implements
+ * {@code SuspendingRequest.call(Object, Object)}.
  */
 final class ProxyGenerator {
     static final String CELL = "troupe$cell";
     private static final String RECIPIENT = Type.getInternalName(Recipient.class);
     private static final String CALLBACK_DESCRIPTOR = Type.getDescriptor(Callback.class);
     private static final String RECIPIENT_DESCRIPTOR = Type.getDescriptor(Recipient.class);
+    private static final String CALLS = Type.getInternalName(SuspendingCalls.class);
+    private static final String AWAIT =
+            "(" + Type.getDescriptor(Promise.class) + "Ljava/lang/Object;)Ljava/lang/Object;";
+
+    /** What a method is to its caller, and the class that its messages extend. */
+    private enum Kind {
+        ONE_WAY(Message.class),
+        REQUEST(Request.class),
+        SUSPENDING(SuspendingRequest.class);
+
+        final String parent;
+        final String sent; // the parameter of Recipient.send
+
+        Kind(Class<?> parent) {
+            this.parent = Type.getInternalName(parent);
+            this.sent = Type.getDescriptor(parent == Message.class ? Message.class : Request.class);
+        }
+
+        static Kind of(Method method) {
+            if (SuspendingCalls.isSuspending(method)) {
+                return SUSPENDING;
+            }
+            return method.getReturnType() == void.class ? ONE_WAY : REQUEST;
+        }
+
+        /** The arguments that a message carries: all but the continuation of the caller. */
+        Type[] arguments(Method method) {
+            Type[] all = Type.getArgumentTypes(method);
+            return this == SUSPENDING ? Arrays.copyOf(all, all.length - 1) : all;
+        }
+    }
 
     private final Class<?> type;
     private final String typeName;
@@ -127,7 +165,7 @@ final class ProxyGenerator {
 
     /** Generates {@code new Message(cell, arguments)}, the send, and for a request its return. */
     private void send(ClassWriter writer, Method method, String messageName) {
-        boolean oneWay = method.getReturnType() == void.class;
+        Kind kind = Kind.of(method);
         MethodVisitor code =
                 writer.visitMethod(ACC_PUBLIC, method.getName(), Type.getMethodDescriptor(method), null, null);
         code.visitCode();
@@ -137,7 +175,7 @@ final class ProxyGenerator {
         loadCell(code);
         int local = 1;
         var descriptor = new StringBuilder("(").append(RECIPIENT_DESCRIPTOR);
-        for (Type argument : Type.getArgumentTypes(method)) {
+        for (Type argument : kind.arguments(method)) {
             if (argument.getDescriptor().equals(CALLBACK_DESCRIPTOR)) {
                 loadCell(code);
                 code.visitVarInsn(ALOAD, local);
@@ -152,12 +190,15 @@ final class ProxyGenerator {
         }
         code.visitMethodInsn(
                 INVOKESPECIAL, messageName, "<init>", descriptor.append(")V").toString(), false);
-        if (!oneWay) {
+        if (kind != Kind.ONE_WAY) {
             code.visitInsn(DUP_X1); // the stack is now: message, cell, message
         }
-        Class<?> parent = oneWay ? Message.class : Request.class;
-        code.visitMethodInsn(INVOKEVIRTUAL, RECIPIENT, "send", "(" + Type.getDescriptor(parent) + ")V", false);
-        code.visitInsn(oneWay ? RETURN : ARETURN);
+        code.visitMethodInsn(INVOKEVIRTUAL, RECIPIENT, "send", "(" + kind.sent + ")V", false);
+        if (kind == Kind.SUSPENDING) {
+            code.visitVarInsn(ALOAD, local); // the caller's continuation
+            code.visitMethodInsn(INVOKESTATIC, CALLS, "await", AWAIT, false);
+        }
+        code.visitInsn(kind == Kind.ONE_WAY ? RETURN : ARETURN);
         finish(code);
     }
 
@@ -176,6 +217,7 @@ final class ProxyGenerator {
         private final Class<?> type;
         private final Method method;
         private final String name;
+        private final Kind kind;
         private final Type[] arguments;
         private final boolean oneWay;
         private final String result;
@@ -184,14 +226,15 @@ final class ProxyGenerator {
             this.type = type;
             this.method = method;
             this.name = name;
-            this.arguments = Type.getArgumentTypes(method);
-            this.oneWay = method.getReturnType() == void.class;
+            this.kind = Kind.of(method);
+            this.arguments = kind.arguments(method);
+            this.oneWay = kind == Kind.ONE_WAY;
             this.result = oneWay ? "V" : Type.getDescriptor(Promise.class);
         }
 
         byte[] generate() {
             var writer = new ClassWriter(ClassWriter.COMPUTE_MAXS);
-            String parent = Type.getInternalName(oneWay ? Message.class : Request.class);
+            String parent = kind.parent;
             writer.visit(V21, ACC_FINAL | ACC_SUPER | ACC_SYNTHETIC, name, null, parent, null);
             for (int index = 0; index < arguments.length; index++) {
                 writer.visitField(ACC_FINAL, "a" + index, arguments[index].getDescriptor(), null, null)
@@ -259,15 +302,26 @@ final class ProxyGenerator {
             finish(code);
         }
 
+        /** Generates the call of the method: {@code invoke}, or for a suspend function {@code call}. */
         private void invoke(ClassWriter writer) {
+            boolean suspending = kind == Kind.SUSPENDING;
             MethodVisitor code = writer.visitMethod(
-                    ACC_PROTECTED, "invoke", "(Ljava/lang/Object;)" + result, null, new String[] {"java/lang/Throwable"
-                    });
+                    suspending ? ACC_PUBLIC : ACC_PROTECTED,
+                    suspending ? "call" : "invoke",
+                    suspending
+                            ? "(Ljava/lang/Object;Ljava/lang/Object;)Ljava/lang/Object;"
+                            : "(Ljava/lang/Object;)" + result,
+                    null,
+                    new String[] {"java/lang/Throwable"});
             code.visitCode();
             code.visitVarInsn(ALOAD, 1);
             code.visitTypeInsn(CHECKCAST, Type.getInternalName(type));
             for (int index = 0; index < arguments.length; index++) {
                 loadArgument(code, index);
+            }
+            if (suspending) {
+                code.visitVarInsn(ALOAD, 2);
+                code.visitTypeInsn(CHECKCAST, Type.getArgumentTypes(method)[arguments.length].getInternalName());
             }
             boolean isInterface = type.isInterface();
             code.visitMethodInsn(

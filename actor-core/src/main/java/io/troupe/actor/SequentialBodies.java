@@ -51,7 +51,7 @@ final class SequentialBodies {
         if (sequence == null) {
             throw new IllegalStateException(
                     "await() would stop the whole space, and with it whoever could settle " + promise
-                            + ": register what comes next with then(..), return thenCompose(..), or call await() in the body of sequential(..)");
+                            + ": register what comes next with then(..), return thenCompose(..), or call await() in the body of sequential(..); in a Kotlin coroutine: coAwait()");
         }
         sequence.checkOwner();
         Request.whenSettled(

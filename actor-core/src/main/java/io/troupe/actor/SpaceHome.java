@@ -252,6 +252,11 @@ final class SpaceHome extends Home {
         return loop.isStopping();
     }
 
+    @Override
+    public boolean isEnding() {
+        return hasEnded() || isCurrent() && isStopping();
+    }
+
     void checkCurrent(String call) {
         if (!isCurrent()) {
             throw new IllegalStateException(call + " belongs on the thread of space " + this + ", and was called on "

@@ -43,6 +43,13 @@ public final class Repository {
                 .toList();
     }
 
+    /** The Kotlin sources of all modules, main and test. */
+    public static List<Path> kotlinSources() {
+        return modules().stream()
+                .flatMap(module -> files(module.resolve("src"), ".kt").stream())
+                .toList();
+    }
+
     /** The Markdown pages of the root, of docs and of the modules, build output left out. */
     public static List<Path> markdownPages() {
         return files(root(), ".md").stream()

@@ -140,7 +140,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         Home here = Home.current();
         if (here == null) {
             throw new IllegalStateException(
-                    "await() belongs in the body of ActorSpace.sequential(..); a thread outside the space waits with get(Duration)");
+                    "await() belongs in the body of ActorSpace.sequential(..); in a Kotlin coroutine: coAwait(); a thread outside the space waits with get(Duration)");
         }
         if (isDone()) {
             markHandled();

@@ -5,6 +5,7 @@ import com.tngtech.archunit.core.importer.ClassFileImporter;
 import io.troupe.checks.Repository;
 import java.nio.file.Files;
 import java.util.function.Predicate;
+import java.util.stream.Stream;
 
 /**
  * The compiled main classes of the modules, read from the folders of the build that runs this test.
@@ -29,7 +30,9 @@ final class Classes {
         var compiledByMaven = here.getPath().replaceAll("/$", "").endsWith("/target/test-classes");
         var folders = Repository.modules().stream()
                 .filter(module -> wanted.test(module.getFileName().toString()))
-                .map(module -> module.resolve(compiledByMaven ? "target/classes" : "build/classes/java/main"))
+                .flatMap(module -> compiledByMaven
+                        ? Stream.of(module.resolve("target/classes"))
+                        : Stream.of("java", "kotlin").map(each -> module.resolve("build/classes/" + each + "/main")))
                 .filter(Files::isDirectory)
                 .toList();
         return new ClassFileImporter()

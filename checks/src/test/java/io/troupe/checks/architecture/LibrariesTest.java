@@ -18,6 +18,8 @@ class LibrariesTest {
         "org.dyn4j..,              io.troupe.bench.worlds",
         "org.objectweb.asm..,      io.troupe.actor",
         "org.objenesis..,          io.troupe.actor",
+        "kotlin..,                 io.troupe.actor.kotlin",
+        "kotlinx..,                io.troupe.actor.kotlin",
         "org.ojalgo..,             io.troupe.petri.structure",
         "org.eclipse.elk..,        io.troupe.petri.drawing",
         "org.eclipse.emf..,        io.troupe.petri.drawing",

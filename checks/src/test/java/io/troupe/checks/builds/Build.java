@@ -43,9 +43,22 @@ record Build(String tool, String group, String version, Map<String, Module> modu
         }
     }
 
-    /** A module as described by a build; {@code automaticName} is empty if its jar sets no module name. */
+    /**
+     * A module as described by a build; {@code automaticName} is empty if its jar sets no module name.
+     *
+     * @param kotlin the version of Kotlin's compiler and its arguments, those for one of main and test alone with its
+     *     name in front; empty for a module in Java
+     */
     record Module(
-            String description, String release, String automaticName, SequencedCollection<Dependency> dependencies) {
+            String description,
+            String release,
+            String automaticName,
+            SortedSet<String> kotlin,
+            SequencedCollection<Dependency> dependencies) {
+        Module(String description, String release, String automaticName, SequencedCollection<Dependency> dependencies) {
+            this(description, release, automaticName, new TreeSet<>(), dependencies);
+        }
+
         /** The artifact id of the module in a folder: with the name of the project, since jars meet in one folder. */
         static String artifact(String folder) {
             return "troupe-" + folder;
@@ -100,6 +113,7 @@ record Build(String tool, String group, String version, Map<String, Module> modu
         compare(name + ": description", mine.description, other, theirs.description, found);
         compare(name + ": release level", mine.release, other, theirs.release, found);
         compare(name + ": Automatic-Module-Name", mine.automaticName, other, theirs.automaticName, found);
+        compare(name + ": Kotlin", mine.kotlin.toString(), other, theirs.kotlin.toString(), found);
         var ours = mine.byKey();
         var others = theirs.byKey();
         for (String key : union(ours.keySet(), others.keySet())) {

@@ -117,6 +117,58 @@ class BuildReadersTest {
     }
 
     @Test
+    void kotlinOptions_ofBothBuilds_areReadInTheSameWords() throws IOException {
+        write("gradle/libs.versions.toml", """
+                [versions]
+                junit = "5"
+                kotlin = "2.4.21"
+                [libraries]
+                junit = { module = "org.junit:junit", version.ref = "junit" }
+                launcher = { module = "org.junit.platform:junit-platform-launcher", version.ref = "junit" }
+                [plugins]
+                kotlin-jvm = { id = "org.jetbrains.kotlin.jvm", version.ref = "kotlin" }
+                """);
+        write("core/build.gradle.kts", """
+                plugins { alias(libs.plugins.kotlin.jvm) }
+                kotlin {
+                    explicitApi()
+                    compilerOptions {
+                        jvmTarget.set(org.jetbrains.kotlin.gradle.dsl.JvmTarget.JVM_21)
+                        allWarningsAsErrors.set(true)
+                        javaParameters.set(true)
+                        freeCompilerArgs.add("-Xjsr305=strict")
+                    }
+                }
+                """);
+        var plugin = "<artifactId>kotlin-maven-plugin</artifactId>";
+        var rootPom = ROOT_POM.replace(
+                "</project>",
+                "<build><pluginManagement><plugins><plugin>" + plugin
+                        + "<version>2.4.21</version></plugin></plugins></pluginManagement></build></project>");
+        var both = "<arg>-Werror</arg><arg>-java-parameters</arg><arg>-Xjsr305=strict</arg>";
+        var pom = "<project>" + POM_HEAD + "<build><plugins><plugin>" + plugin + """
+                <configuration><jvmTarget>${maven.compiler.release}</jvmTarget></configuration>
+                <executions>
+                  <execution><goals><goal>compile</goal></goals>
+                    <configuration><args>%s<arg>-Xexplicit-api=strict</arg></args></configuration></execution>
+                  <execution><goals><goal>test-compile</goal></goals>
+                    <configuration><args>%s</args></configuration></execution>
+                </executions>
+                </plugin></plugins></build></project>
+                """.formatted(both, both);
+        var maven = PomReader.module(rootPom, "core", pom).kotlin();
+        assertThat(maven)
+                .containsExactlyInAnyOrder(
+                        "compiler 2.4.21",
+                        "-jvm-target 21",
+                        "-Werror",
+                        "-java-parameters",
+                        "-Xjsr305=strict",
+                        "main -Xexplicit-api=strict");
+        assertThat(GradleReader.read(root).modules().get("core").kotlin()).isEqualTo(maven);
+    }
+
+    @Test
     void exclusions_ofGradle_areRead() throws IOException {
         write("core/build.gradle.kts", """
                 dependencies {
@@ -162,6 +214,13 @@ class BuildReadersTest {
             | implementation(libs.gone)        | libs.versions.toml: no library gone; there are
             | kapt(libs.my.asm)                | configuration kapt is not understood
             | if (a) { api(libs.my.asm) }      | core/build.gradle.kts: not understood: if (a) {..}
+            core/build.gradle.kts | kotlin { jvmToolchain(8) } | core/build.gradle.kts: not understood: jvmToolchain(8)
+            core/build.gradle.kts | kotlin { compilerOptions { progressiveMode.set(true) } } | \
+            core/build.gradle.kts: not understood: progressiveMode.set(true)
+            core/build.gradle.kts | configurations.testImplementation { a } | \
+            core/build.gradle.kts: not understood: configurations.testImplementation {..}
+            settings.gradle.kts | pluginManagement { repositories { gradlePluginPortal() } } | \
+            settings.gradle.kts: plugins are expected from Maven Central alone
             core/build.gradle.kts | plugins { kotlin }         | core/build.gradle.kts: not understood: plugins {..}
             core/build.gradle.kts | configurations.all { } | \
             core/build.gradle.kts: not understood: configurations.all {..}
@@ -218,7 +277,8 @@ class BuildReadersTest {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            [plugins]   | a = "1"                                 | section [plugins] is not understood
+            [bundles]   | a = "1"                                 | section [bundles] is not understood
+            [plugins]   | a = "1"                                 | no other plugin than Kotlin's is understood
             [libraries] | a = { group = "g", name = "n" }         | expected alias = { module
             [libraries] | a = { module = "g:n", version.ref = "v" } | no version named v
             [versions]  | a = { strictly = "1" }                  | not understood, or given twice

@@ -58,7 +58,9 @@ class DeclaredInputsTest {
     private static List<String> undeclared(Path module) throws IOException {
         List<Path> inputs = inputs(module);
         List<String> undeclared = new ArrayList<>();
-        for (Path source : Repository.files(module.resolve("src/test/java"), ".java")) {
+        var sources = new ArrayList<>(Repository.files(module.resolve("src/test/java"), ".java"));
+        sources.addAll(Repository.files(module.resolve("src/test/kotlin"), ".kt"));
+        for (Path source : sources) {
             var paths = PATH.matcher(Files.readString(source));
             while (paths.find()) {
                 var name = String.join("/", quoted(paths.group(1)));

@@ -53,6 +53,10 @@ final class GradleReader {
             "add(\"tests\",tasks.register<Jar>(\"testsJar\"){archiveClassifier.set(\"tests\")"
                     + "from(sourceSets.test.get().output)})");
 
+    private static final String KOTLIN_PLUGIN = "alias(libs.plugins.kotlin.jvm)";
+    private static final Pattern KOTLIN_OPTION = Pattern.compile("(\\w+)\\.(?:set|add)\\(\"?([^\"()]*)\"?\\)");
+    private static final String JVM_TARGET = "org.jetbrains.kotlin.gradle.dsl.JvmTarget.JVM_";
+
     private static final String REPOSITORIES =
             "repositoriesMode.set(RepositoriesMode.FAIL_ON_PROJECT_REPOS) repositories { mavenCentral() }";
 
@@ -93,6 +97,10 @@ final class GradleReader {
                 var body = statement.body().strip().replaceAll("\\s+", " ");
                 NotUnderstood.unless(
                         body.equals(REPOSITORIES), file + ": expected " + REPOSITORIES + ", found " + body);
+            } else if (statement.head().equals("pluginManagement")) {
+                NotUnderstood.unless(
+                        statement.body().strip().equals("repositories { mavenCentral() }"),
+                        file + ": plugins are expected from Maven Central alone, found " + statement.body());
             } else if (!statement.head().equals("rootProject.name = \"troupe\"")) {
                 throw notUnderstood(file, statement);
             }
@@ -142,6 +150,7 @@ final class GradleReader {
     private Module readModule(String file, boolean isPublished, String script) {
         var description = "";
         var automaticName = "";
+        var kotlin = new TreeSet<String>();
         List<Dependency> dependencies = new ArrayList<>(forAll);
         for (var statement : KotlinScript.statements(file, script)) {
             var described = DESCRIPTION.matcher(statement.head());
@@ -152,6 +161,14 @@ final class GradleReader {
                 statement.inner(file).forEach(inner -> dependencies.add(dependency(file, isPublished, inner)));
             } else if (statement.head().equals("tasks.jar") && named.matches()) {
                 automaticName = named.group(1);
+            } else if (statement.head().equals("plugins")
+                    && statement.body().strip().equals(KOTLIN_PLUGIN)) {
+                kotlin.add("compiler " + catalog.versionOf("kotlin"));
+            } else if (statement.head().equals("kotlin")) {
+                statement.inner(file).forEach(inner -> readKotlin(file, inner, kotlin));
+            } else if (statement.head().equals("configurations.testImplementation")
+                    && statement.body().strip().equals("extendsFrom(configurations.compileOnly.get())")) {
+                continue; // as Maven's scope "provided"
             } else if (TESTS_JAR.containsKey(statement.head())) {
                 NotUnderstood.unless(
                         statement.body().replaceAll("\\s", "").equals(TESTS_JAR.get(statement.head())),
@@ -166,7 +183,32 @@ final class GradleReader {
                 throw notUnderstood(file, statement);
             }
         }
-        return new Module(description, release, automaticName, dependencies);
+        return new Module(description, release, automaticName, kotlin, dependencies);
+    }
+
+    private static void readKotlin(String file, Statement statement, Set<String> arguments) {
+        if (statement.head().equals("explicitApi()")) {
+            arguments.add("main -Xexplicit-api=strict");
+            return;
+        }
+        if (!statement.head().equals("compilerOptions")) {
+            throw notUnderstood(file, statement);
+        }
+        for (var option : statement.inner(file)) {
+            var match = KOTLIN_OPTION.matcher(option.head());
+            if (!match.matches()) {
+                throw notUnderstood(file, option);
+            }
+            var value = match.group(2);
+            arguments.add(
+                    switch (match.group(1) + (value.equals("true") ? "" : " .")) {
+                        case "jvmTarget ." -> "-jvm-target " + value.replace(JVM_TARGET, "");
+                        case "allWarningsAsErrors" -> "-Werror";
+                        case "javaParameters" -> "-java-parameters";
+                        case "freeCompilerArgs ." -> value;
+                        default -> throw notUnderstood(file, option);
+                    });
+        }
     }
 
     /** A dependency with the scope that it gets in the POM which Gradle publishes, if the module is published. */
@@ -264,6 +306,7 @@ final class GradleReader {
                     switch (section) {
                         case "[versions]" -> version(line);
                         case "[libraries]" -> library(line);
+                        case "[plugins]" -> plugin(line);
                         default -> throw new NotUnderstood(FILE + "section " + section + " is not understood");
                     }
                 }
@@ -290,6 +333,17 @@ final class GradleReader {
                 throw new NotUnderstood(FILE + "no version named " + match.group(3) + ", asked for by: " + line);
             }
             libraries.put(accessor(match.group(1)), new Dependency(Scope.COMPILE, match.group(2), version));
+        }
+
+        /** The plugins are those of Kotlin, with its version. */
+        private static void plugin(String line) {
+            NotUnderstood.unless(
+                    line.equals("kotlin-jvm = { id = \"org.jetbrains.kotlin.jvm\", version.ref = \"kotlin\" }"),
+                    FILE + "no other plugin than Kotlin's is understood: " + line);
+        }
+
+        String versionOf(String name) {
+            return versions.getOrDefault(name, "");
         }
 
         /** The library that {@code libs.<accessor>} or an alias names, in the given scope. */

@@ -13,6 +13,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
 import javax.xml.parsers.DocumentBuilderFactory;
@@ -32,10 +33,12 @@ final class PomReader {
             + " description url inceptionYear licenses developers scm modules properties dependencies build profiles");
     private static final Set<String> IN_DEPENDENCY = words("groupId artifactId version type scope exclusions");
     private static final Set<String> IN_PROFILE = words("id activation properties");
+    private static final String KOTLIN_PLUGIN = "kotlin-maven-plugin";
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
     private final Map<String, String> shared = new LinkedHashMap<>();
     private final List<Element> forAll;
+    private final List<Element> managedPlugins;
     private final List<String> modules;
 
     private PomReader(Element root) {
@@ -44,6 +47,7 @@ final class PomReader {
         shared.put("project.groupId", text(root, "groupId"));
         shared.put("project.version", text(root, "version"));
         forAll = all(root, "dependencies", "dependency");
+        managedPlugins = all(root, "build", "pluginManagement", "plugins", "plugin");
         modules = all(root, "modules", "module").stream().map(PomReader::text).toList();
     }
 
@@ -74,7 +78,11 @@ final class PomReader {
         forAll.forEach(each -> dependencies.add(dependency("pom.xml", each, properties)));
         all(project, "dependencies", "dependency")
                 .forEach(each -> dependencies.add(dependency(file, each, properties)));
+        var kotlin = new TreeSet<String>();
         for (Element plugin : all(project, "build", "plugins", "plugin")) {
+            if (text(plugin, "artifactId").equals(KOTLIN_PLUGIN)) {
+                kotlin.addAll(kotlin(plugin, properties));
+            }
             for (Element path : all(plugin, "configuration", "annotationProcessorPaths", "path")) {
                 var processor = dependency(file, path, properties);
                 dependencies.add(new Dependency(Scope.PROCESSOR, processor.coordinates(), processor.version()));
@@ -84,7 +92,34 @@ final class PomReader {
                 text(project, "description"),
                 interpolate("${maven.compiler.release}", properties),
                 properties.getOrDefault("module.name", ""),
+                kotlin,
                 dependencies);
+    }
+
+    /** The version of Kotlin's compiler and its arguments, as in {@link Module}. */
+    private Set<String> kotlin(Element plugin, Map<String, String> properties) {
+        var found = new TreeSet<String>();
+        managedPlugins.stream()
+                .filter(each -> text(each, "artifactId").equals(KOTLIN_PLUGIN))
+                .forEach(each -> found.add("compiler " + interpolate(text(each, "version"), properties)));
+        all(plugin, "configuration", "jvmTarget")
+                .forEach(each -> found.add("-jvm-target " + interpolate(text(each), properties)));
+        var main = kotlinArguments(plugin, "compile");
+        var test = kotlinArguments(plugin, "test-compile");
+        main.forEach(each -> found.add(test.contains(each) ? each : "main " + each));
+        test.forEach(each -> found.add(main.contains(each) ? each : "test " + each));
+        return found;
+    }
+
+    private static Set<String> kotlinArguments(Element plugin, String goal) {
+        var arguments = new TreeSet<String>();
+        for (Element execution : all(plugin, "executions", "execution")) {
+            if (all(execution, "goals", "goal").stream()
+                    .anyMatch(each -> text(each).equals(goal))) {
+                all(execution, "configuration", "args", "arg").forEach(each -> arguments.add(text(each)));
+            }
+        }
+        return arguments;
     }
 
     private static Dependency dependency(String file, Element dependency, Map<String, String> properties) {

@@ -36,6 +36,7 @@ class SamplesTest {
                 "actor-core/README.md",
                 "actor-service/README.md",
                 "actor-nats/README.md",
+                "actor-kotlin/README.md",
                 "playerlike-sim/README.md",
                 "services/README.md",
                 "verification/README.md",
@@ -43,7 +44,7 @@ class SamplesTest {
             })
     void samples_occurInCompiledSources(String page) throws IOException {
         var samples = Samples.of(page, Repository.text(page));
-        assertThat(samples).extracting(Sample::language).contains("java");
+        assertThat(samples).extracting(Sample::language).containsAnyOf("java", "kotlin");
         requireInSources(samples);
     }
 
@@ -64,9 +65,24 @@ class SamplesTest {
         requireInSources(all);
     }
 
+    @Test
+    void samplesInKdoc_occurInCompiledSources() throws IOException {
+        List<Sample> all = new ArrayList<>();
+        for (Path source : Repository.kotlinSources()) {
+            if (source.toString().contains("/src/main/")) {
+                all.addAll(Samples.ofKdoc(source.getFileName().toString(), Files.readString(source)));
+            }
+        }
+        assertThat(all).hasSizeGreaterThan(5).noneMatch(sample -> sample.text().isBlank());
+        requireInSources(all);
+    }
+
     private static void requireInSources(List<Sample> samples) throws IOException {
         Map<String, String> essences = new TreeMap<>();
         for (Path source : Repository.javaSources()) {
+            essences.put(source.toString(), Samples.essence(Files.readString(source)));
+        }
+        for (Path source : Repository.kotlinSources()) {
             essences.put(source.toString(), Samples.essence(Files.readString(source)));
         }
         for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on Troupe, of the README
@@ -146,7 +162,7 @@ class SamplesTest {
      *
      * <p><b>Role.</b> A sample is split at empty lines, and each piece must occur in one and the same source. The
      * comparison ignores what the formatter decides and what no compiler reads: white space, {@code //} comments,
-     * {@code @Override}.
+     * {@code @Override} and Kotlin's {@code override}.
      */
     static final class Samples {
         private static final Pattern FENCE = Pattern.compile("(?ms)^```(\\w*)\\n(.*?)^```$");
@@ -162,7 +178,7 @@ class SamplesTest {
         /** A fenced block. */
         record Sample(String page, int line, String language, String text) {
             List<String> pieces() {
-                return language.equals("java")
+                return language.equals("java") || language.equals("kotlin")
                         ? List.of(text.strip().split("\\n\\s*\\n"))
                         : text.strip().lines().toList();
             }
@@ -179,6 +195,21 @@ class SamplesTest {
             while (fences.find()) {
                 int line = (int) markdown.substring(0, fences.start()).lines().count() + 1;
                 samples.add(new Sample(page, line, fences.group(1), fences.group(2)));
+            }
+            return samples;
+        }
+
+        /** The samples in the KDoc of a Kotlin source: its fenced blocks. */
+        static List<Sample> ofKdoc(String source, String kotlin) {
+            List<Sample> samples = new ArrayList<>();
+            var comments = JAVADOC.matcher(kotlin);
+            while (comments.find()) {
+                int line = (int) kotlin.substring(0, comments.start()).lines().count() + 1;
+                String text = STAR.matcher(comments.group()).replaceAll("");
+                var fences = FENCE.matcher(text);
+                while (fences.find()) {
+                    samples.add(new Sample(source, line, "kotlin", fences.group(2)));
+                }
             }
             return samples;
         }
@@ -208,7 +239,7 @@ class SamplesTest {
         static String essence(String java) {
             String code = COMMENT.matcher(JAVADOC.matcher(java).replaceAll(""))
                     .replaceAll("")
-                    .replace("@Override", "");
+                    .replaceAll("@Override|\\boverride ", "");
             String spaced = SPACE.matcher(code).replaceAll(" ").strip();
             return SPACE_BESIDE_A_SIGN.matcher(spaced).replaceAll("");
         }

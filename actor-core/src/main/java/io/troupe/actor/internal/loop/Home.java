@@ -59,6 +59,9 @@ public abstract class Home {
         }
     }
 
+    /** True if this home processes no further entries, and only rejects them; exact on its thread. */
+    public abstract boolean isEnding();
+
     // ---- queueing
 
     /** Queues a node as a callback; first in, first out per sender. */

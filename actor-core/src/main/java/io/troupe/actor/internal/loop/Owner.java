@@ -1,6 +1,7 @@
 package io.troupe.actor.internal.loop;
 
 import java.util.List;
+import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -8,13 +9,16 @@ import org.jspecify.annotations.Nullable;
  * Identifies on whose behalf code runs in a home: one incarnation of an actor, or the home itself. Internal to this
  * library.
  *
- * <p><b>Threads.</b> {@link #end} on the home's thread, the rest on any thread.
+ * <p><b>Threads.</b> {@link #end}, {@link #endAttachment} and {@link #failed} on the home's thread, the rest on any
+ * thread.
  */
 public class Owner {
     private final Home home;
     private final boolean outside;
     private volatile boolean over;
     private @Nullable OpenRequests openRequests; // guarded by this; most owners have none
+    private volatile @Nullable Attachment attachment; // written under this; most owners have none
+    private boolean attachmentEnded; // guarded by this
 
     protected Owner(Home home) {
         this(home, false);
@@ -58,9 +62,52 @@ public class Owner {
         return known == null ? List.of() : known.takeAll();
     }
 
+    /**
+     * What was attached to this owner, created if there is nothing yet; ended immediately after {@link #endAttachment}.
+     */
+    public final Attachment attachment(Function<? super Owner, ? extends Attachment> create) {
+        Attachment known = attachment;
+        return known == null ? attach(create) : known;
+    }
+
+    private synchronized Attachment attach(Function<? super Owner, ? extends Attachment> create) {
+        Attachment known = attachment;
+        if (known == null) {
+            known = create.apply(this);
+            attachment = known;
+            if (attachmentEnded) {
+                known.end();
+            }
+        }
+        return known;
+    }
+
+    /** Ends what is attached, now and later: this owner has ended, and its open requests were rejected. */
+    public final void endAttachment() {
+        Attachment known;
+        synchronized (this) {
+            attachmentEnded = true;
+            known = attachment;
+        }
+        if (known != null) {
+            known.end();
+        }
+    }
+
+    /** Reports a failure of work that was done on behalf of this owner. */
+    public void failed(String what, Throwable error) {
+        throw Nodes.rethrow(error);
+    }
+
     @Override
     public String toString() {
         return home.toString();
+    }
+
+    /** Something that lives as long as its owner: the scope of its coroutines. */
+    public interface Attachment {
+        /** Called on the home's thread when the owner has ended. */
+        void end();
     }
 
     /** Requests that have begun and are not settled; the promises keep this list. */

@@ -1,0 +1,37 @@
+plugins { alias(libs.plugins.kotlin.jvm) }
+
+description = "Actors with suspend functions, and coroutines on an actor space, for Kotlin"
+
+dependencies {
+    api(project(":actor-core"))
+    api(libs.kotlin.stdlib)
+    api(libs.kotlinx.coroutines)
+    compileOnly(project(":actor-service")) // only for users of actors as services
+    testImplementation(project(path = ":actor-service", configuration = "tests")) // two hosts in one process
+}
+
+configurations.testImplementation { extendsFrom(configurations.compileOnly.get()) }
+
+kotlin {
+    explicitApi()
+    compilerOptions {
+        jvmTarget.set(org.jetbrains.kotlin.gradle.dsl.JvmTarget.JVM_21)
+        allWarningsAsErrors.set(true)
+        javaParameters.set(true)
+    }
+}
+
+tasks.test {
+    inputs.dir("src/main/kotlin") // of PublicApiTest
+    inputs.dir("src/test/api")
+    providers.systemProperty("api").orNull?.let { systemProperty("api", it) }
+}
+
+tasks.register<JavaExec>("costs") {
+    group = "verification"
+    description = "Measures a request and its reply in several ways; --args=\"ROUNDS REQUESTS\"."
+    classpath = sourceSets["test"].runtimeClasspath
+    mainClass.set("io.troupe.actor.kotlin.CostsKt")
+}
+
+tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.actor.kotlin") } }
