@@ -7,6 +7,9 @@ dependencies {
     api(libs.kotlin.stdlib)
     api(libs.kotlinx.coroutines)
     compileOnly(project(":actor-service")) // only for users of actors as services
+    compileOnly(project(":services")) // only for users of io.troupe.actor.kotlin.robots
+    compileOnly(project(":verification")) // only for users of io.troupe.actor.kotlin.wiring
+    testImplementation(project(":view"))
 }
 
 configurations.testImplementation { extendsFrom(configurations.compileOnly.get()) }
@@ -21,3 +24,4 @@ kotlin {
 }
 
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.actor.kotlin") } }
+tasks.test { inputs.files("../demo/worlds").withPathSensitivity(PathSensitivity.RELATIVE) }

@@ -32,6 +32,7 @@ class SamplesTest {
                 "docs/guide/07-actors-as-services.md",
                 "docs/guide/08-bus-and-broker.md",
                 "docs/guide/09-components.md",
+                "docs/guide/14-kotlin.md",
                 "actor-core/README.md",
                 "actor-service/README.md",
                 "actor-nats/README.md",
