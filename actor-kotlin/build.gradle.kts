@@ -10,6 +10,7 @@ dependencies {
     compileOnly(project(":services")) // only for users of io.troupe.actor.kotlin.robots
     compileOnly(project(":verification")) // only for users of io.troupe.actor.kotlin.wiring
     testImplementation(project(":view"))
+    testImplementation(project(path = ":actor-service", configuration = "tests")) // two hosts in one process
 }
 
 configurations.testImplementation { extendsFrom(configurations.compileOnly.get()) }
@@ -23,5 +24,11 @@ kotlin {
     }
 }
 
+tasks.test {
+    inputs.dir("src/main/kotlin") // of PublicApiTest
+    inputs.dir("src/test/api")
+    inputs.files("../demo/worlds").withPathSensitivity(PathSensitivity.RELATIVE)
+    providers.systemProperty("api").orNull?.let { systemProperty("api", it) }
+}
+
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.actor.kotlin") } }
-tasks.test { inputs.files("../demo/worlds").withPathSensitivity(PathSensitivity.RELATIVE) }

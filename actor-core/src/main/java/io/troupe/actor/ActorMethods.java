@@ -168,8 +168,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
     static String signature(Method method) {
         int mark = method.getName().indexOf('-');
         return (mark < 0 ? method.getName() : method.getName().substring(0, mark))
-                + Arrays.stream(method.getParameterTypes())
-                        .limit(method.getParameterCount() - (SuspendingCalls.isSuspending(method) ? 1 : 0))
+                + Arrays.stream(SuspendingCalls.parameters(method))
                         .map(Class::getSimpleName)
                         .collect(Collectors.joining(", ", "(", ")"));
     }
@@ -322,15 +321,11 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                         method,
                         "is a suspend function: add io.troupe:troupe-actor-kotlin, which runs these, or return a Promise");
             }
-            Type continuation = method.getGenericParameterTypes()[method.getParameterCount() - 1];
-            if (continuation instanceof ParameterizedType generic
-                    && generic.getActualTypeArguments()[0] instanceof WildcardType result
-                    && result.getLowerBounds().length == 1
-                    && hasTwoForms(arguments.erase(result.getLowerBounds()[0]))) {
+            Type result = SuspendingCalls.result(method);
+            if (hasTwoForms(arguments.erase(result))) {
                 throw wrong(
                         method,
-                        "is a suspend function that returns "
-                                + result.getLowerBounds()[0].getTypeName()
+                        "is a suspend function that returns " + result.getTypeName()
                                 + ", a value class around a reference, which Kotlin returns boxed or unboxed: return what it holds, or a Promise of it");
             }
         }

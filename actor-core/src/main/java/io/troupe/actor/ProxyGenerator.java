@@ -53,7 +53,7 @@ final class ProxyGenerator {
     private static final String RECIPIENT_DESCRIPTOR = Type.getDescriptor(Recipient.class);
     private static final String CALLS = Type.getInternalName(SuspendingCalls.class);
     private static final String AWAIT =
-            "(" + Type.getDescriptor(SuspendingRequest.class) + "Ljava/lang/Object;)Ljava/lang/Object;";
+            "(" + Type.getDescriptor(Promise.class) + "Ljava/lang/Object;)Ljava/lang/Object;";
 
     /** What a method is to its caller, and the class that its messages extend. */
     private enum Kind {

@@ -66,7 +66,7 @@ final class ActorProvider<A> implements Provider {
         @Nullable
         Promise<?> send(CallDispatcher.Call call, RemoteCaller remote, Duration limit) throws NotSentException {
             try {
-                return (Promise<?>) call.method.invoke(proxy, call.toInvoke());
+                return (Promise<?>) CallableMethods.CallableMethod.invoke(call.method, proxy, call.toInvoke());
             } catch (InvocationTargetException thrown) {
                 throw new NotSentException(thrown.getTargetException());
             } catch (IllegalAccessException impossible) {

@@ -87,10 +87,10 @@ public final class ActorServices {
      * first, then the one that was registered first, in every process alike.
      *
      * <p><b>Errors.</b> Methods that publish throw an {@link IllegalArgumentException} if another process cannot call
-     * the actor: it has to be published by an interface whose methods return {@code void} or {@link Promise}, and whose
-     * parameters and results are values, or {@link io.troupe.actor.Callback}s of values. An exception of an actor
-     * arrives in another process as a {@link io.troupe.bus.RemoteFailure}. A one-way call that does not arrive is
-     * reported to the observer of the bus.
+     * the actor: it has to be published by an interface whose methods return {@code void} or {@link Promise}, or
+     * suspend, and whose parameters and results are values, or {@link io.troupe.actor.Callback}s of values. An
+     * exception of an actor arrives in another process as a {@link io.troupe.bus.RemoteFailure}. A one-way call that
+     * does not arrive is reported to the observer of the bus.
      *
      * <p>A process that has not renewed its offers for 3 s is suspect, and after 10 s its providers are withdrawn.
      * Requests to the broker of another process have three quarters of the limits in this broker's settings.
@@ -178,7 +178,8 @@ public final class ActorServices {
      * Connects to the current provider of a service, and after a failover or replacement to the next one.
      *
      * @param type the interface to call; providers must be published by this interface or one that extends it
-     * @throws IllegalArgumentException if it is not an interface whose methods return {@code void} or {@link Promise}
+     * @throws IllegalArgumentException if it is not an interface whose methods return {@code void} or {@link Promise},
+     *     or are suspend functions of Kotlin
      */
     public <A> ActorConnection<A> connect(Class<A> type, Need need, ConnectionSettings settings) {
         ServiceProxy.check(type);

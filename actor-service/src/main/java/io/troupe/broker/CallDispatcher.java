@@ -2,6 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.EventLoop;
 import io.troupe.actor.promise.Promise;
@@ -135,7 +136,7 @@ interface CallDispatcher {
 
     private static String describe(Method method) {
         return method.getDeclaringClass().getSimpleName() + "." + method.getName()
-                + Arrays.stream(method.getParameterTypes())
+                + Arrays.stream(SuspendingCalls.parameters(method))
                         .map(Class::getSimpleName)
                         .collect(Collectors.joining(", ", "(", ")"));
     }

@@ -78,7 +78,7 @@ final class CallReceiver {
 
     private @Nullable Object invoke(CallableMethods.CallableMethod method, @Nullable Object[] arguments) {
         try {
-            return method.method.invoke(actor.proxy(), arguments);
+            return CallableMethods.CallableMethod.invoke(method.method, actor.proxy(), arguments);
         } catch (InvocationTargetException thrown) { // by the proxy: for example a full mailbox
             throw new NotBegunException(String.valueOf(thrown.getTargetException()));
         } catch (IllegalAccessException impossible) {

@@ -1,6 +1,7 @@
 package io.troupe.broker;
 
 import io.troupe.actor.Callback;
+import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.internal.CborItem;
 import io.troupe.bus.internal.CborReader;
@@ -11,6 +12,7 @@ import io.troupe.bus.internal.RecordCopier;
 import io.troupe.bus.internal.UnreadableException;
 import io.troupe.common.text.Suggestions;
 import java.lang.reflect.InaccessibleObjectException;
+import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.ParameterizedType;
@@ -132,7 +134,7 @@ final class CallableMethods {
 
     /** The name of a method in a call. */
     static String nameOf(Method method) {
-        return Arrays.stream(method.getParameterTypes())
+        return Arrays.stream(SuspendingCalls.parameters(method))
                 .map(Class::getSimpleName)
                 .collect(Collectors.joining(", ", method.getName() + "(", ")"));
     }
@@ -165,7 +167,8 @@ final class CallableMethods {
             this.method = method;
             this.name = nameOf(method);
             this.values = values;
-            this.parameters = method.getGenericParameterTypes();
+            int count = SuspendingCalls.parameters(method).length;
+            this.parameters = Arrays.copyOf(method.getGenericParameterTypes(), count);
             for (int i = 0; i < parameters.length; i++) {
                 String use = describe("parameter " + (i + 1));
                 if (method.getParameterTypes()[i] == Callback.class) {
@@ -179,6 +182,10 @@ final class CallableMethods {
             Class<?> returned = method.getReturnType();
             if (returned == Promise.class) {
                 result = argumentOf(method.getGenericReturnType(), "a Promise of a value");
+                values.check(describe("result"), result);
+            } else if (SuspendingCalls.isSuspending(method)) {
+                Type suspended = SuspendingCalls.result(method);
+                result = SuspendingCalls.isUnit(suspended) ? Void.class : suspended;
                 values.check(describe("result"), result);
             } else if (returned == void.class) {
                 result = null;
@@ -291,12 +298,24 @@ final class CallableMethods {
         }
 
         CborItem encodeResult(@Nullable Object value) {
-            return values.encode(result == null ? Void.class : result, value);
+            return values.encode(result == null ? Void.class : result, isUnit() ? null : value);
         }
 
         @Nullable
         Object decodeResult(CborItem item) {
-            return values.decode(result == null ? Void.class : result, item);
+            return isUnit() ? SuspendingCalls.unit() : values.decode(result == null ? Void.class : result, item);
+        }
+
+        private boolean isUnit() {
+            return SuspendingCalls.isSuspending(method) && result == Void.class;
+        }
+
+        /** Calls the method of an actor; returns the promise of a request, or null. */
+        static @Nullable Object invoke(Method method, Object proxy, @Nullable Object[] arguments)
+                throws InvocationTargetException, IllegalAccessException {
+            return SuspendingCalls.isSuspending(method)
+                    ? SuspendingCalls.ask(method, proxy, arguments)
+                    : method.invoke(proxy, arguments);
         }
 
         @Override

@@ -2,6 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
@@ -11,8 +12,10 @@ import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
 import java.lang.reflect.Proxy;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /** The proxy for a provider: sends every call to the connection's actor. Runs on the caller's thread. */
@@ -41,7 +44,11 @@ final class ServiceProxy implements InvocationHandler {
         }
         for (Method method : type.getMethods()) {
             Class<?> result = method.getReturnType();
-            if (Modifier.isAbstract(method.getModifiers()) && result != void.class && result != Promise.class) {
+            boolean isSuspending = SuspendingCalls.isSuspending(method) && SuspendingCalls.areSupported();
+            if (Modifier.isAbstract(method.getModifiers())
+                    && result != void.class
+                    && result != Promise.class
+                    && !isSuspending) {
                 throw new IllegalArgumentException(type.getName() + "." + method.getName() + " returns "
                         + result.getSimpleName() + ", expected void (a one-way message) or Promise (a request)");
             }
@@ -70,6 +77,12 @@ final class ServiceProxy implements InvocationHandler {
             return inherited(method).bindTo(self).invokeWithArguments(arguments);
         }
         method.setAccessible(true); // the interface need not be public
+        if (SuspendingCalls.isSuspending(method)) {
+            int last = arguments.length - 1;
+            var taken = boundArguments(method, Arrays.copyOf(arguments, last));
+            Promise<?> answer = CallDispatcher.Answer.ask(dispatcher, space, method, taken);
+            return SuspendingCalls.await(answer, Objects.requireNonNull(arguments[last], "continuation"));
+        }
         var taken = boundArguments(method, arguments);
         if (method.getReturnType() == Promise.class) {
             return CallDispatcher.Answer.ask(dispatcher, space, method, taken);

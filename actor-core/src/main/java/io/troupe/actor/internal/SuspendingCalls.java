@@ -2,7 +2,12 @@ package io.troupe.actor.internal;
 
 import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.promise.Promise;
+import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
+import java.lang.reflect.ParameterizedType;
+import java.lang.reflect.Type;
+import java.lang.reflect.WildcardType;
+import java.util.Arrays;
 import java.util.Objects;
 import java.util.ServiceLoader;
 import org.jspecify.annotations.Nullable;
@@ -17,6 +22,12 @@ public abstract class SuspendingCalls {
                         SuspendingCalls.class, SuspendingCalls.class.getClassLoader())
                 .findFirst()
                 .orElse(null);
+    }
+
+    /** A {@code kotlin.coroutines.Continuation} that a proxy does not resume: it takes the promise of the call. */
+    public interface PromiseTaker {
+        /** The promise that was taken. */
+        Promise<?> promise();
     }
 
     protected SuspendingCalls() {}
@@ -34,22 +45,67 @@ public abstract class SuspendingCalls {
         return Found.CALLS != null;
     }
 
+    /** The parameter types of a method, without the continuation of a suspend function. */
+    public static Class<?>[] parameters(Method method) {
+        Class<?>[] all = method.getParameterTypes();
+        return isSuspending(method) ? Arrays.copyOf(all, all.length - 1) : all;
+    }
+
+    /** The type that a suspend function returns. */
+    public static Type result(Method suspending) {
+        Type continuation = suspending.getGenericParameterTypes()[suspending.getParameterCount() - 1];
+        return continuation instanceof ParameterizedType generic
+                        && generic.getActualTypeArguments()[0] instanceof WildcardType result
+                        && result.getLowerBounds().length == 1
+                ? result.getLowerBounds()[0]
+                : Object.class;
+    }
+
+    /** True if a suspend function returns nothing but {@code kotlin.Unit}. */
+    public static boolean isUnit(Type result) {
+        return result.getTypeName().equals("kotlin.Unit");
+    }
+
+    /** The only value of {@code kotlin.Unit}. */
+    public static Object unit() {
+        return known().unitValue();
+    }
+
+    /**
+     * Calls a suspend function of a proxy.
+     *
+     * @param arguments without a continuation
+     * @return the promise of the call
+     */
+    public static Promise<?> ask(Method suspending, Object proxy, @Nullable Object[] arguments)
+            throws InvocationTargetException, IllegalAccessException {
+        PromiseTaker taker = known().newTaker();
+        var all = Arrays.copyOf(arguments, arguments.length + 1);
+        all[arguments.length] = taker;
+        suspending.invoke(proxy, all);
+        return taker.promise();
+    }
+
     static SuspendingCalls known() {
         return Objects.requireNonNull(Found.CALLS);
     }
 
     /**
-     * Suspends the caller of a suspend function until the request, which was sent, is settled.
+     * Suspends the caller of a suspend function until the promise of its call is settled.
      *
      * @param continuation the caller's {@code kotlin.coroutines.Continuation}
      * @return what the function returns to its caller
      */
-    public static @Nullable Object await(SuspendingRequest<?> request, Object continuation) {
-        return known().suspend(request, continuation);
+    public static @Nullable Object await(Promise<?> call, Object continuation) {
+        return known().suspend(call, continuation);
     }
 
     /** See {@link #await}; on the caller's thread. */
-    protected abstract @Nullable Object suspend(SuspendingRequest<?> request, Object continuation);
+    protected abstract @Nullable Object suspend(Promise<?> call, Object continuation);
+
+    protected abstract PromiseTaker newTaker();
+
+    protected abstract Object unitValue();
 
     /**
      * Runs the function as a coroutine of the actor, in the turn of the request.

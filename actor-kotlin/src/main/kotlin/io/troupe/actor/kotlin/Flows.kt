@@ -79,9 +79,9 @@ public class FlowOverflowException internal constructor(message: String) : Illeg
  * val numbers: Flow<Int> = callbacks { counter.count(3, it) }
  * ```
  *
- * Each collection calls [subscribe] once, with a new callback. It ends when the actor calls `finish` or `fail`; when the
- * collector has had enough, the actor sees `isCancelled`. If the actor stops without a `finish`, no end arrives, as
- * with every callback.
+ * Each collection calls [subscribe] once, with a new callback. It ends when the actor calls `finish` or `fail`; when
+ * the collector has had enough, the actor sees `isCancelled`. If the actor stops without a `finish`, no end arrives,
+ * as with every callback.
  */
 public fun <T> callbacks(buffer: FlowBuffer = FlowBuffer.unlimited(), subscribe: (Callback<T>) -> Unit): Flow<T> =
     flow {
@@ -142,7 +142,7 @@ public suspend fun <T> Flow<T>.sendTo(callback: Callback<in T>) {
     callback.finish()
 }
 
-/** Publishes the values of this flow to a topic, which may have other publishers: the end of the flow does not end it. */
+/** Publishes the values of this flow to a topic. The end of the flow does not end the topic, which may have others. */
 public suspend fun <T : Any> Flow<T>.publishTo(topic: Topic<in T>) {
     collect { topic.publish(it) }
 }

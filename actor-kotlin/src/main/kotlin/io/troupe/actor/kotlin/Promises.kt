@@ -8,6 +8,7 @@ import io.troupe.actor.promise.Deferred
 import io.troupe.actor.promise.Promise
 import java.util.concurrent.CancellationException
 import java.util.function.BiFunction
+import kotlin.coroutines.Continuation
 import kotlin.coroutines.ContinuationInterceptor
 import kotlin.coroutines.CoroutineContext
 import kotlin.coroutines.EmptyCoroutineContext
@@ -82,6 +83,26 @@ private class Awaiting<T>(private val promise: Promise<T>, private val continuat
     override fun invoke(cause: Throwable?) {
         promise.cancel()
     }
+}
+
+/**
+ * Calls a suspend function of an actor from Java: `Promises.ask(c -> greeter.greet("Ada", c))`. The call sends a
+ * message at once and returns its promise. In Kotlin, call the function in a coroutine.
+ *
+ * @param call calls one suspend function of a proxy with the continuation it is given, and nothing else
+ * @throws IllegalStateException if the function is not that of a proxy
+ */
+public fun <T> ask(call: SuspendingCall<T>): Promise<T> {
+    val taker = Taker()
+    call.call(taker)
+    @Suppress("UNCHECKED_CAST") // the function's result is of type T
+    return taker.promise() as Promise<T>
+}
+
+/** The call of one suspend function, written in Java. */
+public fun interface SuspendingCall<T> {
+    /** Returns what the function returns. */
+    public fun call(continuation: Continuation<T>): Any?
 }
 
 /**

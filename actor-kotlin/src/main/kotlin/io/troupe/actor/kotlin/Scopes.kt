@@ -61,8 +61,8 @@ public val ActorSpace.scope: CoroutineScope
  * Runs coroutines on the space's thread, by the space's clock: in a `TestSpace` the time of `delay` and `withTimeout`
  * is virtual.
  *
- * Each resumption is an entry of the callback queue, never a call on the stack of the code that resumes. If the space is
- * closed, a coroutine that would be resumed is cancelled, and ends on [Dispatchers.IO].
+ * Each resumption is an entry of the callback queue, never a call on the stack of the code that resumes. If the space
+ * is closed, a coroutine that would be resumed is cancelled, and ends on [Dispatchers.IO].
  */
 public fun ActorSpace.asDispatcher(): CoroutineDispatcher = owner().scope().dispatcher
 

@@ -13,6 +13,8 @@ import java.lang.invoke.VarHandle
 import java.util.concurrent.CancellationException
 import java.util.concurrent.TimeoutException
 import kotlin.coroutines.Continuation
+import kotlin.coroutines.CoroutineContext
+import kotlin.coroutines.EmptyCoroutineContext
 import kotlin.coroutines.intrinsics.COROUTINE_SUSPENDED
 import kotlinx.coroutines.AbstractCoroutine
 import kotlinx.coroutines.InternalCoroutinesApi
@@ -23,11 +25,20 @@ internal class Suspending : SuspendingCalls() {
     private val awaiting: suspend (Promise<Any?>) -> Any? = ::awaitPending
 
     @Suppress("UNCHECKED_CAST") // a suspend function takes the continuation of its caller as its last argument
-    override fun suspend(request: SuspendingRequest<*>, continuation: Any): Any? =
-        (awaiting as (Promise<Any?>, Continuation<Any?>) -> Any?)(
-            request as Promise<Any?>,
+    override fun suspend(call: Promise<*>, continuation: Any): Any? {
+        if (continuation is Taker) {
+            continuation.taken = call
+            return COROUTINE_SUSPENDED
+        }
+        return (awaiting as (Promise<Any?>, Continuation<Any?>) -> Any?)(
+            call as Promise<Any?>,
             continuation as Continuation<Any?>,
         )
+    }
+
+    override fun newTaker(): PromiseTaker = Taker()
+
+    override fun unitValue(): Any = Unit
 
     override fun start(request: SuspendingRequest<*>, implementation: Any, life: Owner): Promise<*> {
         val call = SuspendedCall(life.scope())
@@ -47,6 +58,19 @@ internal class Suspending : SuspendingCalls() {
         }
         return Promise.of(outcome.getOrElse { throw unwrapped(it) })
     }
+}
+
+/** Stands for a caller that wants the promise of a call, not its result. */
+internal class Taker : Continuation<Any?>, SuspendingCalls.PromiseTaker {
+    var taken: Promise<*>? = null
+
+    override val context: CoroutineContext
+        get() = EmptyCoroutineContext
+
+    override fun promise(): Promise<*> =
+        checkNotNull(taken) { "the call returned no promise: it was not, or not at once, made on a proxy of an actor" }
+
+    override fun resumeWith(result: Result<Any?>): Unit = error("a promise was taken, expected no result: $result")
 }
 
 /** An error as other actors see it: a time limit within an actor does not look like a cancellation of its caller. */

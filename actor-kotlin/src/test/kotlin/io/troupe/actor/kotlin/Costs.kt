@@ -3,19 +3,18 @@ package io.troupe.actor.kotlin
 import io.troupe.actor.ActorSpace
 import io.troupe.actor.SpaceSettings
 import io.troupe.actor.promise.Promise
+import java.time.Duration
+import kotlin.coroutines.CoroutineContext
+import kotlin.system.measureNanoTime
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.DEBUG_PROPERTY_NAME
 import kotlinx.coroutines.Dispatchers
-import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.channels.Channel
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.runBlocking
 import kotlinx.coroutines.sync.Mutex
 import kotlinx.coroutines.sync.withLock
 import kotlinx.coroutines.withContext
-import java.time.Duration
-import kotlin.coroutines.CoroutineContext
-import kotlin.system.measureNanoTime
 
 /**
  * Measures one request and its reply, in nanoseconds, in several ways, one after the other within one thread. The ways

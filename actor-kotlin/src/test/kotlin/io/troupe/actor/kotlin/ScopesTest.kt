@@ -7,7 +7,6 @@ import io.troupe.actor.promise.Deferred
 import io.troupe.actor.promise.Promise
 import java.io.IOException
 import java.util.concurrent.CancellationException
-import java.util.concurrent.TimeUnit
 import java.util.concurrent.atomic.AtomicReference
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.CoroutineScope

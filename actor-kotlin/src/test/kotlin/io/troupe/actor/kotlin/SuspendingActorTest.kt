@@ -238,7 +238,7 @@ class SuspendingActorTest : InTestSpace() {
     fun valueClassAroundAReference_cannotBeReturned() {
         assertThatThrownBy { test.spawn<NamedNow> { throw AssertionError() } }
             .isInstanceOf(ActorTypeException::class.java)
-            .hasMessageContainingAll("NamedNow.now(", "SuspendingActorTest\$Name, a value class", "return what it holds")
+            .hasMessageContainingAll("NamedNow.now(", "Test\$Name, a value class", "return what it holds")
         assertThatThrownBy { test.spawn<Attempt> { throw AssertionError() } }
             .isInstanceOf(ActorTypeException::class.java)
             .hasMessageContainingAll("Attempt.attempt", "kotlin.Result<java.lang.String>")

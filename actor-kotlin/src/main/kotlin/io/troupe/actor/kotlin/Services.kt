@@ -1,0 +1,41 @@
+@file:JvmName("Services")
+
+package io.troupe.actor.kotlin
+
+import io.troupe.actor.ActorSpace
+import io.troupe.actor.promise.Promise
+import io.troupe.broker.ActorConnection
+import io.troupe.broker.ActorServices
+import io.troupe.broker.ConnectionSettings
+import io.troupe.broker.Need
+import io.troupe.broker.ServiceRecord
+
+/**
+ * Publishes an actor that the broker spawns on demand; it needs the module actor-service. Suspend functions are called
+ * like functions that return a `Promise`, in this process and from other hosts.
+ *
+ * ```
+ * services.publish<Thermometer>(space, "thermometer") { ThermometerActor() }
+ * ```
+ *
+ * @param space where it runs
+ * @param factory creates the actor, on its space, at each start
+ */
+public inline fun <reified A : Any> ActorServices.publish(
+    space: ActorSpace,
+    service: String,
+    capabilities: List<String> = emptyList(),
+    noinline factory: () -> A,
+): Promise<ServiceRecord> = publish(space, A::class.java, service, capabilities, factory)
+
+/**
+ * Connects to the current provider of a service, and after a failover or replacement to the next one.
+ *
+ * ```
+ * val thermometer = services.connect<Thermometer>(Need.ofService("guest", "thermometer")).actor()
+ * ```
+ */
+public inline fun <reified A : Any> ActorServices.connect(
+    need: Need,
+    settings: ConnectionSettings = ConnectionSettings.DEFAULT,
+): ActorConnection<A> = connect(A::class.java, need, settings)
