@@ -64,11 +64,11 @@ private fun SubsumptionTableBuilder.rank(colour: Int, priority: Int) {
     }
 }
 
-/** Sets the minimum duration of each state. */
+/** Sets the minimum duration of each state, for example `hold(2.seconds)`. */
 public fun SubsumptionTableBuilder.hold(atLeast: Duration) {
     hold(atLeast.toDouble(DurationUnit.SECONDS))
 }
 
-/** An assignment that gives a service to a range of robots too; the first robot is 1. */
+/** Adds a range of robots to an assignment: `everyRobot(SPACE_WANDERER).robots(3..5, WALL_FOLLOWER)`. */
 public fun Assignment.robots(numbers: IntRange, service: Service): Assignment =
     robots(numbers.first, numbers.last, service)
