@@ -31,4 +31,11 @@ tasks.test {
     providers.systemProperty("api").orNull?.let { systemProperty("api", it) }
 }
 
+tasks.register<JavaExec>("costs") {
+    group = "verification"
+    description = "Measures a request and its reply in several ways; --args=\"ROUNDS REQUESTS\"."
+    classpath = sourceSets["test"].runtimeClasspath
+    mainClass.set("io.troupe.actor.kotlin.CostsKt")
+}
+
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.actor.kotlin") } }

@@ -67,6 +67,17 @@ class KotlinTest extends InTestSpace {
         rejects(test, type("ManyCallbacks"), "ManyCallbacks.listen(Callback[])", advice);
     }
 
+    /** What Kotlin compiles {@code suspend fun greet(name: String): String} to. */
+    interface Suspending {
+        Object greet(String name, kotlin.coroutines.Continuation<? super String> caller);
+    }
+
+    @Test
+    void suspendFunction_withoutTheModuleThatRunsIt_isRejectedWithItsName() {
+        String problem = "Suspending.greet(String) of actor type " + Suspending.class.getName();
+        rejects(test, Suspending.class, problem, "is a suspend function: add io.troupe:troupe-actor-kotlin");
+    }
+
     @Test
     void compiledClasses_areThoseOfTheSource() throws Exception {
         byte[] source = Files.readAllBytes(Path.of("src", "test", "kotlin", "greeter", "Greeter.kt"));

@@ -157,7 +157,7 @@ class EndsTest : InTestSpace() {
         advance(10)
         assertThat(test.error(result))
             .isExactlyInstanceOf(TimeoutException::class.java)
-            .hasCauseInstanceOf(TimeoutCancellationException::class.java)
+            .hasRootCauseInstanceOf(TimeoutCancellationException::class.java)
     }
 
     @Test

@@ -13,7 +13,7 @@ import kotlin.io.path.writeText
 import org.assertj.core.api.Assertions.assertThat
 import org.junit.jupiter.api.Test
 
-/** What compiled users of this module link to is what `public-api.txt` says: a difference may break them. */
+/** What compiled users of this module link to is listed in `public-api.txt`: a difference may break them. */
 class PublicApiTest {
     /** With `-Dapi=write` the file is rewritten instead of compared. */
     @Test

@@ -95,6 +95,7 @@ class BuildAgreementTest {
             demo/build.gradle.kts   | "worlds"                              | the worlds, beside the scripts
             demo/build.gradle.kts   | troupe.home                           | the scripts name the folder of the worlds
             build.gradle.kts        | tasks.withType<Jar>().configureEach { metaInf { from(licence) } } | in every jar
+            gradle.properties       | kotlin.compiler.execution.strategy=in-process | no process outlives the build
             actor-kotlin/pom.xml    | <kotlin.compiler.daemon>false</kotlin.compiler.daemon> | \
             no process outlives the build
             README.md               | compile exec:exec -pl demo -am        | the main job ends in the phase compile
