@@ -7,6 +7,9 @@ dependencies {
     api(libs.kotlin.stdlib)
     api(libs.kotlinx.coroutines)
     compileOnly(project(":actor-service")) // only for users of actors as services
+    compileOnly(project(":services")) // only for users of io.troupe.actor.kotlin.robots
+    compileOnly(project(":verification")) // only for users of io.troupe.actor.kotlin.wiring
+    testImplementation(project(":view"))
     testImplementation(project(path = ":actor-service", configuration = "tests")) // two hosts in one process
 }
 
@@ -24,6 +27,7 @@ kotlin {
 tasks.test {
     inputs.dir("src/main/kotlin") // of PublicApiTest
     inputs.dir("src/test/api")
+    inputs.files("../demo/worlds").withPathSensitivity(PathSensitivity.RELATIVE)
     providers.systemProperty("api").orNull?.let { systemProperty("api", it) }
 }
 

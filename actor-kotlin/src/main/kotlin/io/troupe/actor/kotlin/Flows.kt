@@ -14,6 +14,11 @@ import kotlinx.coroutines.flow.takeWhile
 /**
  * What a flow does with values that arrive while its collector is busy. The sender never waits for a collector.
  *
+ * ```
+ * val newest = FlowBuffer.latest()
+ * scope.launch { scans.asFlow(newest).collect { avoid(it) } }
+ * ```
+ *
  * One object may serve several flows; [lost] then counts for all of them.
  */
 public class FlowBuffer private constructor(
@@ -142,7 +147,13 @@ public suspend fun <T> Flow<T>.sendTo(callback: Callback<in T>) {
     callback.finish()
 }
 
-/** Publishes the values of this flow to a topic. The end of the flow does not end the topic, which may have others. */
+/**
+ * Publishes the values of this flow to a topic. The end of the flow does not end the topic, which may have others.
+ *
+ * ```
+ * scope.launch { prices.publishTo(scans) }
+ * ```
+ */
 public suspend fun <T : Any> Flow<T>.publishTo(topic: Topic<in T>) {
     collect { topic.publish(it) }
 }

@@ -122,6 +122,10 @@ public fun <T> promise(block: suspend CoroutineScope.() -> T): Promise<T> =
 /**
  * Runs a coroutine of this scope and returns the promise of its result. Cancelling the promise cancels the coroutine;
  * a failure of the coroutine rejects the promise, and cancels the scope's job unless that is a supervisor.
+ *
+ * ```
+ * val high = scope.promise { prices.filter { it > 5 }.take(2).toList() }
+ * ```
  */
 public fun <T> CoroutineScope.promise(
     context: CoroutineContext = EmptyCoroutineContext,

@@ -53,6 +53,10 @@ public fun actorScope(): CoroutineScope {
 /**
  * The scope of a space, for coroutines that belong to no actor. They run on the space's thread and are cancelled when
  * the space is closed. An exception of one is reported to the space's error handler; it does not cancel the others.
+ *
+ * ```
+ * val egg = test.space().scope.promise { timer.cook() }
+ * ```
  */
 public val ActorSpace.scope: CoroutineScope
     get() = owner().scope()
@@ -60,6 +64,10 @@ public val ActorSpace.scope: CoroutineScope
 /**
  * Runs coroutines on the space's thread, by the space's clock: in a `TestSpace` the time of `delay` and `withTimeout`
  * is virtual.
+ *
+ * ```
+ * return withContext(space.asDispatcher()) { picture + Thread.currentThread().name } // on the space's thread
+ * ```
  *
  * Each resumption is an entry of the callback queue, never a call on the stack of the code that resumes. If the space
  * is closed, a coroutine that would be resumed is cancelled, and ends on [Dispatchers.IO].

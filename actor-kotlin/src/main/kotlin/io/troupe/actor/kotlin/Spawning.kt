@@ -23,6 +23,8 @@ import io.troupe.actor.testkit.TestSpace
  * actor handles other messages, as between two listeners of a promise. If the caller is cancelled, so is that
  * coroutine; if the actor stops or restarts, the caller gets an `ActorStoppedException` and the coroutine is cancelled.
  *
+ * Write the type, `spawn<Greeter>`: without it the compiler takes the class of the implementation.
+ *
  * @param factory creates the implementation, on the space's thread, before the first message
  * @throws io.troupe.actor.ActorTypeException if the type has a function that cannot be a message
  */
@@ -31,7 +33,13 @@ public inline fun <reified A : Any> ActorSpace.spawn(
     noinline factory: () -> A,
 ): A = spawn(A::class.java, factory, settings)
 
-/** Creates an actor in a test and starts it; see [ActorSpace.spawn]. */
+/**
+ * Creates an actor in a test and starts it; see [ActorSpace.spawn].
+ *
+ * ```
+ * val timer = test.spawn<EggTimer> { ThreeMinutes() }
+ * ```
+ */
 public inline fun <reified A : Any> TestSpace.spawn(
     settings: ActorSettings = ActorSettings.DEFAULT,
     noinline factory: () -> A,

@@ -58,6 +58,8 @@ class ArrowsTest {
     @CsvSource({
         "actor..,               ''",
         "actor.kotlin,          actor actor.promise actor.internal actor.internal.loop actor.testkit bus broker",
+        "actor.kotlin.robots,   services.behaviour services.subsumption",
+        "actor.kotlin.wiring,   petri.wiring",
         "actor.time,            ''",
         "actor.internal.loop,   actor.time",
         "actor.promise,         actor.internal.loop",

@@ -80,6 +80,9 @@ class BuildAgreementTest {
             stress/build.gradle.kts | io.troupe.actor.laws.LawsMain         | the main that counts the laws runs them
             build.gradle.kts        | providers.gradleProperty("jdk")       | JavaExec tasks run on the requested JDK
             docs/examples/consumer/build.gradle.kts | providers.gradleProperty("jdk") | as above
+            docs/examples/consumer-kotlin/build.gradle.kts | providers.gradleProperty("jdk") | as above
+            docs/examples/consumer-kotlin/pom.xml | <kotlin.compiler.daemon>false</kotlin.compiler.daemon> | \
+            no process outlives the build
             build.gradle.kts        | tasks.withType<JavaExec>().configureEach { javaLauncher.convention(launcher) } | \
             as above
             build.gradle.kts        | archivesName.set("troupe-${project.name}") | Gradle would use the folder

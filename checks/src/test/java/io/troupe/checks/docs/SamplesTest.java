@@ -33,6 +33,7 @@ class SamplesTest {
                 "docs/guide/08-bus-and-broker.md",
                 "docs/guide/09-components.md",
                 "docs/guide/13-over-hosts.md",
+                "docs/guide/14-kotlin.md",
                 "actor-core/README.md",
                 "actor-service/README.md",
                 "actor-nats/README.md",

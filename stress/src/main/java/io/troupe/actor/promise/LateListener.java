@@ -83,6 +83,11 @@ public class LateListener {
         }
 
         @Override
+        public boolean isEnding() {
+            return false;
+        }
+
+        @Override
         public void enqueue(Node node) {
             if (isCurrent()) {
                 ring.add(node);

@@ -1,0 +1,31 @@
+package io.troupe.actor.kotlin.guide
+
+import io.troupe.actor.ActorSpace
+import io.troupe.actor.SpaceSettings
+import io.troupe.actor.kotlin.connect
+import io.troupe.actor.kotlin.publish
+import io.troupe.broker.ActorServices
+import io.troupe.broker.Broker
+import io.troupe.broker.BrokerObserver
+import io.troupe.broker.BrokerSettings
+import io.troupe.broker.Need
+import kotlinx.coroutines.runBlocking
+import org.assertj.core.api.Assertions.assertThat
+import org.junit.jupiter.api.Test
+
+/** The sample of the guide's section on services answers. */
+class GuideServicesTest {
+    @Test
+    fun greeter_isAServiceAtABroker() {
+        ActorSpace.create(SpaceSettings.named("ship")).use { space ->
+            val broker = Broker.open(space, BrokerSettings.DEFAULT)
+            val services = ActorServices(broker, "ship", space, BrokerObserver.logging())
+            services.publish<Greeter>(space, "greeter") { PoliteGreeter() }
+            val greeter = services.connect<Greeter>(Need.ofService("guest", "greeter")).actor()
+            greeter.remember("Ada")
+            val answer = runBlocking { greeter.greet("Ada") }
+            broker.shutDown()
+            assertThat(answer).isEqualTo("Hello again, Ada")
+        }
+    }
+}

@@ -1,0 +1,79 @@
+package io.troupe.actor.kotlin.wiring
+
+import io.troupe.petri.wiring.Protocol
+import io.troupe.petri.wiring.Protocol.does
+import io.troupe.petri.wiring.Protocol.provides
+import io.troupe.petri.wiring.Protocol.requests
+import io.troupe.petri.wiring.Protocol.stops
+import io.troupe.petri.wiring.Wiring
+import io.troupe.petri.wiring.WiringCheck
+import io.troupe.petri.wiring.WiringResult.Deadlock
+import io.troupe.petri.wiring.WiringResult.Proved
+import org.assertj.core.api.Assertions.assertThat
+import org.assertj.core.api.Assertions.assertThatThrownBy
+import org.junit.jupiter.api.Test
+
+/** Wirings as Kotlin writes them: the same nets as those of the builders. */
+class WiringsTest {
+    @Test
+    fun wiring_canDeadlock_asThatOfTheGuide() {
+        val pictures = wiring("pictures") {
+            component("camera") {
+                state("idle") {
+                    does("take a picture", then = "holding")
+                    provides("pause", then = "paused")
+                }
+                state("holding") { requests("store.keep", then = "idle") }
+                state("paused") { does("wake up", then = "idle") }
+            }
+            component("store") {
+                state("open") { provides("keep", then = "checking") }
+                state("checking") {
+                    does("find room", then = "open")
+                    does("find none", then = "full")
+                }
+                state("full") { requests("camera.pause", then = "open") }
+            }
+        }
+        val result = WiringCheck.check(pictures)
+        assertThat(result).isInstanceOf(Deadlock::class.java)
+        assertThat(result.toString()).contains("camera waits for store.keep; store waits for camera.pause")
+    }
+
+    @Test
+    fun wiring_hasTheNetOfTheBuilders() {
+        val client = protocol("client") {
+            state("idle") { does("look", then = "informed") }
+            state("informed") {
+                requests("planner.plan", then = "idle")
+                stops()
+            }
+        }
+        val two = wiring("two clients") {
+            components("client", 2, client)
+            component("planner") { state("ready") { provides("plan", then = "ready") } }
+        }
+        val built = Wiring.of("two clients")
+            .components(
+                "client",
+                2,
+                Protocol.of("client")
+                    .`in`("idle", does("look").then("informed"))
+                    .`in`("informed", requests("planner.plan").then("idle"), stops())
+                    .build(),
+            )
+            .component(Protocol.of("planner").`in`("ready", provides("plan").then("ready")).build())
+            .build()
+        assertThat(two.net().toString()).isEqualTo(built.net().toString())
+        assertThat(two.net()).usingRecursiveComparison().isEqualTo(built.net())
+        assertThat(WiringCheck.check(two)).isInstanceOf(Proved::class.java)
+    }
+
+    @Test
+    fun badWiring_isRefusedWithTheMessageOfTheBuilder() {
+        assertThatThrownBy { protocol("idler") { state("idle") { } } }
+            .hasMessageContaining("nothing leads out of state idle; expected a step or a stop")
+        assertThatThrownBy { wiring("none") { component("a") { state("x") { requests("b.c", then = "x") } } } }
+            .hasMessageContaining("there is no component b")
+    }
+}
