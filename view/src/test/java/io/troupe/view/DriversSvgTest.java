@@ -61,6 +61,9 @@ class DriversSvgTest {
         failover();
         assertThat(new DriverFault(5_000_000, "a", "killed").gaps(result()))
                 .containsExactly(new Gap(0, 7_200_000, "c"));
+        assertThat(new DriverFault(6_500_000, "a", "killed").gaps(result()))
+                .as("noticed in the same tick")
+                .containsExactly(new Gap(0, 7_200_000, "c"));
         assertThat(new DriverFault(5_000_000, "c", "killed").gaps(result())).isEmpty();
         assertThat(new DriverFault(8_000_000, "c", "killed").gaps(result()))
                 .containsExactly(new Gap(0, 10_000_000, null));
