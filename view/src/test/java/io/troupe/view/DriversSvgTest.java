@@ -70,6 +70,15 @@ class DriversSvgTest {
     }
 
     @Test
+    void sample_drawsWhoDroveWhen() throws IOException {
+        failover();
+        var result = result();
+        var fault = new DriverFault(30_000_000, "host-a", "killed");
+        Files.writeString(folder.resolve("drivers.svg"), Pictures.drivers(result, fault));
+        assertThat(Files.readString(folder.resolve("drivers.svg"))).contains("host-a was killed");
+    }
+
+    @Test
     void drawing_hasTheNodesAndServicesOfEachRobot_andTheGapWithItsLength() throws IOException {
         failover();
         RunResult result = result();
