@@ -14,8 +14,8 @@ import org.jspecify.annotations.Nullable;
  * <p>The age of a frame is how much longer it took than the fastest frame of its node. If the first frames of a node
  * were all held up, by a cut or because this process did not run, the first one would look fast. So the first frame
  * whose age matters is held, with all that follow it, until a request to its node has been answered: the reply was sent
- * after the request, so it is no older than the two took together. That also shows when the node was opened, and so
- * whether values that it published before are missing here.
+ * after the request, so it is no older than the two took together. That also shows when the node was opened and when
+ * its series began, and so whether values that it published before are missing here.
  *
  * <p><b>Threads.</b> Any thread. <b>Order.</b> Held frames are handled in their order, before later ones.
  */
@@ -89,16 +89,17 @@ final class FirstContacts {
     private boolean needsAge(Frames.Frame frame) {
         return switch (frame.body()) {
             case Frames.Body.Published(var publication, long series) ->
-                bus.dropsOldValues(publication.topic()) || isLateFirst(frame, publication, series);
-            case Frames.Body.Mark(var publication, long series) -> isLateFirst(frame, publication, series);
+                bus.dropsOldValues(publication.topic()) || isLateFirst(frame, publication, series - 1);
+            case Frames.Body.Mark(var publication, long series, var begunMicros) ->
+                isLateFirst(frame, publication, series);
             case Frames.Body.Requested(var request, var kind, long limitMicros) -> limitMicros != 0;
             default -> false;
         };
     }
 
-    /** Values before it may have been lost: it depends on when the publisher's node was opened. */
-    private boolean isLateFirst(Frames.Frame frame, Purpose.Publication publication, long series) {
-        return series > 1 && publishers.isFirst(frame.header(), publication.topic());
+    /** Values before it may have been lost: it depends on when the publisher began, by this node's clock. */
+    private boolean isLateFirst(Frames.Frame frame, Purpose.Publication publication, long before) {
+        return before > 0 && publishers.isFirst(frame.header(), publication.topic());
     }
 
     private void ask(Contact contact) {

@@ -9,6 +9,7 @@ import io.troupe.bus.internal.CborWriter;
 import io.troupe.bus.internal.RecordCodec;
 import io.troupe.bus.internal.UnreadableException;
 import java.lang.reflect.Type;
+import java.util.OptionalLong;
 import java.util.function.Function;
 
 /**
@@ -55,11 +56,17 @@ final class Frames {
         return complete(out, message.payload());
     }
 
-    /** Reports how many values a port has published on a topic, so that a loss of the last ones is noticed. */
-    byte[] mark(Address from, String topic, long series) {
-        var out = begin(MARK, from, 0, 2);
+    /**
+     * Reports how many values a port has published on a topic, so that a loss of the last ones is noticed, and of the
+     * first ones.
+     *
+     * @param begunNanos when the first one was published
+     */
+    byte[] mark(Address from, String topic, long series, long begunNanos) {
+        var out = begin(MARK, from, 0, 3);
         out.writeText(topic);
         out.writeLong(series);
+        out.writeLong(micros(begunNanos));
         return out.toBytes();
     }
 
@@ -120,8 +127,12 @@ final class Frames {
         out.writeText(from.name());
         out.writeLong(incarnation);
         out.writeLong(number);
-        out.writeLong(Math.max(0, clock.nanos() - originNanos) / 1_000);
+        out.writeLong(micros(clock.nanos()));
         return out;
+    }
+
+    private long micros(long nanos) {
+        return Math.max(0, nanos - originNanos) / 1_000;
     }
 
     private byte[] complete(CborWriter out, Record payload) {
@@ -164,8 +175,12 @@ final class Frames {
             }
         }
 
-        /** Comes without a payload. */
-        record Mark(Purpose.Publication purpose, long series) implements Body {
+        /**
+         * Comes without a payload.
+         *
+         * @param begunMicros when the first value was sent, on the clock of the sender's node; empty from small nodes
+         */
+        record Mark(Purpose.Publication purpose, long series, OptionalLong begunMicros) implements Body {
             @Override
             public Kind kind() {
                 return Kind.DATA;
@@ -211,16 +226,20 @@ final class Frames {
         try {
             var from = new Address(in.readText(), in.readText());
             var header = new Header(from, readNumber(in), readNumber(in), readNumber(in));
-            return new Frame(header, readBody(kind, header, node, in), in);
+            return new Frame(header, readBody(kind, header, node, elements - COMMON_FIELDS, in), in);
         } catch (IllegalArgumentException noAddress) {
             throw new UnreadableException(String.valueOf(noAddress.getMessage())).in("frame");
         }
     }
 
-    private static Body readBody(int kind, Header header, String node, CborReader in) {
+    private static Body readBody(int kind, Header header, String node, int fields, CborReader in) {
         return switch (kind) {
             case PUBLICATION -> new Body.Published(new Purpose.Publication(in.readText()), readNumber(in));
-            case MARK -> new Body.Mark(new Purpose.Publication(in.readText()), readNumber(in));
+            case MARK ->
+                new Body.Mark(
+                        new Purpose.Publication(in.readText()),
+                        readNumber(in),
+                        fields > 2 ? OptionalLong.of(readNumber(in)) : OptionalLong.empty());
             case REQUEST -> new Body.Requested(readRequest(node, in), readKind(in), readNumber(in));
             case NOTICE ->
                 new Body.Noticed(new Purpose.Notice(new Address(node, in.readText()), in.readText()), readKind(in));

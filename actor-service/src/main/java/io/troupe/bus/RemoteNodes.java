@@ -51,16 +51,35 @@ final class RemoteNodes implements BusEngine.Listener {
     /** Numbers the values of one port on one topic, so that other nodes notice a gap. Guarded by itself. */
     private static final class Series {
         long last;
-        int marks; // sent since the last value
+        long begunNanos;
         long publishedAtNanos;
+        int youngMarks; // sent since the first value
+        int quietMarks; // sent since the last value
 
-        synchronized boolean isUnmarked() {
-            return last > 0 && marks < MOST_MARKS;
+        void published(long beforeNanos, long nowNanos) {
+            if (last++ == 0) {
+                begunNanos = beforeNanos;
+            }
+            publishedAtNanos = nowNanos;
+            quietMarks = 0;
         }
 
-        /** 1, 3, 7, 15 and 31 seconds after the last value: a subscriber may be frozen or cut off for a while. */
-        boolean isDue(long nowNanos) {
-            return nowNanos - publishedAtNanos >= QUIET.toNanos() * ((2L << marks) - 1);
+        synchronized boolean isUnmarked() {
+            return last > 0 && (youngMarks < MOST_MARKS || quietMarks < MOST_MARKS);
+        }
+
+        /** Its first values may be lost: a subscriber learns from a mark when they were published. */
+        boolean isYoung(long nowNanos) {
+            return isDue(youngMarks, begunNanos, nowNanos);
+        }
+
+        boolean isQuiet(long nowNanos) {
+            return isDue(quietMarks, publishedAtNanos, nowNanos);
+        }
+
+        /** 1, 3, 7, 15 and 31 seconds after it: a subscriber may be frozen or cut off for a while. */
+        private static boolean isDue(int marks, long sinceNanos, long nowNanos) {
+            return marks < MOST_MARKS && nowNanos - sinceNanos >= QUIET.toNanos() * ((2L << marks) - 1);
         }
     }
 
@@ -96,10 +115,9 @@ final class RemoteNodes implements BusEngine.Listener {
     void publish(BusMessage message, String topic) {
         Series series = published.computeIfAbsent(new SeriesKey(message.from(), topic), key -> new Series());
         synchronized (series) { // frames leave in the order of their numbers
+            long beforeNanos = bus.nanos();
             checked(frames.publication(message, topic, series.last + 1), frame -> engine.publish(topic, frame));
-            series.last++;
-            series.marks = 0;
-            series.publishedAtNanos = bus.nanos();
+            series.published(beforeNanos, bus.nanos());
         }
         if (marking.compareAndSet(false, true)) {
             markLater();
@@ -116,8 +134,8 @@ final class RemoteNodes implements BusEngine.Listener {
     }
 
     /**
-     * Reports on each topic that has been quiet for a second how many values were published, so that the loss of the
-     * last ones is noticed as well.
+     * Reports on each topic that is new, or has been quiet for a second, since when and how many values were published,
+     * so that the loss of the first and of the last ones is noticed as well.
      */
     private void markLater() {
         bus.settings.space().delay(QUIET).then((nothing, closed) -> {
@@ -134,13 +152,17 @@ final class RemoteNodes implements BusEngine.Listener {
 
     private void mark(SeriesKey key, Series series, boolean atEnd) {
         synchronized (series) {
-            if (!series.isUnmarked() || (atEnd ? series.marks > 0 : !series.isDue(bus.nanos()))) {
+            long nowNanos = bus.nanos();
+            boolean isQuiet = atEnd ? series.quietMarks == 0 : series.isQuiet(nowNanos);
+            boolean isYoung = series.isYoung(nowNanos);
+            if (series.last == 0 || !isQuiet && !isYoung) {
                 return;
             }
             try {
-                byte[] frame = frames.mark(key.port, key.topic, series.last);
+                byte[] frame = frames.mark(key.port, key.topic, series.last, series.begunNanos);
                 checked(frame, bytes -> engine.publish(key.topic, bytes));
-                series.marks++;
+                series.quietMarks += isQuiet ? 1 : 0;
+                series.youngMarks += isYoung ? 1 : 0;
             } catch (RuntimeException disconnected) {
                 return; // the next round tries again
             }
@@ -256,11 +278,18 @@ final class RemoteNodes implements BusEngine.Listener {
         long ageNanos = publishers.ageNanos(header, nowNanos);
         switch (frame.body()) {
             case Frames.Body.Published(var publication, long series) -> {
-                noteMissing(header, publication.topic(), series, false);
+                noteMissing(
+                        header,
+                        publication.topic(),
+                        publishers.missing(header, publication.topic(), series, subscribedNanos(publication)));
                 receivePublication(frame, publication, new Arrival(header.incarnation(), nowNanos, ageNanos));
             }
-            case Frames.Body.Mark(var publication, long series) ->
-                noteMissing(header, publication.topic(), series, true);
+            case Frames.Body.Mark(var publication, long series, var begunMicros) ->
+                noteMissing(
+                        header,
+                        publication.topic(),
+                        publishers.missingAtMark(
+                                header, publication.topic(), series, begunMicros, subscribedNanos(publication)));
             case Frames.Body.Requested(var request, var kind, long limitMicros) ->
                 receiveRequest(frame, request, limitMicros, new Arrival(header.incarnation(), nowNanos, ageNanos));
             case Frames.Body.Noticed(var notice, var kind) ->
@@ -282,9 +311,11 @@ final class RemoteNodes implements BusEngine.Listener {
         }
     }
 
-    private void noteMissing(Frames.Header header, String topic, long number, boolean isMark) {
-        long missing =
-                publishers.missing(header, topic, number, isMark, subscribedNanos.getOrDefault(topic, Long.MAX_VALUE));
+    private long subscribedNanos(Purpose.Publication publication) {
+        return subscribedNanos.getOrDefault(publication.topic(), Long.MAX_VALUE);
+    }
+
+    private void noteMissing(Frames.Header header, String topic, long missing) {
         if (missing > 0) {
             bus.counters.missed.add(missing);
             bus.notifier.lost(new Loss.Missed(header.from(), topic, missing));

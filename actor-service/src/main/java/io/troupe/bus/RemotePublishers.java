@@ -2,6 +2,7 @@ package io.troupe.bus;
 
 import java.util.LinkedHashMap;
 import java.util.Map;
+import java.util.OptionalLong;
 import java.util.concurrent.ConcurrentHashMap;
 
 /**
@@ -25,21 +26,51 @@ final class RemotePublishers {
     /** A publisher's values on one topic. */
     private record Series(String port, String topic) {}
 
+    /** What has arrived of a series. */
+    private static final class Arrivals {
+        final long firstSentMicros;
+        long last;
+        long undecided; // values before the first one, until it is known whether they followed the subscription
+
+        Arrivals(long firstSentMicros) {
+            this.firstSentMicros = firstSentMicros;
+        }
+    }
+
     /** Returns the age of a frame in nanoseconds. */
     long ageNanos(Frames.Header header, long nowNanos) {
         return peer(header).ageNanos(header.sentMicros() * 1_000, nowNanos);
     }
 
     /**
-     * Records a value of a publisher, or a mark.
+     * Records a value of a publisher.
      *
-     * @param number the number of the value, counted from 1; of a mark, that of the last value
+     * @param number the number of the value, counted from 1
      * @param subscribedNanos since when this node subscribes to the topic
      * @return how many values before it are missing; for the first one of a publisher, 0 if its node was opened before
-     *     the subscription
+     *     the subscription: then a mark shows later whether they concern this node
      */
-    long missing(Frames.Header header, String topic, long number, boolean isMark, long subscribedNanos) {
-        return peer(header).missing(new Series(header.from().name(), topic), number, isMark, subscribedNanos);
+    long missing(Frames.Header header, String topic, long number, long subscribedNanos) {
+        return peer(header)
+                .missing(new Series(header.from().name(), topic), number - 1, number, header, subscribedNanos);
+    }
+
+    /**
+     * Records a mark of a publisher.
+     *
+     * @param last the number of its last value
+     * @param begunMicros when it published its first one, on its node's clock; if that is known, it decides whether the
+     *     values before the first one that has arrived here are missing
+     * @param subscribedNanos as above
+     * @return how many values are missing that were not reported before
+     */
+    long missingAtMark(Frames.Header header, String topic, long last, OptionalLong begunMicros, long subscribedNanos) {
+        var series = new Series(header.from().name(), topic);
+        Peer peer = peer(header);
+        synchronized (peer) {
+            return peer.missing(series, last, last, header, subscribedNanos)
+                    + (begunMicros.isEmpty() ? 0 : peer.decided(series, begunMicros.getAsLong(), subscribedNanos));
+        }
     }
 
     /** Returns whether nothing has arrived yet from a publisher on a topic. */
@@ -68,8 +99,8 @@ final class RemotePublishers {
     /** One life of another node. */
     private static final class Peer {
         final long incarnation;
-        private final Map<Series, Long> last = new LinkedHashMap<>(); // guarded by this, as all fields below
-        private boolean known;
+        private final Map<Series, Arrivals> arrivals = new LinkedHashMap<>(); // guarded by this, as all fields below
+        private boolean knownClock;
         private long leastNanos; // also the time here when the node was opened there
         private long leastOfWindowNanos;
         private long windowEndNanos;
@@ -80,8 +111,8 @@ final class RemotePublishers {
 
         synchronized long ageNanos(long sentNanos, long nowNanos) {
             long difference = nowNanos - sentNanos;
-            if (!known) {
-                known = true;
+            if (!knownClock) {
+                knownClock = true;
                 leastNanos = difference;
                 leastOfWindowNanos = difference;
                 windowEndNanos = nowNanos + WINDOW_NANOS;
@@ -96,22 +127,51 @@ final class RemotePublishers {
         }
 
         synchronized boolean isFirst(Series series) {
-            return !last.containsKey(series);
+            return !arrivals.containsKey(series);
         }
 
-        synchronized long missing(Series series, long number, boolean isMark, long subscribedNanos) {
-            if (last.size() >= MOST_SERIES) {
-                last.remove(last.keySet().iterator().next());
+        /** @param before the number of values that should have arrived before this frame */
+        synchronized long missing(Series series, long before, long number, Frames.Header header, long subscribedNanos) {
+            if (arrivals.size() >= MOST_SERIES) {
+                arrivals.remove(arrivals.keySet().iterator().next());
             }
-            Long before = last.put(series, number);
-            if (before == null && known && leastNanos - subscribedNanos <= 0) {
-                return 0; // what it published before is of no concern here
+            Arrivals known = arrivals.get(series);
+            if (known != null) {
+                long missing = Math.max(0, before - known.last);
+                known.last = number;
+                return missing;
             }
-            return Math.max(0, number - (before == null ? 0 : before) - (isMark ? 0 : 1));
+            var first = new Arrivals(header.sentMicros());
+            first.last = number;
+            arrivals.put(series, first);
+            if (isAfter(0, subscribedNanos)) {
+                return before;
+            }
+            first.undecided = before;
+            return 0;
+        }
+
+        /**
+         * Returns how many values before the first one that has arrived are missing, by the beginning of the series.
+         */
+        synchronized long decided(Series series, long begunMicros, long subscribedNanos) {
+            Arrivals known = arrivals.get(series);
+            if (known == null || known.undecided == 0) {
+                return 0;
+            }
+            long missing = known.undecided;
+            known.undecided = 0;
+            boolean isLaterSeries = begunMicros > known.firstSentMicros; // its port was closed and attached again
+            return !isLaterSeries && isAfter(begunMicros, subscribedNanos) ? missing : 0;
+        }
+
+        /** Whether that time there, as a frame without delay would have brought it here, is after the subscription. */
+        private boolean isAfter(long micros, long subscribedNanos) {
+            return !knownClock || leastNanos + micros * 1_000 - subscribedNanos > 0;
         }
 
         synchronized void forget(String topic) {
-            last.keySet().removeIf(series -> series.topic.equals(topic));
+            arrivals.keySet().removeIf(series -> series.topic.equals(topic));
         }
     }
 }

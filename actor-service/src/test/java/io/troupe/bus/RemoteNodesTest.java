@@ -12,6 +12,7 @@ import io.troupe.bus.Operation.Kind;
 import io.troupe.bus.internal.RecordCodec;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -152,9 +153,9 @@ class RemoteNodesTest {
         test.advance(SECOND.plusMillis(1));
         assertThat(engine.takeSent("far"))
                 .containsExactlyInAnyOrder(
-                        "publish counts: Mark[purpose=publication on counts, series=1]",
-                        "publish counts: Mark[purpose=publication on counts, series=2]",
-                        "publish others: Mark[purpose=publication on others, series=1]");
+                        "publish counts: Mark[purpose=publication on counts, series=1, begunMicros=OptionalLong[0]]",
+                        "publish counts: Mark[purpose=publication on counts, series=2, begunMicros=OptionalLong[0]]",
+                        "publish others: Mark[purpose=publication on others, series=1, begunMicros=OptionalLong[0]]");
         test.advance(SECOND);
         assertThat(engine.sent).isEmpty();
         for (int seconds : new int[] {2, 4, 8, 16}) { // again: a subscriber may have been cut off
@@ -168,8 +169,21 @@ class RemoteNodesTest {
         assertThat(engine.takeSent("far"))
                 .containsExactly(
                         "publish counts: Published[purpose=publication on counts, series=3]",
-                        "publish counts: Mark[purpose=publication on counts, series=3]");
+                        "publish counts: Mark[purpose=publication on counts, series=3, begunMicros=OptionalLong[0]]");
         test.advance(SECOND.multipliedBy(2));
+    }
+
+    @Test
+    void newSeries_isMarkedWhileItIsNotQuiet_andAgainAfterAWhile() {
+        List<Integer> markedAfterTenths = new ArrayList<>();
+        for (int tenths = 0; tenths <= 600; tenths++) {
+            port.publish(COUNTS, new Count(tenths));
+            if (engine.takeSent("far").stream().anyMatch(each -> each.contains(": Mark["))) {
+                markedAfterTenths.add(tenths);
+            }
+            test.advance(Duration.ofMillis(100));
+        }
+        assertThat(markedAfterTenths).containsExactly(10, 30, 70, 150, 310);
     }
 
     @Test
@@ -180,15 +194,18 @@ class RemoteNodesTest {
         engine.sent.clear();
         test.advance(Duration.ofMillis(501));
         assertThat(engine.takeSent("far"))
-                .containsExactly("publish counts: Mark[purpose=publication on counts, series=1]");
+                .containsExactly(
+                        "publish counts: Mark[purpose=publication on counts, series=1, begunMicros=OptionalLong[0]]");
         test.advance(SECOND);
         assertThat(engine.takeSent("far"))
-                .containsExactly("publish others: Mark[purpose=publication on others, series=1]");
+                .containsExactly(
+                        "publish others: Mark[purpose=publication on others, series=1, begunMicros=OptionalLong[500000]]");
         port.publish(COUNTS, new Count(2));
         engine.sent.clear();
         bus.close();
         assertThat(engine.takeSent("far"))
-                .containsExactly("publish counts: Mark[purpose=publication on counts, series=2]");
+                .containsExactly(
+                        "publish counts: Mark[purpose=publication on counts, series=2, begunMicros=OptionalLong[0]]");
         test.advance(SECOND.multipliedBy(2));
     }
 
@@ -230,9 +247,9 @@ class RemoteNodesTest {
         assertThat(losses).isEmpty();
         arrives(publication(9, 9));
         assertThat(take(losses)).containsExactly("2 values of counts from far/b have not arrived");
-        arrives(farFrames.mark(FAR, "counts", 9));
+        arrives(farFrames.mark(FAR, "counts", 9, 0));
         assertThat(losses).isEmpty();
-        arrives(farFrames.mark(FAR, "counts", 13));
+        arrives(farFrames.mark(FAR, "counts", 13, 0));
         assertThat(take(losses)).containsExactly("4 values of counts from far/b have not arrived");
         var message = new BusMessage.Data(FAR, new Purpose.Publication("counts"), 1, new Count(20));
         var newLife = new Frames(codec, test.clock(), FAR_LIFE + 1);
@@ -256,6 +273,71 @@ class RemoteNodesTest {
         test.crank();
         assertThat(received).containsExactly(4);
         assertThat(take(losses)).containsExactly("3 values of counts from far/b have not arrived");
+    }
+
+    @Test
+    void firstValuesOfASeriesThatBeganAfterTheSubscription_areMissed_onceAMarkArrives() {
+        var received = subscribe(COUNTS); // the other node is open already
+        test.advance(SECOND);
+        long begunNanos = test.clock().nanos();
+        test.advance(SECOND);
+        arrives(publication(4, 4));
+        farAnswersItsTime();
+        arrives(publication(5, 5));
+        assertThat(losses).as("when values 1 to 3 were published is not known").isEmpty();
+        arrives(markWithoutBegin(5));
+        assertThat(losses).as("of a small node").isEmpty();
+        arrives(farFrames.mark(FAR, "counts", 6, begunNanos)); // earlier ones may have been lost
+        assertThat(take(losses)).containsExactly("4 values of counts from far/b have not arrived");
+        arrives(farFrames.mark(FAR, "counts", 6, begunNanos));
+        arrives(publication(7, 7));
+        test.crank();
+        assertThat(losses).as("each is reported once").isEmpty();
+        assertThat(received).containsExactly(4, 5, 7);
+        assertThat(bus.metrics().missed()).isEqualTo(4);
+    }
+
+    @Test
+    void firstValuesOfASeriesThatBeganBeforeTheSubscription_areNotMissed() {
+        long begunNanos = test.clock().nanos();
+        test.advance(SECOND);
+        subscribe(COUNTS);
+        arrives(publication(4, 4));
+        farAnswersItsTime();
+        arrives(farFrames.mark(FAR, "counts", 4, begunNanos));
+        test.crank();
+        assertThat(losses).isEmpty();
+    }
+
+    @Test
+    void onlyValueOfASeries_isMissed_alsoIfItsMarkIsTheFirstFrameOfItsNode_andWasHeldUp() {
+        subscribe(COUNTS);
+        test.advance(SECOND);
+        byte[] heldUp = farFrames.mark(FAR, "counts", 1, test.clock().nanos());
+        test.advance(SECOND);
+        arrives(heldUp);
+        assertThat(losses).isEmpty();
+        farAnswersItsTime();
+        assertThat(take(losses)).containsExactly("1 values of counts from far/b have not arrived");
+    }
+
+    @Test
+    void onlyValueOfASeriesBeforeTheSubscription_isNotMissed_whenItsMarkWasHeldUp() {
+        byte[] heldUp = farFrames.mark(FAR, "counts", 1, test.clock().nanos());
+        test.advance(SECOND);
+        subscribe(COUNTS);
+        test.advance(SECOND);
+        arrives(heldUp);
+        farAnswersItsTime();
+        assertThat(losses).isEmpty();
+    }
+
+    /** As nodes in other languages may send it. */
+    private byte[] markWithoutBegin(long last) {
+        byte[] mark = farFrames.mark(FAR, "counts", last, 0);
+        byte[] shorter = Arrays.copyOf(mark, mark.length - 1); // the number 0 is one byte
+        shorter[0]--; // an array with one element fewer
+        return shorter;
     }
 
     @Test

@@ -3,12 +3,14 @@ package io.troupe.bus;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
+import java.util.OptionalLong;
 import org.junit.jupiter.api.Test;
 
 /** How old frames are, and how many values are missing, by what a node knows of others. */
 class RemotePublishersTest {
     private static final Duration MINUTE = Duration.ofMinutes(1);
 
+    private static final long SECOND_NANOS = 1_000_000_000;
     private static final long AFTER_THE_OPENING = 1; // nanoseconds on the subscriber's clock
 
     private final RemotePublishers publishers = new RemotePublishers();
@@ -49,21 +51,69 @@ class RemotePublishersTest {
     void gap_isCountedOnce_andALateValueIsNone() {
         var far = header("far", Duration.ZERO);
         publishers.ageNanos(far, 0); // "far" was opened at 0
-        assertThat(publishers.missing(far, "t", 5, false, AFTER_THE_OPENING)).isZero();
-        assertThat(publishers.missing(far, "t", 8, false, AFTER_THE_OPENING)).isEqualTo(2);
-        assertThat(publishers.missing(far, "t", 7, false, AFTER_THE_OPENING)).isZero();
-        publishers.missing(far, "u", 1, false, AFTER_THE_OPENING);
+        assertThat(publishers.missing(far, "t", 5, AFTER_THE_OPENING)).isZero();
+        assertThat(publishers.missing(far, "t", 8, AFTER_THE_OPENING)).isEqualTo(2);
+        assertThat(publishers.missing(far, "t", 7, AFTER_THE_OPENING)).isZero();
+        publishers.missing(far, "u", 1, AFTER_THE_OPENING);
         publishers.forget("t");
-        assertThat(publishers.missing(far, "t", 20, false, AFTER_THE_OPENING)).isZero();
-        assertThat(publishers.missing(far, "u", 3, false, AFTER_THE_OPENING)).isEqualTo(1);
+        assertThat(publishers.missing(far, "t", 20, AFTER_THE_OPENING)).isZero();
+        assertThat(publishers.missing(far, "u", 3, AFTER_THE_OPENING)).isEqualTo(1);
     }
 
     @Test
     void firstValue_isMissing_onlyIfItsNodeWasOpenedAfterTheSubscription() {
         var far = header("far", Duration.ZERO);
         publishers.ageNanos(far, 0);
-        assertThat(publishers.missing(far, "t", 5, false, -1)).isEqualTo(4);
-        assertThat(publishers.missing(far, "u", 5, false, 0)).isZero();
+        assertThat(publishers.missing(far, "t", 5, -1)).isEqualTo(4);
+        assertThat(publishers.missing(far, "u", 5, 0)).isZero();
+    }
+
+    private long missingAtMark(String topic, long last, long begunNanos, long subscribedNanos) {
+        var far = header("far", MINUTE);
+        return publishers.missingAtMark(far, topic, last, OptionalLong.of(begunNanos / 1_000), subscribedNanos);
+    }
+
+    @Test
+    void valuesBeforeTheFirst_areMissing_onceAMarkShowsThatTheyFollowedTheSubscription() {
+        var far = header("far", MINUTE);
+        long subscribedNanos = SECOND_NANOS;
+        publishers.ageNanos(far, MINUTE.toNanos()); // "far" was opened at 0
+        assertThat(publishers.missing(far, "t", 5, subscribedNanos)).isZero();
+        assertThat(publishers.missingAtMark(far, "t", 6, OptionalLong.empty(), subscribedNanos))
+                .as("a mark of a small node shows only the last value")
+                .isEqualTo(1);
+        assertThat(missingAtMark("t", 8, 2 * SECOND_NANOS, subscribedNanos))
+                .as("4 before the first, and 2 after the last")
+                .isEqualTo(6);
+        assertThat(missingAtMark("t", 8, 2 * SECOND_NANOS, subscribedNanos)).isZero();
+        assertThat(publishers.missing(far, "t", 9, subscribedNanos)).isZero();
+    }
+
+    @Test
+    void valuesOfASeriesThatBeganBeforeTheSubscription_areNotMissing() {
+        var far = header("far", MINUTE);
+        publishers.ageNanos(far, MINUTE.toNanos());
+        assertThat(publishers.missing(far, "t", 5, SECOND_NANOS)).isZero();
+        assertThat(missingAtMark("t", 5, SECOND_NANOS, SECOND_NANOS)).isZero();
+        assertThat(missingAtMark("t", 5, 2 * SECOND_NANOS, SECOND_NANOS))
+                .as("decided by the first mark")
+                .isZero();
+    }
+
+    @Test
+    void seriesOfWhichOnlyAMarkArrives_isMissingAsAWhole_ifItBeganAfterTheSubscription() {
+        publishers.ageNanos(header("far", MINUTE), MINUTE.toNanos());
+        assertThat(missingAtMark("t", 1, 2 * SECOND_NANOS, SECOND_NANOS)).isEqualTo(1);
+        assertThat(missingAtMark("u", 3, 0, SECOND_NANOS)).isZero();
+    }
+
+    @Test
+    void markOfALaterSeriesOfThePort_saysNothingOfTheFirstValuesOfTheEarlierOne() {
+        var far = header("far", MINUTE);
+        publishers.ageNanos(far, MINUTE.toNanos());
+        assertThat(publishers.missing(far, "t", 5, SECOND_NANOS)).isZero();
+        assertThat(missingAtMark("t", 1, MINUTE.toNanos() + SECOND_NANOS, SECOND_NANOS))
+                .isZero();
     }
 
     @Test
@@ -71,13 +121,12 @@ class RemotePublishersTest {
         var far = header("far", Duration.ZERO);
         publishers.ageNanos(far, 0); // "far" was opened at 0
         for (int i = 0; i <= 10_000; i++) {
-            publishers.missing(far, "topic" + i, 1, false, AFTER_THE_OPENING);
+            publishers.missing(far, "topic" + i, 1, AFTER_THE_OPENING);
         }
-        assertThat(publishers.missing(far, "topic0", 9, false, AFTER_THE_OPENING))
+        assertThat(publishers.missing(far, "topic0", 9, AFTER_THE_OPENING))
                 .as("forgotten")
                 .isZero();
-        assertThat(publishers.missing(far, "topic10000", 9, false, AFTER_THE_OPENING))
-                .isEqualTo(7);
+        assertThat(publishers.missing(far, "topic10000", 9, AFTER_THE_OPENING)).isEqualTo(7);
         for (int i = 0; i <= 10_000; i++) {
             ageMillis("node" + i, Duration.ZERO, Duration.ZERO);
         }

@@ -16,7 +16,6 @@ import io.troupe.faults.hosts.Hosts;
 import io.troupe.faults.node.NodeMain;
 import io.troupe.faults.node.WorldMain;
 import java.io.IOException;
-import java.net.ServerSocket;
 import java.net.Socket;
 import java.net.SocketException;
 import java.net.SocketTimeoutException;
@@ -37,24 +36,13 @@ import java.util.function.Consumer;
 
 /** One run: a server and three nodes are started, broken at random, repaired, and ended in good order. */
 final class FaultRun implements AutoCloseable {
-    private static final int PORT = 4222;
     private static final int READY_SECONDS = 60;
     private static final int MOST_BROKEN = 2; // hosts and servers that are broken at the same time
     private static final int FREEZE_MILLIS = 5_000;
     private static final int AFTER_QUIET_MILLIS = 3_000; // the marks of the topics are sent
     private static final long WELL_AFTER_NANOS = 5_000_000_000L;
-    /** What the shipped configuration sets, without users. */
-    private static final String SERVER_CONFIGURATION = """
-            host: "0.0.0.0"
-            port: %d
-            ping_interval: "1s"
-            ping_max: 2
-            write_deadline: "2s"
-            max_payload: 1048576
-            """;
-
     private final Hosts hosts;
-    private final int port;
+    private final BusServer server;
     private final Path folder;
     private final Random random;
     private final History.Writer history;
@@ -77,17 +65,11 @@ final class FaultRun implements AutoCloseable {
      */
     FaultRun(Hosts hosts, Path folder, long seed, Consumer<Progress> progress) throws IOException {
         this.hosts = hosts;
-        this.port = hosts.canCut() ? PORT : freePort();
         this.folder = Files.createDirectories(folder);
         this.random = new Random(seed);
         this.history = new History.Writer(folder, "suite");
         this.progress = progress;
-    }
-
-    private static int freePort() throws IOException {
-        try (var socket = new ServerSocket(0)) {
-            return socket.getLocalPort();
-        }
+        this.server = new BusServer(hosts, this.folder, this::surprise);
     }
 
     /** Breaks that many things, and repairs them. */
@@ -156,24 +138,14 @@ final class FaultRun implements AutoCloseable {
 
     // ---- processes
 
-    private String server() {
-        return "nats://" + hosts.address(Hosts.SERVER) + ":" + port;
-    }
-
     private void startServer() throws IOException, InterruptedException {
-        Path file = Files.writeString(folder.resolve("nats.conf"), SERVER_CONFIGURATION.formatted(port));
-        var command = hosts.on(Hosts.SERVER, List.of("nats-server", "-c", file.toString()));
-        var server = HostProcess.start("nats-server", command, this::surprise);
-        processes.put(Hosts.SERVER, server);
-        if (server.await("Server is ready", READY_SECONDS) == null) {
-            surprise("nats-server does not start: " + server.lastLines());
-        }
+        processes.put(Hosts.SERVER, server.start());
     }
 
     /** On the host of the last node, whose link is cut as well. */
     private void startWorld() throws IOException, InterruptedException {
         String host = Hosts.NODES.getLast();
-        List<String> arguments = List.of("world-1", folder.toString(), hosts.address(host));
+        List<String> arguments = List.of("world-1", folder.toString(), hosts.address(host), "bus");
         var started = HostProcess.start(
                 "world-1", hosts.on(host, HostProcess.java(WorldMain.class, arguments)), this::surprise);
         processes.put("world", started);
@@ -186,7 +158,7 @@ final class FaultRun implements AutoCloseable {
 
     private void startNode(String node) throws IOException {
         String process = node + "-" + lives.merge(node, 1, Integer::sum);
-        List<String> arguments = List.of(node, process, server(), folder.toString(), "" + random.nextLong(), world);
+        List<String> arguments = List.of(node, process, server.address(), folder.toString(), "" + random.nextLong(), world);
         var command = hosts.on(node, HostProcess.java(NodeMain.class, arguments));
         processes.put(node, HostProcess.start(process, command, this::surprise));
     }
@@ -320,7 +292,7 @@ final class FaultRun implements AutoCloseable {
         boolean mustBeRefused = isWellForLong(node) && isWellForLong(Hosts.SERVER);
         try (Bus twin = NatsBus.open(
                 node,
-                NatsSettings.at(server()),
+                NatsSettings.at(server.address()),
                 BusSettings.on(ActorSpace.global()).withObserver(loss -> {}))) {
             if (mustBeRefused && isWellForLong(node) && isWellForLong(Hosts.SERVER)) {
                 surprise("two processes have the name of " + twin.node());
@@ -337,7 +309,7 @@ final class FaultRun implements AutoCloseable {
 
     /** Writes bytes that are no frames, in the protocol of NATS. */
     private void sendUnreadable(String node, Random bytes) {
-        try (var socket = new Socket(hosts.address(Hosts.SERVER), port)) {
+        try (var socket = new Socket(hosts.address(Hosts.SERVER), server.port())) {
             var out = socket.getOutputStream();
             out.write("CONNECT {\"verbose\":false,\"pedantic\":false}\r\n".getBytes(StandardCharsets.US_ASCII));
             for (String subject : List.of("troupe.t.bursts", "troupe.t.fresh.latest", "troupe.n." + node)) {

@@ -32,8 +32,22 @@ import picocli.CommandLine.Spec;
 public final class FaultsMain implements Callable<Integer> {
     private static final int PRINTED_PER_RULE = 5;
 
+    /** What the hosts do while they are broken. */
+    private enum Work {
+        BUS,
+        DRIVERS,
+        BOTH
+    }
+
     @Spec
     private CommandSpec spec;
+
+    @Option(
+            names = "--work",
+            paramLabel = "WORK",
+            description = "${COMPLETION-CANDIDATES}: calls, topics and streams, or robot services; by default one run of"
+                    + " the first kind, then one of the second, and so on")
+    private Work work = Work.BOTH;
 
     @Option(names = "--faults", paramLabel = "N", description = "how many")
     private int faults = 20;
@@ -75,18 +89,24 @@ public final class FaultsMain implements Callable<Integer> {
         long first = seed == null ? System.nanoTime() % 1_000_000 : seed;
         Path folder = Files.createTempDirectory("troupe-faults-");
         var report = new Report();
+        var drivers = new DriverReportTable();
         try (Hosts hosts = Hosts.open(kind);
                 var line = ProgressLine.open()) {
             System.out.println("hosts: " + hosts);
             for (int done = 0; done < faults; done += faultsPerRun) {
-                run(hosts, folder, first + done / faultsPerRun, done, line, report);
+                int number = done / faultsPerRun;
+                if (work == Work.DRIVERS || work == Work.BOTH && number % 2 == 1) {
+                    runDrivers(hosts, folder, first + number, done, line, drivers);
+                } else {
+                    run(hosts, folder, first + number, done, line, report);
+                }
             }
         }
-        System.out.print(report);
+        System.out.print((report.isEmpty() ? "" : report.toString()) + (drivers.isEmpty() ? "" : drivers));
         if (json != null) {
-            Files.writeString(json, report.json());
+            Files.writeString(json, (report.isEmpty() ? "" : report.json()) + (drivers.isEmpty() ? "" : drivers.json()));
         }
-        return report.violations().isEmpty() ? 0 : 1;
+        return report.violations().isEmpty() && drivers.violations().isEmpty() ? 0 : 1;
     }
 
     /** One run, of which the histories are kept if they break a rule. */
@@ -100,6 +120,26 @@ public final class FaultsMain implements Callable<Integer> {
         }
         List<Violation> violations = HistoryChecker.check(history);
         report.add(its, history, violations);
+        show(its, history, violations, histories, line);
+    }
+
+    private void runDrivers(
+            Hosts hosts, Path folder, long its, int done, ProgressLine line, DriverReportTable report)
+            throws IOException, InterruptedException {
+        Path histories = folder.resolve("" + its);
+        History history;
+        try (var run = new DriverFaultRun(
+                hosts, histories, its, fault -> line.show((done + fault.number()) + " of " + faults, fault.text()))) {
+            history = run.run(Math.min(faultsPerRun, faults - done));
+        }
+        List<Violation> violations = HistoryChecker.check(history);
+        report.add(its, history, violations);
+        show(its, history, violations, histories, line);
+    }
+
+    private static void show(
+            long its, History history, List<Violation> violations, Path histories, ProgressLine line)
+            throws IOException {
         line.interrupt(() -> {
             System.out.println("seed " + its + ": " + history.entries().size() + " lines, " + violations.size()
                     + " violations" + (violations.isEmpty() ? "" : ", histories in " + histories));

@@ -71,6 +71,10 @@ final class Report {
         return last;
     }
 
+    boolean isEmpty() {
+        return seeds.isEmpty();
+    }
+
     List<Violation> violations() {
         return List.copyOf(violations);
     }

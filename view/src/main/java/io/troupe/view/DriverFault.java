@@ -32,7 +32,10 @@ public record DriverFault(long timeMicros, String node, String what) {
             String driver = null;
             Gap gap = null;
             for (RobotRecord.Driver each : robot.drivers()) {
-                if (each.fromMicros() <= timeMicros) {
+                boolean before = each.node() == null // a loss in the same tick follows from the fault
+                        ? each.fromMicros() < timeMicros
+                        : each.fromMicros() <= timeMicros;
+                if (before) {
                     driver = each.node();
                 } else if (gap == null && each.node() != null && node.equals(driver)) {
                     gap = new Gap(robot.index(), each.fromMicros(), each.node());

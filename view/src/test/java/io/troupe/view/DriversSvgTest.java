@@ -61,9 +61,21 @@ class DriversSvgTest {
         failover();
         assertThat(new DriverFault(5_000_000, "a", "killed").gaps(result()))
                 .containsExactly(new Gap(0, 7_200_000, "c"));
+        assertThat(new DriverFault(6_500_000, "a", "killed").gaps(result()))
+                .as("noticed in the same tick")
+                .containsExactly(new Gap(0, 7_200_000, "c"));
         assertThat(new DriverFault(5_000_000, "c", "killed").gaps(result())).isEmpty();
         assertThat(new DriverFault(8_000_000, "c", "killed").gaps(result()))
                 .containsExactly(new Gap(0, 10_000_000, null));
+    }
+
+    @Test
+    void sample_drawsWhoDroveWhen() throws IOException {
+        failover();
+        var result = result();
+        var fault = new DriverFault(30_000_000, "host-a", "killed");
+        Files.writeString(folder.resolve("drivers.svg"), Pictures.drivers(result, fault));
+        assertThat(Files.readString(folder.resolve("drivers.svg"))).contains("host-a was killed");
     }
 
     @Test

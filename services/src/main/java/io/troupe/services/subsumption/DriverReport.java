@@ -3,6 +3,7 @@ package io.troupe.services.subsumption;
 import io.troupe.bus.BusException;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusTopic;
+import io.troupe.services.behaviour.Velocity;
 
 /**
  * What a provider of robot services on another host does with a robot: the events of a {@link ServiceObserver}, as a
@@ -73,6 +74,11 @@ public record DriverReport(int robot, String service, Event event, int colour) {
         @Override
         public void cycleStarted(int robot, Service service) {
             next.cycleStarted(robot, service);
+        }
+
+        @Override
+        public void commanded(int robot, Service service, Velocity velocity) {
+            next.commanded(robot, service, velocity);
         }
 
         @Override

@@ -276,6 +276,7 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
 
         private void command(Velocity velocity) {
             if (mayCommand(robot.index(), velocity)) {
+                observer.commanded(robot.index(), cycle.service(), velocity);
                 robot.drive(velocity);
             }
         }

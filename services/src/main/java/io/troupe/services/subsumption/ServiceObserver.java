@@ -1,5 +1,7 @@
 package io.troupe.services.subsumption;
 
+import io.troupe.services.behaviour.Velocity;
+
 /**
  * Notified of what the services do. Called on the thread that runs the service. Robots are numbered by Player index,
  * from 0.
@@ -13,6 +15,9 @@ public interface ServiceObserver {
 
     /** A new reading has arrived, and the service starts a cycle. */
     default void cycleStarted(int robot, Service service) {}
+
+    /** A speed is sent to a robot now. Never called in synchronous mode. */
+    default void commanded(int robot, Service service, Velocity velocity) {}
 
     /** A service has finished a cycle. */
     void cycleEnded(int robot, Service service);

@@ -42,6 +42,23 @@ public sealed interface Event {
         UNREADABLE
     }
 
+    /** Something that is done to robot services. A spare provider is one that drives no robot. */
+    enum DriverFaultKind {
+        KILL_DRIVER,
+        KILL_SPARE,
+        KILL_ALL_PROVIDERS,
+        KILL_ARBITRATOR,
+        KILL_SERVER,
+        FREEZE_DRIVER,
+        FREEZE_SPARE,
+        FREEZE_ARBITRATOR,
+        FREEZE_SERVER,
+        CUT_DRIVER,
+        CUT_SPARE,
+        CUT_ARBITRATOR,
+        CUT_DRIVER_FROM_ROBOTS
+    }
+
     // ---- written by nodes
 
     /** A node has connected to the bus and is ready. */
@@ -120,7 +137,38 @@ public sealed interface Event {
     /** A driver sends a speed to a robot; it never sends one twice. */
     record Sent(int robot, double turnRadps) implements Event {}
 
+    /**
+     * A provider of robot services sends a speed to a robot.
+     *
+     * @param drive counts the services of this process that have driven the robot
+     */
+    record Commanded(int robot, int drive, String service, boolean moving) implements Event {}
+
+    /** A provider stops a service, whose lease is over. */
+    record LeaseLost(int robot, int drive) implements Event {}
+
+    /** Whether a robot moves after a tick of the world. */
+    record Rolled(long worldMicros, int robot, boolean moving) implements Event {}
+
+    /** An arbitrator is connected, and begins to look for providers. */
+    record ArbitratorStarted() implements Event {}
+
+    /** The arbitrator was notified that a robot has lost its driver. */
+    record DriverLost(int robot, String why) implements Event {}
+
+    /** The arbitrator was notified that a robot has a driver again. */
+    record DrivenAgain(int robot) implements Event {}
+
+    /** An arbitrator has ended with an error. */
+    record ArbitratorEnded(String type, String message) implements Event {}
+
     // ---- written by the suite
+
+    /** @param target the hosts, separated by commas */
+    record DriverFaultBegan(long number, DriverFaultKind kind, String target, String details) implements Event {}
+
+    /** What a fault breaks is broken now; {@link FaultEnded} follows when it is repaired. */
+    record Broken(long number) implements Event {}
 
     record FaultBegan(long number, FaultKind kind, String target, String details) implements Event {}
 

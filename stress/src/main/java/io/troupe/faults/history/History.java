@@ -7,6 +7,8 @@ import java.lang.reflect.Constructor;
 import java.lang.reflect.RecordComponent;
 import java.net.URLDecoder;
 import java.net.URLEncoder;
+import java.nio.channels.Channels;
+import java.nio.channels.FileChannel;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -28,6 +30,7 @@ public record History(List<Entry> entries) {
     private static final Map<String, Class<?>> TYPES = Arrays.stream(Event.class.getPermittedSubclasses())
             .collect(Collectors.toUnmodifiableMap(Class::getSimpleName, type -> type));
     private static final String SUFFIX = ".history";
+    private static final int END_BYTES = 8_192;
 
     /** @param process the name of the host and the number of the life of its process, like {@code a-3} */
     public record Entry(long nanos, String process, Event event) {
@@ -92,6 +95,24 @@ public record History(List<Entry> entries) {
             }
         }
         return new History(all);
+    }
+
+    /** The last events of a process that is writing. */
+    public static List<Entry> readEnd(Path folder, String process) throws IOException {
+        Path file = folder.resolve(process + SUFFIX);
+        if (!Files.exists(file)) {
+            return List.of();
+        }
+        try (var channel = FileChannel.open(file)) {
+            channel.position(Math.max(0, channel.size() - END_BYTES));
+            String text = new String(Channels.newInputStream(channel).readAllBytes(), StandardCharsets.UTF_8);
+            int from = text.length() < END_BYTES ? 0 : text.indexOf('\n') + 1;
+            int to = text.lastIndexOf('\n') + 1;
+            return text.substring(Math.min(from, to), to)
+                    .lines()
+                    .map(line -> parsed(process, line))
+                    .toList();
+        }
     }
 
     private static String line(long nanos, Event event) {

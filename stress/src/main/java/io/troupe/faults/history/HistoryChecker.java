@@ -1,11 +1,13 @@
 package io.troupe.faults.history;
 
+import io.troupe.faults.history.Event.DriverFaultKind;
 import io.troupe.faults.history.Event.Memory;
 import io.troupe.faults.history.Event.Surprise;
 import io.troupe.faults.history.History.Entry;
 import io.troupe.faults.history.Violation.Rule;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 
 /** Checks the history of a run against all rules. */
 public final class HistoryChecker {
@@ -23,6 +25,7 @@ public final class HistoryChecker {
         new StreamRules(history, checker.violations::add).check();
         new PublicationRules(history, pauses, checker.violations::add).check();
         new RobotRules(history, pauses, checker.violations::add).check();
+        new DriverRules(history, pauses, checker.violations::add).check();
         history.entries().forEach(checker::checkAlone);
         return List.copyOf(checker.violations);
     }
@@ -37,6 +40,20 @@ public final class HistoryChecker {
         return new RobotRules(history, new Pauses(history), violation -> {})
                 .check()
                 .worstKeptMillis();
+    }
+
+    /** The longest time on the world's clock for which a robot moved after its last driver's last speed. */
+    public static long worstStopMillis(History history) {
+        return driverRules(history).worstKeptMillis();
+    }
+
+    /** The longest time without a driver, by the fault before it, while a provider could be reached. */
+    public static Map<DriverFaultKind, Long> nextDriverMillis(History history) {
+        return driverRules(history).nextDriverMillis();
+    }
+
+    private static DriverRules driverRules(History history) {
+        return new DriverRules(history, new Pauses(history), violation -> {}).check();
     }
 
     /** How many commands have reached a robot. */

@@ -17,15 +17,17 @@ import java.util.Map;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Publications: for each topic, publisher and subscriber, from the first value that concerns the subscriber to the last
  * one, the values that were sent are those that were delivered and those that were reported.
  *
- * <p>The first value is number 1 if the publisher began after the subscriber was opened. Else it is at latest the first
+ * <p>The first value is number 1 if it was published after the subscriber was opened. Else it is at latest the first
  * one that has arrived, and at the earliest the first one that was published after the subscriber began. Of a publisher
  * or a subscriber that was killed, the last value is the last one that was delivered: what was on its way is gone with
- * the process that would have counted it.
+ * the process that would have counted it. So may be the mark that shows when the series began: then the first value is
+ * number 1 only if the publisher's process began after the subscriber was opened.
  */
 final class PublicationRules {
     /** Topics whose values must not be delivered late begin with this. */
@@ -53,6 +55,11 @@ final class PublicationRules {
             all.last = last;
             all.numbersByNanos.putAll(numbersByNanos);
             return all;
+        }
+
+        @Nullable
+        Long begunNanos() {
+            return numbersByNanos.isEmpty() ? null : numbersByNanos.firstKey();
         }
 
         /** How many values with these numbers were sent. */
@@ -152,15 +159,15 @@ final class PublicationRules {
             return; // the process was killed before it wrote anything
         }
         String publisher = flow.series.publisher;
-        Long publisherBegun = begun.get(publisher);
+        boolean isComplete = closed.containsKey(publisher) && closed.containsKey(flow.subscriber);
+        Long begin = isComplete ? sending.begunNanos() : begun.get(publisher);
         Long subscriberOpened = opened.get(flow.subscriber);
-        if (publisherBegun != null && subscriberOpened != null && publisherBegun > subscriberOpened) {
+        if (begin != null && subscriberOpened != null && begin > subscriberOpened) {
             received.first = 1;
         }
         if (publisher.equals(flow.subscriber)) {
             sending = sending.toItself();
         }
-        boolean isComplete = closed.containsKey(publisher) && closed.containsKey(flow.subscriber);
         long least = sending.sent(received.first, isComplete ? sending.last : received.lastDelivered);
         long most = sending.sent(Math.min(received.first, firstAfter(flow.subscriber, sending)), sending.last);
         // each of its threads may have dropped one, and been killed before it reported that

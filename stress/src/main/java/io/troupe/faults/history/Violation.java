@@ -22,6 +22,11 @@ public record Violation(Rule rule, String what, List<History.Entry> evidence) {
         COUNTED("every value is delivered or reported, once"),
         FRESH("no velocity older than 300 ms is delivered, or reaches a robot"),
         STOPPED("a robot whose driver is gone stops within 0.5 s"),
+        STANDS("a robot that gets no speed stands within 0.5 s"),
+        DRIVEN_AGAIN("a robot has another driver within 5 s, if one can be reached"),
+        CLEAR_END("without a provider, and only then, an arbitrator ends with a clear error"),
+        ONE_DRIVER("no robot has two drivers"),
+        LEASE("a provider whose lease is over commands nothing"),
         MEMORY("the memory of a node is bounded"),
         SURPRISE("processes do only what is done to them");
 

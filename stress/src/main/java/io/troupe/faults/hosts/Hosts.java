@@ -5,12 +5,16 @@ import java.util.List;
 
 /**
  * Where the processes of a run are: a server, and the hosts {@code a}, {@code b} and {@code c} that are connected with
- * it.
+ * it. Robot services also have a host for the arbitrator and one for the world.
  */
 public interface Hosts extends AutoCloseable {
     String SERVER = "s";
 
     List<String> NODES = List.of("a", "b", "c");
+
+    String ARBITRATOR = "m";
+
+    String WORLD = "w";
 
     /** The kinds of hosts. */
     enum Kind {
@@ -38,6 +42,12 @@ public interface Hosts extends AutoCloseable {
      * @param silently true: the host's network device does not notice either
      */
     void cut(String host, boolean silently) throws IOException;
+
+    /** Cuts the way from one host to another one, for both directions of TCP. */
+    void cutWay(String from, String to) throws IOException;
+
+    /** Heals that way. */
+    void healWay(String from, String to) throws IOException;
 
     /** Heals the link of a host. */
     void heal(String host) throws IOException;
@@ -87,6 +97,16 @@ public interface Hosts extends AutoCloseable {
 
         @Override
         public void heal(String host) {
+            throw new UnsupportedOperationException("loopback cannot be cut");
+        }
+
+        @Override
+        public void cutWay(String from, String to) {
+            throw new UnsupportedOperationException("loopback cannot be cut");
+        }
+
+        @Override
+        public void healWay(String from, String to) {
             throw new UnsupportedOperationException("loopback cannot be cut");
         }
 

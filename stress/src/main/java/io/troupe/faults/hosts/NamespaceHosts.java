@@ -61,7 +61,7 @@ final class NamespaceHosts implements Hosts {
     }
 
     private static List<String> all() {
-        return Stream.concat(Stream.of(SERVER), NODES.stream()).toList();
+        return Stream.concat(Stream.of(SERVER, ARBITRATOR, WORLD), NODES.stream()).toList();
     }
 
     private String namespace(String host) {
@@ -106,6 +106,16 @@ final class NamespaceHosts implements Hosts {
     public void heal(String host) throws IOException {
         ip("link", "set", link(host), "master", bridge());
         ip("link", "set", link(host), "up");
+    }
+
+    @Override
+    public void cutWay(String from, String to) throws IOException {
+        ip("-n", namespace(from), "route", "add", "blackhole", address(to) + "/32");
+    }
+
+    @Override
+    public void healWay(String from, String to) throws IOException {
+        ip("-n", namespace(from), "route", "del", "blackhole", address(to) + "/32");
     }
 
     @Override

@@ -202,12 +202,20 @@ class HistoryCheckerTest {
     }
 
     @Test
-    void firstValues_count_ifThePublisherBeganLater() {
+    void firstValues_count_ifTheyArePublishedAfterTheSubscriberBegan() {
         at(100, "b-1", new Opened("b")).at(200, "a-1", new Opened("a")).at(300, "a-1", new Published("t", 9));
         at(301, "b-1", new FirstArrival("t", "a-1", 9)).at(301, "b-1", new Delivered("t", "a-1", 9, 1, 10));
         assertBroken(Rule.COUNTED);
         entries.removeFirst();
         at(250, "b-1", new Opened("b"));
+        assertBroken(); // as if a process was killed before the mark arrived
+        closed();
+        assertBroken(Rule.COUNTED);
+        at(2_000, "b-1", new Lost("t", "a-1", Reason.MISSED, 8));
+        assertBroken();
+        entries.removeLast();
+        entries.removeIf(entry -> entry.event() instanceof Opened);
+        at(350, "b-1", new Opened("b"));
         assertBroken();
     }
 
