@@ -17,7 +17,8 @@ import org.jspecify.annotations.Nullable;
  * after the request, so it is no older than the two took together. That also shows when the node was opened and when
  * its series began, and so whether values that it published before are missing here.
  *
- * <p><b>Threads.</b> Any thread. <b>Order.</b> Held frames are handled in their order, before later ones.
+ * <p><b>Threads.</b> Any thread. <b>Order.</b> Held frames are handled in their order, before later ones of their kind:
+ * publications, or all others.
  */
 final class FirstContacts {
     /**
@@ -78,12 +79,12 @@ final class FirstContacts {
                 contacts.clear(); // names are cheap to invent: memory must not grow with them
             }
             contact = new Contact(node, header.incarnation());
-            contact.hold(handling);
+            contact.hold(frame, handling);
             contacts.put(node, contact);
             ask(contact);
             return true;
         }
-        return contact.hold(handling);
+        return contact.hold(frame, handling);
     }
 
     private boolean needsAge(Frames.Frame frame) {
@@ -167,9 +168,8 @@ final class FirstContacts {
         private volatile int attempts; // written by one thread at a time, as the next two
         private volatile long number;
         private volatile long askedNanos;
-        private @Nullable ArrayDeque<Runnable> held = new ArrayDeque<>(); // guarded by this; null when released
-
-        private int tooMany; // guarded by this
+        private final HeldFrames publications = new HeldFrames();
+        private final HeldFrames others = new HeldFrames();
 
         Contact(String node, long incarnation) {
             this.node = node;
@@ -182,7 +182,37 @@ final class FirstContacts {
             askedNanos = nowNanos;
         }
 
-        synchronized boolean hold(Runnable handling) {
+        boolean hold(Frames.Frame frame, Runnable handling) {
+            return switch (frame.body()) {
+                case Frames.Body.Published published -> publications.add(handling);
+                case Frames.Body.Mark mark -> publications.add(handling);
+                default -> others.add(handling);
+            };
+        }
+
+        /** Handles what is held, and returns how many more there were. */
+        int release() {
+            publications.handleBeforeAll();
+            others.handleAll();
+            return publications.tooMany() + others.tooMany();
+        }
+
+        /** Returns how many frames are lost. */
+        int giveUp() {
+            return publications.giveUp() + others.giveUp();
+        }
+    }
+
+    /**
+     * The frames of a node that are held: its publications, or all others. An engine may deliver the two on different
+     * threads, so that a flood of publications does not delay the others; nor does it here.
+     */
+    private static final class HeldFrames {
+        private @Nullable ArrayDeque<Runnable> held = new ArrayDeque<>(); // guarded by this; null when released
+        private int tooMany; // guarded by this
+
+        /** Returns false if frames are not held any more. */
+        synchronized boolean add(Runnable handling) {
             ArrayDeque<Runnable> waiting = held;
             if (waiting == null) {
                 return false;
@@ -195,17 +225,17 @@ final class FirstContacts {
             return true;
         }
 
-        /**
-         * Handles what is held; frames that arrive meanwhile are held behind it.
-         *
-         * @return how many more there were
-         */
-        int release() {
+        /** Handles all. A thread with a later frame waits, and then handles it: this ends, whatever arrives. */
+        synchronized void handleBeforeAll() {
             for (Runnable next = next(); next != null; next = next()) {
                 next.run();
             }
-            synchronized (this) {
-                return tooMany;
+        }
+
+        /** Handles all; frames that arrive meanwhile are held behind them. No lock is held: a reply may be sent. */
+        void handleAll() {
+            for (Runnable next = next(); next != null; next = next()) {
+                next.run();
             }
         }
 
@@ -216,6 +246,10 @@ final class FirstContacts {
                 held = null;
             }
             return next;
+        }
+
+        synchronized int tooMany() {
+            return tooMany;
         }
 
         /** Returns how many frames are lost. */

@@ -152,8 +152,7 @@ final class DriverFaultRun implements AutoCloseable {
     private void startArbitrator() throws IOException, InterruptedException {
         String host = Hosts.ARBITRATOR;
         lives.merge(host, 1, Integer::sum);
-        var arguments =
-                List.of(RobotsMain.ARBITRATOR, name(host), server.address(), folder.toString(), mode.name());
+        var arguments = List.of(RobotsMain.ARBITRATOR, name(host), server.address(), folder.toString(), mode.name());
         awaitReady(start(host, RobotsMain.class, arguments));
     }
 
@@ -174,7 +173,8 @@ final class DriverFaultRun implements AutoCloseable {
         }
         for (String host : members) {
             if (process(host).await("settled", READY_SECONDS) == null) {
-                surprise(process(host) + " is not connected again: " + process(host).lastLines());
+                surprise(process(host) + " is not connected again: "
+                        + process(host).lastLines());
             }
         }
         long since = System.nanoTime();
@@ -211,8 +211,7 @@ final class DriverFaultRun implements AutoCloseable {
         void run() throws IOException, InterruptedException;
     }
 
-    private record Fault(
-            DriverFaultKind kind, List<String> hosts, String details, Act act, int millis, Act repair) {}
+    private record Fault(DriverFaultKind kind, List<String> hosts, String details, Act act, int millis, Act repair) {}
 
     /** The next random fault that is possible now. */
     private Fault next() throws IOException, InterruptedException {

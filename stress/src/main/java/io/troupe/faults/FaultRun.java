@@ -158,7 +158,8 @@ final class FaultRun implements AutoCloseable {
 
     private void startNode(String node) throws IOException {
         String process = node + "-" + lives.merge(node, 1, Integer::sum);
-        List<String> arguments = List.of(node, process, server.address(), folder.toString(), "" + random.nextLong(), world);
+        List<String> arguments =
+                List.of(node, process, server.address(), folder.toString(), "" + random.nextLong(), world);
         var command = hosts.on(node, HostProcess.java(NodeMain.class, arguments));
         processes.put(node, HostProcess.start(process, command, this::surprise));
     }

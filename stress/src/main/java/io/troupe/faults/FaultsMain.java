@@ -45,8 +45,9 @@ public final class FaultsMain implements Callable<Integer> {
     @Option(
             names = "--work",
             paramLabel = "WORK",
-            description = "${COMPLETION-CANDIDATES}: calls, topics and streams, or robot services; by default one run of"
-                    + " the first kind, then one of the second, and so on")
+            description =
+                    "${COMPLETION-CANDIDATES}: calls, topics and streams, or robot services; by default one run of"
+                            + " the first kind, then one of the second, and so on")
     private Work work = Work.BOTH;
 
     @Option(names = "--faults", paramLabel = "N", description = "how many")
@@ -104,7 +105,8 @@ public final class FaultsMain implements Callable<Integer> {
         }
         System.out.print((report.isEmpty() ? "" : report.toString()) + (drivers.isEmpty() ? "" : drivers));
         if (json != null) {
-            Files.writeString(json, (report.isEmpty() ? "" : report.json()) + (drivers.isEmpty() ? "" : drivers.json()));
+            Files.writeString(
+                    json, (report.isEmpty() ? "" : report.json()) + (drivers.isEmpty() ? "" : drivers.json()));
         }
         return report.violations().isEmpty() && drivers.violations().isEmpty() ? 0 : 1;
     }
@@ -123,8 +125,7 @@ public final class FaultsMain implements Callable<Integer> {
         show(its, history, violations, histories, line);
     }
 
-    private void runDrivers(
-            Hosts hosts, Path folder, long its, int done, ProgressLine line, DriverReportTable report)
+    private void runDrivers(Hosts hosts, Path folder, long its, int done, ProgressLine line, DriverReportTable report)
             throws IOException, InterruptedException {
         Path histories = folder.resolve("" + its);
         History history;
@@ -137,8 +138,7 @@ public final class FaultsMain implements Callable<Integer> {
         show(its, history, violations, histories, line);
     }
 
-    private static void show(
-            long its, History history, List<Violation> violations, Path histories, ProgressLine line)
+    private static void show(long its, History history, List<Violation> violations, Path histories, ProgressLine line)
             throws IOException {
         line.interrupt(() -> {
             System.out.println("seed " + its + ": " + history.entries().size() + " lines, " + violations.size()

@@ -4,8 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.faults.history.Event.Called;
+import io.troupe.faults.history.Event.Commanded;
 import io.troupe.faults.history.Event.Delivered;
+import io.troupe.faults.history.Event.DriverFaultBegan;
 import io.troupe.faults.history.Event.FaultBegan;
+import io.troupe.faults.history.Event.Rolled;
 import io.troupe.faults.history.Event.StreamEnded;
 import io.troupe.faults.history.History;
 import io.troupe.faults.history.HistoryChecker;
@@ -21,6 +24,7 @@ import org.junit.jupiter.api.io.TempDir;
 @Tag("threads")
 class FaultsTest {
     private static final int FAULTS = 12;
+    private static final int DRIVER_FAULTS = 2;
 
     @TempDir
     Path folder;
@@ -47,6 +51,28 @@ class FaultsTest {
         report.add(seed, history, HistoryChecker.check(history));
         assertThat(report.toString()).contains("fault", "all  ", "seeds " + seed);
         assertThat(report.json()).startsWith("{\"faults\": {\"").contains("\"violations\": 0");
+    }
+
+    @Test
+    @Timeout(value = 5, unit = TimeUnit.MINUTES)
+    void robots_areDrivenAgain_byOneDriver_whateverBreaks() throws Exception {
+        assumeTrue(
+                FaultsMain.isServerInstalled(),
+                "nats-server is not installed (Debian: apt-get install nats-server): no faults are tested");
+        long seed = System.nanoTime() % 1_000_000;
+        History history;
+        try (Hosts hosts = Hosts.open(Hosts.Kind.AUTO);
+                var run = new DriverFaultRun(hosts, folder, seed, fault -> {})) {
+            history = run.run(DRIVER_FAULTS);
+        }
+        assertThat(HistoryChecker.check(history)).as("seed %d", seed).isEmpty();
+        assertThat(count(history, DriverFaultBegan.class)).isEqualTo(DRIVER_FAULTS);
+        assertThat(count(history, Commanded.class)).isPositive();
+        assertThat(count(history, Rolled.class)).isPositive();
+        var report = new DriverReportTable();
+        report.add(seed, history, HistoryChecker.check(history));
+        assertThat(report.toString()).contains("next driver", "all  ", "seeds " + seed);
+        assertThat(report.json()).startsWith("{\"driverFaults\": {\"").contains("\"violations\": 0");
     }
 
     private static long count(History history, Class<?> type) {

@@ -25,7 +25,10 @@ final class DriverRules {
     private static final long LEASE_NANOS = 2_000 * MILLI;
     private static final long HALT_NANOS = 250 * MILLI;
     private static final long NEXT_DRIVER_NANOS = 5_000 * MILLI;
+    /** Until an arbitrator that is cut off notices that. */
     private static final long DISCOVERY_NANOS = 2_000 * MILLI;
+    /** An attempt that is under way after five seconds. */
+    private static final long LAST_ATTEMPT_NANOS = 1_000 * MILLI;
     /** A busy machine, besides the pauses that are measured. */
     private static final long TOLERANCE_NANOS = 500 * MILLI;
 
@@ -37,7 +40,7 @@ final class DriverRules {
     /** The first and the last command of a drive. */
     private record Span(Drive drive, Entry first, Entry last) {}
 
-    private record Tick(long nanos, long worldMicros) {}
+    private record Tick(long worldMicros) {}
 
     private final History history;
     private final Pauses pauses;
@@ -76,15 +79,17 @@ final class DriverRules {
     // ---- a robot stands
 
     private void checkStanding() {
-        var tick = new Tick(Long.MIN_VALUE, 0); // the last one
+        Tick tick = null; // the last one
         Map<Integer, Tick> before = new HashMap<>(); // by robot: the tick before its last speed
         Map<Integer, Entry> last = new HashMap<>(); // by robot: its last speed
         for (Entry entry : history.entries()) {
             if (entry.event() instanceof Commanded(int robot, int drive, String service, boolean moving) && moving) {
-                before.put(robot, tick);
+                if (tick != null) {
+                    before.put(robot, tick);
+                }
                 last.put(robot, entry);
             } else if (entry.event() instanceof Rolled rolled) {
-                tick = new Tick(entry.nanos(), rolled.worldMicros());
+                tick = new Tick(rolled.worldMicros());
                 Entry command = last.get(rolled.robot());
                 if (rolled.moving() && command != null) {
                     checkKept(rolled, entry, before.getOrDefault(rolled.robot(), tick), command);
@@ -162,10 +167,8 @@ final class DriverRules {
             long from = Math.max(before.nanos(), interval.fromNanos());
             long to = Math.min(next.nanos(), interval.toNanos());
             if (from < to) {
-                long running = to
-                        - from
-                        - paused(next.process(), from, to)
-                        - paused(reachability.arbitratorAt(to), from, to);
+                long running =
+                        to - from - paused(next.process(), from, to) - paused(reachability.arbitratorAt(to), from, to);
                 worst = Math.max(worst, running);
             }
         }
@@ -229,7 +232,8 @@ final class DriverRules {
     private void checkEnds() {
         for (Entry entry : history.entries()) {
             if (entry.event() instanceof ArbitratorEnded(String type, String message)) {
-                boolean isClear = type.equals("MissingServiceException") && !message.isBlank() && !message.contains("\n");
+                boolean isClear =
+                        type.equals("MissingServiceException") && !message.isBlank() && !message.contains("\n");
                 if (!isClear) {
                     violations.accept(new Violation(Rule.CLEAR_END, "the error is not clear", List.of(entry)));
                 }
@@ -245,7 +249,7 @@ final class DriverRules {
             long nanos = alone.toNanos()
                     - alone.fromNanos()
                     - paused(reachability.arbitratorAt(alone.toNanos()), alone.fromNanos(), alone.toNanos());
-            if (nanos > NEXT_DRIVER_NANOS + DISCOVERY_NANOS + TOLERANCE_NANOS) {
+            if (nanos > NEXT_DRIVER_NANOS + DISCOVERY_NANOS + LAST_ATTEMPT_NANOS + TOLERANCE_NANOS) {
                 violations.accept(new Violation(
                         Rule.CLEAR_END,
                         "an arbitrator has no provider for " + nanos / MILLI + " ms, and does not end",

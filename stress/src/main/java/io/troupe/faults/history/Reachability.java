@@ -102,10 +102,11 @@ final class Reachability {
 
     private void read(Entry entry, History history) {
         switch (entry.event()) {
-            case DriverFaultBegan fault -> faults.add(new Fault(
-                    entry,
-                    first(history, entry, later -> later.event().equals(new Broken(fault.number()))),
-                    first(history, entry, later -> later.event().equals(new FaultEnded(fault.number())))));
+            case DriverFaultBegan fault ->
+                faults.add(new Fault(
+                        entry,
+                        first(history, entry, later -> later.event().equals(new Broken(fault.number()))),
+                        first(history, entry, later -> later.event().equals(new FaultEnded(fault.number())))));
             case ArbitratorStarted started -> {
                 long end = first(
                         history,
@@ -201,9 +202,7 @@ final class Reachability {
     }
 
     Optional<Fault> lastFaultBefore(long nanos) {
-        return faults.stream()
-                .filter(fault -> fault.began.nanos() < nanos)
-                .reduce((earlier, later) -> later);
+        return faults.stream().filter(fault -> fault.began.nanos() < nanos).reduce((earlier, later) -> later);
     }
 
     /** Whether a command is sent by a process that does not reach the robots. */

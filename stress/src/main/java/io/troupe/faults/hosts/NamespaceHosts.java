@@ -61,7 +61,8 @@ final class NamespaceHosts implements Hosts {
     }
 
     private static List<String> all() {
-        return Stream.concat(Stream.of(SERVER, ARBITRATOR, WORLD), NODES.stream()).toList();
+        return Stream.concat(Stream.of(SERVER, ARBITRATOR, WORLD), NODES.stream())
+                .toList();
     }
 
     private String namespace(String host) {

@@ -61,8 +61,8 @@ public final class RobotsMain {
     private final RobotNode node;
 
     /**
-     * @param arguments the node, the process, the bus server's address, the folder of the histories, and the address
-     *     of the world or, for the arbitrator, the mode
+     * @param arguments the node, the process, the bus server's address, the folder of the histories, and the address of
+     *     the world or, for the arbitrator, the mode
      */
     public static void main(String[] arguments) throws Exception {
         var history = new History.Writer(Path.of(arguments[3]), arguments[1]);

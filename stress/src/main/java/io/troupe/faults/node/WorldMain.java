@@ -89,8 +89,8 @@ public final class WorldMain {
             simulation.lockStep(false);
             simulation.disconnectSilentClients(true);
             watch();
-            try (var runner =
-                    SimulationRunner.start(simulation, 1, snapshot -> note(snapshot, history, forServices), new Pace.RealTime(1))) {
+            try (var runner = SimulationRunner.start(
+                    simulation, 1, snapshot -> note(snapshot, history, forServices), new Pace.RealTime(1))) {
                 System.out.println("world at " + server.port());
                 while (System.in.read() >= 0
                         && !runner.ended().toCompletableFuture().isDone()) {}
@@ -101,8 +101,7 @@ public final class WorldMain {
 
     private static Path write(Path folder, boolean forServices) throws IOException {
         Files.writeString(folder.resolve("faults.world"), forServices ? ARENA : WORLD);
-        String devices =
-                forServices ? DEVICES.replaceAll("\"sonar:(.)\"", "\"sonar:$1\" \"blobfinder:$1\"") : DEVICES;
+        String devices = forServices ? DEVICES.replaceAll("\"sonar:(.)\"", "\"sonar:$1\" \"blobfinder:$1\"") : DEVICES;
         return Files.writeString(folder.resolve("faults.cfg"), devices);
     }
 
