@@ -152,7 +152,8 @@ final class LeasedServicesActor extends RobotServicesActor implements LeasedRobo
         }
         if (before != null) {
             if (before.lease.holder() != lease.holder() && !before.isOver()) {
-                throw new IllegalStateException("robot " + (robot + 1) + " is driven for another arbitrator");
+                throw new PlayerException("robot " + (robot + 1) // the caller tries again
+                        + " is driven for another arbitrator, whose lease is not over");
             }
             before.lost = true;
             starting.add(lease);
