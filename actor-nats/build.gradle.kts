@@ -2,7 +2,6 @@ description = "The bus over hosts, on NATS"
 
 dependencies {
     api(project(":actor-service"))
-    testImplementation(project(path = ":actor-service", configuration = "tests")) // the contract of a bus
     testImplementation(project(":common"))
     implementation(libs.jnats) {
         exclude(group = "org.bouncycastle", module = "bcprov-lts8on") // only for NKeys; 6 MB with a native library

@@ -2,7 +2,6 @@ package io.troupe.bus.nats;
 
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import io.troupe.bus.BusEngine;
 import io.troupe.common.process.NatsServerProcess;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -15,7 +14,7 @@ import java.util.List;
 import java.util.Map;
 
 /** A real NATS server on loopback, as a process of its test. */
-public final class NatsServer implements AutoCloseable {
+final class NatsServer implements AutoCloseable {
     private final NatsServerProcess process;
 
     private NatsServer(NatsServerProcess process) {
@@ -27,7 +26,7 @@ public final class NatsServer implements AutoCloseable {
         assumeTrue(NatsServerProcess.isInstalled(), NatsServerProcess.HOW_TO_GET + "; not tested");
     }
 
-    public static NatsServer start() throws IOException {
+    static NatsServer start() throws IOException {
         return start(List.of());
     }
 
@@ -51,11 +50,6 @@ public final class NatsServer implements AutoCloseable {
         try (var socket = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             return socket.getLocalPort();
         }
-    }
-
-    /** The engine of a node, for tests in other packages. */
-    public BusEngine engine(String application) {
-        return new NatsEngine(settings().withApplication(application));
     }
 
     /** With a long limit: the machine may be busy. */

@@ -10,7 +10,6 @@ import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
-import io.troupe.bus.BytePipe;
 import io.troupe.bus.RemoteFailure;
 import io.troupe.services.subsumption.LeasedRobotServices.DriveEnd;
 import io.troupe.services.subsumption.LeasedRobotServices.Lease;
@@ -35,7 +34,7 @@ class FailoverTest extends RobotsBench {
     private static final SubsumptionTable PAPER = SubsumptionTable.ofThePaper();
     private static final List<String> BOTH = List.of("wallFollower", "spaceWanderer");
 
-    private final BytePipe pipe = new BytePipe(test.space());
+    private final HostsPipe pipe = new HostsPipe(test.space());
     private final Map<String, RobotNode> nodes = new LinkedHashMap<>();
     private final List<Bus> buses = new ArrayList<>();
     private final List<String> drivers = new ArrayList<>(); // "a 1 starts", "a 1 ends", "a 1 loses"

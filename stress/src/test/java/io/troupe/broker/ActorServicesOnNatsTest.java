@@ -2,7 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
-import io.troupe.bus.nats.NatsServer;
+import io.troupe.bus.nats.ContractServer;
 import java.io.IOException;
 import java.util.Objects;
 import java.util.UUID;
@@ -16,17 +16,17 @@ import org.junit.jupiter.api.Tag;
 /** The contract of actor services in a process at a real server: nothing differs for its own actors. */
 @Tag("threads")
 class ActorServicesOnNatsTest extends ActorServicesTest {
-    private static final AtomicReference<@Nullable NatsServer> SERVER = new AtomicReference<>();
+    private static final AtomicReference<@Nullable ContractServer> SERVER = new AtomicReference<>();
     private @Nullable Bus bus; // without an initial value, because open() is called before one would be set
 
     @BeforeAll
     static void start() throws IOException {
-        SERVER.set(NatsServer.start());
+        SERVER.set(ContractServer.start());
     }
 
     @AfterAll
     static void stop() {
-        NatsServer server = SERVER.getAndSet(null);
+        ContractServer server = SERVER.getAndSet(null);
         if (server != null) {
             server.close();
         }

@@ -1,7 +1,7 @@
 package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.bus.nats.NatsServer;
+import io.troupe.bus.nats.ContractServer;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -26,7 +26,7 @@ import org.junit.jupiter.api.Tag;
  */
 @Tag("threads")
 class NatsContractTest extends BusContractTest {
-    private static final AtomicReference<@Nullable NatsServer> SERVER = new AtomicReference<>();
+    private static final AtomicReference<@Nullable ContractServer> SERVER = new AtomicReference<>();
 
     NatsContractTest(Wiring wiring) {
         super(wiring);
@@ -34,12 +34,12 @@ class NatsContractTest extends BusContractTest {
 
     @BeforeAll
     static void start() throws IOException {
-        SERVER.set(NatsServer.start());
+        SERVER.set(ContractServer.start());
     }
 
     @AfterAll
     static void stop() {
-        NatsServer server = SERVER.getAndSet(null);
+        ContractServer server = SERVER.getAndSet(null);
         if (server != null) {
             server.close();
         }
@@ -63,13 +63,13 @@ class NatsContractTest extends BusContractTest {
         private static final byte[] MARK = {0};
         private static final String MARKS = "marks of the test";
 
-        private final NatsServer server;
+        private final ContractServer server;
         private final ActorSpace carrier;
         private final String application = UUID.randomUUID().toString(); // a test never sees the nodes of another one
         private final List<End> open = new ArrayList<>();
         private boolean isUnderWay;
 
-        NatsPipe(NatsServer server, ActorSpace carrier) {
+        NatsPipe(ContractServer server, ActorSpace carrier) {
             this.server = server;
             this.carrier = carrier;
         }
