@@ -1,4 +1,5 @@
-// A Kotlin project outside Troupe. First, in Troupe's root: ./gradlew publishToMavenLocal; then: ./gradlew -p docs/examples/consumer-kotlin run
+// A Kotlin project outside Troupe. First, in Troupe's root: ./gradlew publishToMavenLocal
+// then: ./gradlew -p docs/examples/consumer-kotlin run
 plugins {
     kotlin("jvm") version "2.4.21"
     application
