@@ -39,7 +39,7 @@ final class FailoverServices extends Actor implements RobotServices {
     private static final Duration PAUSE = Duration.ofMillis(100); // between two attempts
 
     /** From the stamp's arrival here to the time when the provider certainly commands nothing more. */
-    private static final Duration CERTAINLY_OVER =
+    static final Duration CERTAINLY_OVER =
             LeasedRobotServices.LEASE.plus(LeasedRobotServices.HALT).plusMillis(50);
 
     private final Map<String, LeasedRobotServices> byService;

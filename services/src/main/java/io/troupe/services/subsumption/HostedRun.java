@@ -34,7 +34,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> The arbitrator runs on a separate thread; the listener is called on it.
  *
  * <p><b>Order.</b> In real time. A robot never has two drivers: each drives only while this process renews its lease,
- * and another one is called when the first has confirmed that it has stopped, or its lease is certainly over.
+ * and another one is called when the first has confirmed that it has stopped, or its lease is certainly over. The first
+ * one is called 2.3 s after the start of this run at the earliest: then the leases of an earlier run are over.
  *
  * <p><b>Errors.</b> {@link #start} and {@link #check} throw a {@link MissingServiceException} if a service of the table
  * has no provider: within 2 s at the start, for 5 s later. Any other error of a service ends the run as it does in one
@@ -73,6 +74,9 @@ public final class HostedRun implements AutoCloseable {
     private final BusPort port;
     private final AtomicReference<@Nullable Throwable> failure = new AtomicReference<>();
     private final List<ActorConnection<?>> connections = new ArrayList<>();
+    /** An arbitrator before this one may have ended just now, and its leases hold on. */
+    private final Promise<?> earlierLeasesOver;
+
     private volatile boolean closing;
     private @Nullable RobotServices services;
 
@@ -81,6 +85,7 @@ public final class HostedRun implements AutoCloseable {
         this.table = table;
         this.space = ActorSpace.create(SpaceSettings.named("arbitrator").withOnError((where, error) -> report(error)));
         this.port = node.bus().attach(SubsumptionRun.CALLER);
+        this.earlierLeasesOver = space.delay(FailoverServices.CERTAINLY_OVER);
         space.execute(() -> DriverReport.subscribe(port, listener::reported));
     }
 
@@ -138,6 +143,7 @@ public final class HostedRun implements AutoCloseable {
             ready.add(connection.first());
         }
         await(Promise.all(ready), START_LIMIT);
+        await(earlierLeasesOver, START_LIMIT);
         RobotServices found =
                 space.spawn(RobotServices.class, () -> new FailoverServices(byService, node.broker(), listener));
         services = found;

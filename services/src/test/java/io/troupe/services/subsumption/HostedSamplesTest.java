@@ -15,6 +15,7 @@ import java.util.Collections;
 import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicLong;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -32,9 +33,12 @@ class HostedSamplesTest {
     private final CountDownLatch driven = new CountDownLatch(2);
     private final List<String> states = Collections.synchronizedList(new ArrayList<>());
 
+    private final AtomicLong stateNanos = new AtomicLong();
+
     private final HostedRun.Listener listener = new HostedRun.Listener() {
         @Override
         public void stateStarted(State state, @Nullable Integer seenBy) {
+            stateNanos.set(System.nanoTime());
             states.add("state " + state.number());
         }
 
@@ -67,11 +71,15 @@ class HostedSamplesTest {
         var robots = RobotServicesActor.Settings.ofThePaper().withPort(port);
         var offer = node.offer(driving, robots, List.of("wallFollower", "spaceWanderer"));
         offer.published().get(Duration.ofMinutes(1));
+        long beginNanos = System.nanoTime();
         try (var run = HostedRun.start(node, Mode.PROMISE, SubsumptionTable.ofThePaper(), listener)) {
             while (goesOn()) {
                 run.check();
             }
         }
+        assertThat(stateNanos.get() - beginNanos)
+                .as("the leases of an earlier arbitrator are over")
+                .isGreaterThanOrEqualTo(FailoverServices.CERTAINLY_OVER.toNanos());
         assertThat(states).startsWith("state 1").contains("host 0 wallFollower", "host 1 spaceWanderer");
         offer.withdraw().get(Duration.ofMinutes(1));
         node.close();
