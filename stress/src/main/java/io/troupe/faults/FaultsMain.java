@@ -89,8 +89,8 @@ public final class FaultsMain implements Callable<Integer> {
         }
         long first = seed == null ? System.nanoTime() % 1_000_000 : seed;
         Path folder = Files.createTempDirectory("troupe-faults-");
-        var report = new Report();
-        var drivers = new DriverReportTable();
+        var report = new BusFaultReport();
+        var drivers = new DriverFaultReport();
         try (Hosts hosts = Hosts.open(kind);
                 var line = ProgressLine.open()) {
             System.out.println("hosts: " + hosts);
@@ -112,7 +112,7 @@ public final class FaultsMain implements Callable<Integer> {
     }
 
     /** One run, of which the histories are kept if they break a rule. */
-    private void run(Hosts hosts, Path folder, long its, int done, ProgressLine line, Report report)
+    private void run(Hosts hosts, Path folder, long its, int done, ProgressLine line, BusFaultReport report)
             throws IOException, InterruptedException {
         Path histories = folder.resolve("" + its);
         History history;
@@ -125,7 +125,7 @@ public final class FaultsMain implements Callable<Integer> {
         show(its, history, violations, histories, line);
     }
 
-    private void runDrivers(Hosts hosts, Path folder, long its, int done, ProgressLine line, DriverReportTable report)
+    private void runDrivers(Hosts hosts, Path folder, long its, int done, ProgressLine line, DriverFaultReport report)
             throws IOException, InterruptedException {
         Path histories = folder.resolve("" + its);
         History history;

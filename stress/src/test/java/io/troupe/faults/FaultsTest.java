@@ -62,7 +62,7 @@ class FaultsTest {
         assertThat(count(history, Delivered.class)).isPositive();
         assertThat(count(history, StreamEnded.class)).isPositive();
         assertThat(HistoryChecker.commands(history)).as("commands of robots").isPositive();
-        var report = new Report();
+        var report = new BusFaultReport();
         report.add(seed, history, HistoryChecker.check(history));
         assertThat(report.toString()).contains("fault", "all  ", "seeds " + seed);
         assertThat(report.json()).startsWith("{\"faults\": {\"").contains("\"violations\": ");
@@ -84,7 +84,7 @@ class FaultsTest {
         assertThat(count(history, DriverFaultBegan.class)).isEqualTo(DRIVER_FAULTS);
         assertThat(count(history, Commanded.class)).isPositive();
         assertThat(count(history, Rolled.class)).isPositive();
-        var report = new DriverReportTable();
+        var report = new DriverFaultReport();
         report.add(seed, history, HistoryChecker.check(history));
         assertThat(report.toString()).contains("next driver", "all  ", "seeds " + seed);
         assertThat(report.json()).startsWith("{\"driverFaults\": {\"").contains("\"violations\": ");

@@ -1,6 +1,7 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Callback;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
@@ -16,6 +17,7 @@ import io.troupe.broker.ServiceRecord;
 import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
@@ -274,6 +276,44 @@ public final class SubsumptionRun implements AutoCloseable {
         public void close() {
             closing = true;
             space.close();
+        }
+    }
+
+    /**
+     * Robot services behind one interface, each through a separate connection to its provider: {@code drive} goes to
+     * the connection for its service, and {@code stop} to the one that drives the robot. Used on one space.
+     */
+    private static final class RoutedServices implements RobotServices {
+        private final Map<String, RobotServices> byService;
+        private final Map<Integer, RobotServices> driving = new HashMap<>(); // by robot; the last one
+
+        /** @param byService at least one */
+        RoutedServices(Map<String, RobotServices> byService) {
+            this.byService = new LinkedHashMap<>(byService);
+        }
+
+        @Override
+        public Promise<ServiceEnd> drive(int robot, String service, int stateColour) {
+            return route(robot, service).drive(robot, service, stateColour);
+        }
+
+        @Override
+        public void drive(int robot, String service, Callback<ColourReport> reports) {
+            route(robot, service).drive(robot, service, reports);
+        }
+
+        private RobotServices route(int robot, String service) {
+            // any provider rejects a service that is not in the table, by its name
+            RobotServices to = byService.getOrDefault(
+                    service, byService.values().iterator().next());
+            driving.put(robot, to);
+            return to;
+        }
+
+        @Override
+        public Promise<@Nullable Void> stop(int robot) {
+            RobotServices by = driving.get(robot);
+            return by == null ? Promise.done() : by.stop(robot);
         }
     }
 }

@@ -14,7 +14,7 @@ import java.util.Locale;
 import java.util.Map;
 
 /** What all runs with robot services have shown. */
-final class DriverReportTable {
+final class DriverFaultReport {
     /** The faults of one kind. */
     private static final class Row {
         int faults;

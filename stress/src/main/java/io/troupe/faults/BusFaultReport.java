@@ -16,7 +16,7 @@ import java.util.Locale;
 import java.util.Map;
 
 /** What all runs have shown. */
-final class Report {
+final class BusFaultReport {
     /** The faults of one kind. */
     private static final class Row {
         int faults;
