@@ -36,7 +36,10 @@ final class FirstContacts {
     private static final Duration RETRY = Duration.ofMillis(500);
     private static final int MOST_ATTEMPTS = 6;
     private static final int MOST_HELD = 1_000; // of one node
-    private static final int MOST_NODES = 10_000;
+    private static final int MOST_LIVES = 10_000;
+
+    /** One life of another node. Frames of the one before may arrive later than its first, on another thread. */
+    private record Life(String node, long incarnation) {}
 
     /** The value of the request and of its reply. */
     record Nothing() {}
@@ -44,7 +47,7 @@ final class FirstContacts {
     private final Bus bus;
     private final RemotePublishers publishers;
     private final ObjLongConsumer<String> ask;
-    private final Map<String, Contact> contacts = new ConcurrentHashMap<>(); // by node
+    private final Map<Life, Contact> contacts = new ConcurrentHashMap<>();
     private final Map<Long, Contact> asked = new ConcurrentHashMap<>(); // by the number of the last request
 
     /** @param ask sends the request to a node, with a number; it may throw if there is no connection */
@@ -69,22 +72,25 @@ final class FirstContacts {
         if (frame.body() instanceof Frames.Body.Replied || frame.body() instanceof Frames.Body.Rejected) {
             return false;
         }
-        String node = header.from().node();
-        Contact contact = contacts.get(node);
-        if (contact == null || contact.incarnation != header.incarnation()) {
-            if (!needsAge(frame)) {
-                return false;
-            }
-            if (contacts.size() >= MOST_NODES) {
-                contacts.clear(); // names are cheap to invent: memory must not grow with them
-            }
-            contact = new Contact(node, header.incarnation());
-            contact.hold(frame, handling);
-            contacts.put(node, contact);
-            ask(contact);
-            return true;
+        var life = new Life(header.from().node(), header.incarnation());
+        Contact known = contacts.get(life);
+        if (known != null) {
+            return known.hold(frame, handling);
         }
-        return contact.hold(frame, handling);
+        if (!needsAge(frame)) {
+            return false;
+        }
+        if (contacts.size() >= MOST_LIVES) {
+            contacts.clear(); // names are cheap to invent: memory must not grow with them
+        }
+        var contact = new Contact(life);
+        Contact faster = contacts.putIfAbsent(life, contact); // of another thread
+        if (faster != null) {
+            return faster.hold(frame, handling);
+        }
+        contact.hold(frame, handling);
+        ask(contact);
+        return true;
     }
 
     private boolean needsAge(Frames.Frame frame) {
@@ -114,7 +120,7 @@ final class FirstContacts {
             }
         });
         try {
-            ask.accept(contact.node, number);
+            ask.accept(contact.life.node, number);
         } catch (RuntimeException disconnected) {
             return; // it is asked again
         }
@@ -124,10 +130,10 @@ final class FirstContacts {
         if (contact.attempts < MOST_ATTEMPTS) {
             ask(contact);
         } else {
-            contacts.remove(contact.node, contact);
+            contacts.remove(contact.life, contact);
             int lost = contact.giveUp();
-            bus.notifier.lost(
-                    new Loss.LostOnTheWay(lost, "node " + contact.node + " does not answer how old its messages are"));
+            bus.notifier.lost(new Loss.LostOnTheWay(
+                    lost, "node " + contact.life.node + " does not answer how old its messages are"));
         }
     }
 
@@ -142,7 +148,7 @@ final class FirstContacts {
         if (contact == null) {
             return false;
         }
-        if (header.incarnation() == contact.incarnation && asked.remove(request, contact)) {
+        if (header.incarnation() == contact.life.incarnation && asked.remove(request, contact)) {
             boolean isFast = bus.nanos() - contact.askedNanos <= FAST_NANOS;
             if (isFast || contact.attempts >= MOST_SLOW_ANSWERS) {
                 release(contact);
@@ -157,23 +163,21 @@ final class FirstContacts {
         int tooMany = contact.release();
         if (tooMany > 0) {
             bus.notifier.lost(new Loss.LostOnTheWay(
-                    tooMany, "node " + contact.node + " sent too much before its clock was known"));
+                    tooMany, "node " + contact.life.node + " sent too much before its clock was known"));
         }
     }
 
-    /** One life of another node. */
+    /** What is held of a node's life. */
     private static final class Contact {
-        final String node;
-        final long incarnation;
+        final Life life;
         private volatile int attempts; // written by one thread at a time, as the next two
         private volatile long number;
         private volatile long askedNanos;
         private final HeldFrames publications = new HeldFrames();
         private final HeldFrames others = new HeldFrames();
 
-        Contact(String node, long incarnation) {
-            this.node = node;
-            this.incarnation = incarnation;
+        Contact(Life life) {
+            this.life = life;
         }
 
         void asked(long itsNumber, long nowNanos) {

@@ -4,6 +4,7 @@ import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.OptionalLong;
 import java.util.concurrent.ConcurrentHashMap;
+import org.jspecify.annotations.Nullable;
 
 /**
  * What a node knows of other nodes from their frames: how long a frame was on its way, and how many values of a
@@ -83,20 +84,26 @@ final class RemotePublishers {
         peers.values().forEach(peer -> peer.forget(topic));
     }
 
+    /** Threads may get the first frames of a node at the same time, and the last ones of its life before. */
     private Peer peer(Frames.Header header) {
-        Peer known = peers.get(header.from().node());
+        String node = header.from().node();
+        Peer known = peers.get(node);
         if (known != null && known.incarnation == header.incarnation()) {
             return known;
         }
         if (peers.size() >= MOST_NODES) {
             peers.clear(); // names are cheap to invent: memory must not grow with them
         }
-        var peer = new Peer(header.incarnation());
-        peers.put(header.from().node(), peer);
-        return peer;
+        Peer latest = peers.compute(
+                node,
+                (name, now) -> now != null && now.of(header.incarnation()) != null
+                        ? now
+                        : new Peer(header.incarnation(), now));
+        Peer found = latest.of(header.incarnation());
+        return found == null ? peer(header) : found; // two more lives have begun since
     }
 
-    /** One life of another node. */
+    /** One life of another node, and the one before: frames of the two may arrive mixed, on two threads. */
     private static final class Peer {
         final long incarnation;
         private final Map<Series, Arrivals> arrivals = new LinkedHashMap<>(); // guarded by this, as all fields below
@@ -105,8 +112,22 @@ final class RemotePublishers {
         private long leastOfWindowNanos;
         private long windowEndNanos;
 
-        Peer(long incarnation) {
+        /** The life before; null for the first one, and in a life that is itself the one before. */
+        private volatile @Nullable Peer before;
+
+        Peer(long incarnation, @Nullable Peer before) {
             this.incarnation = incarnation;
+            this.before = before;
+            if (before != null) {
+                before.before = null;
+            }
+        }
+
+        /** That life, if it is this one or the one before. */
+        @Nullable
+        Peer of(long itsIncarnation) {
+            Peer earlier = before;
+            return itsIncarnation == incarnation ? this : earlier == null ? null : earlier.of(itsIncarnation);
         }
 
         synchronized long ageNanos(long sentNanos, long nowNanos) {
@@ -170,8 +191,14 @@ final class RemotePublishers {
             return !knownClock || leastNanos + micros * 1_000 - subscribedNanos > 0;
         }
 
-        synchronized void forget(String topic) {
-            arrivals.keySet().removeIf(series -> series.topic.equals(topic));
+        void forget(String topic) {
+            Peer earlier = before;
+            if (earlier != null) {
+                earlier.forget(topic);
+            }
+            synchronized (this) {
+                arrivals.keySet().removeIf(series -> series.topic.equals(topic));
+            }
         }
     }
 }

@@ -4,6 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import java.time.Duration;
 import java.util.OptionalLong;
+import java.util.concurrent.CyclicBarrier;
+import java.util.concurrent.FutureTask;
 import org.junit.jupiter.api.Test;
 
 /** How old frames are, and how many values are missing, by what a node knows of others. */
@@ -16,7 +18,11 @@ class RemotePublishersTest {
     private final RemotePublishers publishers = new RemotePublishers();
 
     private static Frames.Header header(String node, Duration sent) {
-        return new Frames.Header(new Address(node, "a"), 1, 1, sent.toNanos() / 1_000);
+        return header(node, 1, sent);
+    }
+
+    private static Frames.Header header(String node, long incarnation, Duration sent) {
+        return new Frames.Header(new Address(node, "a"), incarnation, 1, sent.toNanos() / 1_000);
     }
 
     private long ageMillis(String node, Duration sent, Duration arrived) {
@@ -132,5 +138,39 @@ class RemotePublishersTest {
         }
         assertThat(ageMillis("node0", Duration.ZERO, MINUTE)).as("forgotten").isZero();
         assertThat(ageMillis("node10000", Duration.ZERO, MINUTE)).isEqualTo(60_000);
+    }
+
+    @Test
+    void lateFramesOfALifeBefore_changeNothingInTheNext() {
+        var late = header("far", 1, MINUTE);
+        var next = header("far", 2, Duration.ZERO);
+        publishers.ageNanos(late, MINUTE.toNanos());
+        assertThat(publishers.missing(late, "t", 8, -1)).isEqualTo(7);
+        for (int number = 1; number < 10; number++) {
+            publishers.ageNanos(next, MINUTE.toNanos());
+            assertThat(publishers.missing(next, "t", number, -1)).isZero();
+            publishers.ageNanos(late, MINUTE.toNanos());
+            assertThat(publishers.missing(late, "t", 8 + number, -1)).isZero();
+        }
+        publishers.forget("t");
+        assertThat(publishers.isFirst(next, "t")).isTrue();
+        assertThat(publishers.isFirst(late, "t")).isTrue();
+    }
+
+    @Test
+    void firstFramesOfANode_onTwoThreads_areThoseOfOneLife() throws Exception {
+        for (int i = 0; i < 2_000; i++) {
+            var far = header("far " + i, Duration.ZERO);
+            var barrier = new CyclicBarrier(2);
+            var other = new FutureTask<>(() -> {
+                barrier.await();
+                return publishers.ageNanos(far, 0);
+            });
+            Thread.ofPlatform().start(other);
+            barrier.await();
+            publishers.missing(far, "t", 1, -1);
+            other.get();
+            assertThat(publishers.missing(far, "t", 2, -1)).isZero();
+        }
     }
 }

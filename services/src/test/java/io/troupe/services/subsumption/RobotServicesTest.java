@@ -87,6 +87,21 @@ class RobotServicesTest extends RobotsBench {
     }
 
     @Test
+    void eachSpeedThatIsSent_isReportedBeforeTheServiceEnds() {
+        wallFollower(0);
+        robots.tick(100);
+        robots.range(0, 3, 0.3);
+        ticks(100, 100);
+        test.get(services.stop(0));
+        assertThat(charge.commanded(0))
+                .hasSize(4)
+                .endsWith(Velocity.STOP)
+                .map(each -> new DeviceCommand.Velocity(each.forwardMps(), 0, each.turnRadps(), true))
+                .isEqualTo(robots.commands(0));
+        assertThat(charge.commanded(1)).isEmpty();
+    }
+
+    @Test
     void stopOfARobotWithoutAService_isDoneAtOnce_andACallThatIsCancelledWhileItIsQueuedHasNoEffect() {
         test.get(services.stop(1));
         assertThat(robots.connections()).isZero();

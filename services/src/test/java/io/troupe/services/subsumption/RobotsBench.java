@@ -9,6 +9,7 @@ import io.troupe.actor.testkit.TestSpace;
 import io.troupe.actor.time.Clock;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.wire.DeviceCommand;
+import io.troupe.services.behaviour.Velocity;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -33,6 +34,7 @@ abstract class RobotsBench {
     /** Records which services drive which robot. */
     static final class Charge implements ServiceObserver {
         private final Map<Integer, List<Service>> inCharge = new TreeMap<>();
+        private final Map<Integer, List<Velocity>> commanded = new TreeMap<>();
         int most; // services that a robot had at the same time
         int coloursSent;
 
@@ -52,8 +54,19 @@ abstract class RobotsBench {
         }
 
         @Override
+        public void commanded(int robot, Service service, Velocity velocity) {
+            assertThat(of(robot)).containsExactly(service);
+            commanded.computeIfAbsent(robot, each -> new ArrayList<>()).add(velocity);
+        }
+
+        @Override
         public void colourSent(int robot, int colour) {
             coloursSent++;
+        }
+
+        /** The speeds that were sent to a robot, as the services have reported them. */
+        List<Velocity> commanded(int robot) {
+            return List.copyOf(commanded.getOrDefault(robot, List.of()));
         }
 
         List<Service> of(int robot) {

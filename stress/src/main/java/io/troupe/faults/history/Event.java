@@ -124,6 +124,9 @@ public sealed interface Event {
 
     record Connected() implements Event {}
 
+    /** The broker of the process has reported an event: for readers of a history, no rule uses it. */
+    record BrokerReported(String event) implements Event {}
+
     record Disconnected() implements Event {}
 
     /** The heap in use after a collection. */

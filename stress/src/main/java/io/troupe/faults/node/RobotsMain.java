@@ -11,6 +11,7 @@ import io.troupe.bus.nats.NatsBus;
 import io.troupe.bus.nats.NatsSettings;
 import io.troupe.faults.history.Event.ArbitratorEnded;
 import io.troupe.faults.history.Event.ArbitratorStarted;
+import io.troupe.faults.history.Event.BrokerReported;
 import io.troupe.faults.history.Event.Commanded;
 import io.troupe.faults.history.Event.Connected;
 import io.troupe.faults.history.Event.Disconnected;
@@ -83,7 +84,7 @@ public final class RobotsMain {
         this.history = history;
         this.space = space("broker");
         this.bus = open(name, server);
-        this.node = RobotNode.open(bus, space, event -> {}, 0);
+        this.node = RobotNode.open(bus, space, event -> history.add(new BrokerReported(event.toString())), 0);
     }
 
     private ActorSpace space(String name) {
