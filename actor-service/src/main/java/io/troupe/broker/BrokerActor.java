@@ -167,10 +167,14 @@ class BrokerActor extends Actor {
         return Promise.of(registration.health());
     }
 
-    /** A provider of another process runs again: it may be used even if it has failed before. */
-    public void revive(Address provider) {
+    /**
+     * A provider of another process may be used even if it has failed before.
+     *
+     * @param runs whether it runs; if not, it is started only if a client waits for it
+     */
+    public void revive(Address provider, boolean runs) {
         registry.at(provider)
-                .filter(each -> each.hasFailed() && !context.isClosing())
+                .filter(each -> runs ? each.hasFailed() && !context.isClosing() : each.isRestartWanted())
                 .ifPresent(each -> each.start().handle((started, error) -> null)); // a failure is an event
     }
 
@@ -194,7 +198,7 @@ class BrokerActor extends Actor {
             Map<Registration, Throwable> tried,
             Consumer<Registration> found,
             Consumer<MissingServiceException> none) {
-        var best = registry.best(need, each -> !tried.containsKey(each) && (evenFailed || !each.hasFailed()));
+        var best = registry.best(need, each -> !tried.containsKey(each) && (evenFailed || each.mayBeTried()));
         if (context.isClosing()) {
             none.accept(ProviderRegistry.closing(need));
             return;

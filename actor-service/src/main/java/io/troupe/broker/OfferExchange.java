@@ -196,8 +196,10 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
         private void update(OfferMessages.Offer offer) {
             OfferedProvider known = offered.get(offer.name());
             if (known != null && known.isSame(offer)) {
-                if (known.update(offer)) {
-                    broker.revive(known.address());
+                switch (known.update(offer)) {
+                    case REVIVED -> broker.revive(known.address(), true);
+                    case REACHABLE -> broker.revive(known.address(), false);
+                    case NONE -> {}
                 }
                 return;
             }

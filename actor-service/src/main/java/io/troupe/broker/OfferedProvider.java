@@ -34,6 +34,7 @@ final class OfferedProvider implements Provider {
     private boolean silent;
     private boolean withdrawn;
     private boolean doubted;
+    private boolean mayBeTried; // although it has failed
     private @Nullable Use use;
 
     /** The use of one life of the provider. */
@@ -58,16 +59,35 @@ final class OfferedProvider implements Provider {
                 && other.methods().equals(offer.methods());
     }
 
-    /** Returns whether it runs, and did not run when its process was last known to be well. */
-    boolean update(OfferMessages.Offer now) {
+    /** What has changed for those who may use it. */
+    enum Change {
+        NONE,
+        /** Its process can be reached, and has not reported that it failed there: a failure here was one of the way. */
+        REACHABLE,
+        /** It runs, and did not run when its process was last known to be well. */
+        REVIVED
+    }
+
+    Change update(OfferMessages.Offer now) {
         boolean revived = now.isRunning() && (silent || !offer.isRunning() || now.life() != offer.life());
         offer = now;
         silent = false;
+        mayBeTried = now.health() != Health.FAILED;
         Use used = use;
         if (used != null && hasEnded(used.life)) {
             end(used, new ProviderException(address + " has ended", null));
         }
-        return revived;
+        return revived ? Change.REVIVED : mayBeTried ? Change.REACHABLE : Change.NONE;
+    }
+
+    /** It has failed, for this process: it is tried again after the next report of its own process. */
+    void hasFailed() {
+        mayBeTried = false;
+    }
+
+    /** Returns whether it may be tried again after a failure. */
+    boolean mayBeTried() {
+        return mayBeTried;
     }
 
     private boolean hasEnded(long life) {

@@ -107,6 +107,11 @@ final class Registration extends Lifecycle<Registration.Run> {
         return state() == State.FAILED;
     }
 
+    /** Returns whether it may be chosen in the place of another one: a failed one only if that may be over. */
+    boolean mayBeTried() {
+        return !hasFailed() || provider instanceof OfferedProvider offered && offered.mayBeTried();
+    }
+
     /** The cause of its last failure, or null. */
     @Nullable
     Throwable why() {
@@ -371,6 +376,9 @@ final class Registration extends Lifecycle<Registration.Run> {
     @Override
     protected Throwable failed(@Nullable Run run, State during, Throwable error) {
         why = error;
+        if (provider instanceof OfferedProvider offered) {
+            offered.hasFailed();
+        }
         if (during == State.STARTING) {
             context.events.publish(new BrokerEvent.StartFailed(toRecord(), error));
             if (!startedLate && !isOverdue(error)) {
@@ -469,7 +477,7 @@ final class Registration extends Lifecycle<Registration.Run> {
 
     /** Restarts it after a pause, if it has failed and a connection waits for it; the pauses increase. */
     void considerRestart() {
-        if (context.settings.restartPause().isZero() || nextRestart != null || !isRestartWanted()) {
+        if (nextRestart != null || !isRestartWanted()) {
             return;
         }
         Duration pause = nextRestartPause();
@@ -485,8 +493,11 @@ final class Registration extends Lifecycle<Registration.Run> {
         });
     }
 
-    private boolean isRestartWanted() {
-        return hasFailed() && !context.isClosing() && context.listener.isWanted(this);
+    boolean isRestartWanted() {
+        return hasFailed()
+                && !context.settings.restartPause().isZero()
+                && !context.isClosing()
+                && context.listener.isWanted(this);
     }
 
     private Duration nextRestartPause() {

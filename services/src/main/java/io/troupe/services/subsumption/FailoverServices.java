@@ -35,7 +35,8 @@ final class FailoverServices extends Actor implements RobotServices {
     /** Of five renewals in a row, four may be lost or late. */
     private static final Duration RENEW_EVERY = Duration.ofMillis(250);
 
-    private static final Duration STAMP_LIMIT = Duration.ofSeconds(1);
+    private static final Duration STAMP_LIMIT = Duration.ofMillis(500);
+    private static final Duration ANSWER_LIMIT = Duration.ofSeconds(1); // of renewals and stops
     private static final Duration PAUSE = Duration.ofMillis(100); // between two attempts
 
     /** From the stamp's arrival here to the time when the provider certainly commands nothing more. */
@@ -200,11 +201,20 @@ final class FailoverServices extends Actor implements RobotServices {
                 return;
             }
             waits(why);
-            if (nowNanos() - waitsSinceNanos < PATIENCE.toNanos()) {
+            if (patienceLeft().compareTo(PAUSE) > 0) {
                 waiting = after(PAUSE, this::attempt);
             } else {
                 findLast(why);
             }
+        }
+
+        private Duration patienceLeft() {
+            return waits ? PATIENCE.minusNanos(nowNanos() - waitsSinceNanos) : PATIENCE;
+        }
+
+        Duration stampLimit() {
+            long leftNanos = patienceLeft().toNanos();
+            return Duration.ofNanos(Math.clamp(leftNanos, PAUSE.toNanos(), STAMP_LIMIT.toNanos()));
         }
 
         /** A provider that is being started slowly is found here; else the error names what there is. */
@@ -248,7 +258,7 @@ final class FailoverServices extends Actor implements RobotServices {
         }
 
         void begin() {
-            drive.provider.stamp().orTimeout(STAMP_LIMIT).handle((stamp, error) -> {
+            drive.provider.stamp().orTimeout(drive.stampLimit()).handle((stamp, error) -> {
                 if (error != null || drive.stopping) {
                     ended = true;
                     drive.lost(error == null ? new TimeoutException("stopped") : error);
@@ -313,7 +323,7 @@ final class FailoverServices extends Actor implements RobotServices {
 
         private void renew(Lease held) {
             overNanos = stampedNanos + CERTAINLY_OVER.toNanos();
-            drive.provider.renew(held).orTimeout(STAMP_LIMIT).handle((renewal, error) -> {
+            drive.provider.renew(held).orTimeout(ANSWER_LIMIT).handle((renewal, error) -> {
                 if (!ended && !unanswered && renewal != null) {
                     renewed(held, renewal);
                 }
@@ -337,7 +347,7 @@ final class FailoverServices extends Actor implements RobotServices {
         void stop() {
             Lease held = lease;
             if (held != null && !ended) {
-                drive.provider.stop(held).orTimeout(STAMP_LIMIT).handle((stopped, error) -> null);
+                drive.provider.stop(held).orTimeout(ANSWER_LIMIT).handle((stopped, error) -> null);
             }
         }
 

@@ -282,6 +282,25 @@ class FailoverTest extends RobotsBench {
     }
 
     @Test
+    void spareProvidersThatTheArbitratorCouldNotReach_areTriedAgainOnceTheyReport() {
+        offer("a", BOTH);
+        offer("b", BOTH);
+        offer("c", BOTH);
+        run(Mode.PROMISE);
+        pipe.disconnect("base");
+        seconds(5); // no provider can be started now
+        pipe.reconnect("base");
+        seconds(5);
+        assertInCharge(WF, SW);
+        String driver = drivers.getLast().substring(0, 1);
+        pipe.lose(driver);
+        seconds(3.5);
+        assertInCharge(WF, SW);
+        assertThat(drivers.getLast()).endsWith(" starts").doesNotStartWith(driver);
+        assertThat(failure).isNull();
+    }
+
+    @Test
     void answerThatIsLost_isNoticedWithTheNextRenewal() {
         offer("a", BOTH);
         RobotServices services = connected();

@@ -42,6 +42,13 @@ final class HostsPipe {
         end.listener().disconnected("the test has cut it");
     }
 
+    /** A node that was disconnected is connected again. */
+    void reconnect(String node) {
+        End end = Objects.requireNonNull(cut.remove(node));
+        nodes.put(node, end);
+        end.listener().connected();
+    }
+
     /** From now on, frames from and to that node are lost, and no node notices. */
     void lose(String node) {
         lost.add(node);
