@@ -72,12 +72,12 @@ final class OfferedProvider implements Provider {
         boolean revived = now.isRunning() && (silent || !offer.isRunning() || now.life() != offer.life());
         offer = now;
         silent = false;
-        mayBeTried = now.health() != Health.FAILED;
+        mayBeTried = true; // its process starts it again when asked, even if it has failed there
         Use used = use;
         if (used != null && hasEnded(used.life)) {
             end(used, new ProviderException(address + " has ended", null));
         }
-        return revived ? Change.REVIVED : mayBeTried ? Change.REACHABLE : Change.NONE;
+        return revived ? Change.REVIVED : now.health() == Health.FAILED ? Change.NONE : Change.REACHABLE;
     }
 
     /** It has failed, for this process: it is tried again after the next report of its own process. */

@@ -301,6 +301,20 @@ class FailoverTest extends RobotsBench {
     }
 
     @Test
+    void spareProviderThatHasEndedByItself_isStartedAgain_whenItIsTheLast() {
+        offer("a", BOTH);
+        run(Mode.PROMISE);
+        offer("b", BOTH);
+        robots.vanish();
+        seconds(3);
+        assertThat(drivers).endsWith("b 1 starts", "b 2 starts");
+        robots.vanish();
+        seconds(0.4); // less than the first pause before a restart
+        assertThat(drivers).endsWith("a 1 starts", "a 2 starts");
+        assertThat(failure).isNull();
+    }
+
+    @Test
     void answerThatIsLost_isNoticedWithTheNextRenewal() {
         offer("a", BOTH);
         RobotServices services = connected();
