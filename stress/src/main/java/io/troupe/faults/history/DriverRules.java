@@ -25,10 +25,8 @@ final class DriverRules {
     private static final long LEASE_NANOS = 2_000 * MILLI;
     private static final long HALT_NANOS = 250 * MILLI;
     private static final long NEXT_DRIVER_NANOS = 5_000 * MILLI;
-    /** Until an arbitrator that is cut off notices that. */
-    private static final long DISCOVERY_NANOS = 2_000 * MILLI;
-    /** An attempt that is under way after five seconds. */
-    private static final long LAST_ATTEMPT_NANOS = 1_000 * MILLI;
+    /** Until an arbitrator that is cut off notices that: then the leases of its drivers are certainly over. */
+    private static final long DISCOVERY_NANOS = 2_300 * MILLI;
     /** A busy machine, besides the pauses that are measured. */
     private static final long TOLERANCE_NANOS = 500 * MILLI;
 
@@ -249,7 +247,7 @@ final class DriverRules {
             long nanos = alone.toNanos()
                     - alone.fromNanos()
                     - paused(reachability.arbitratorAt(alone.toNanos()), alone.fromNanos(), alone.toNanos());
-            if (nanos > NEXT_DRIVER_NANOS + DISCOVERY_NANOS + LAST_ATTEMPT_NANOS + TOLERANCE_NANOS) {
+            if (nanos > NEXT_DRIVER_NANOS + DISCOVERY_NANOS + TOLERANCE_NANOS) {
                 violations.accept(new Violation(
                         Rule.CLEAR_END,
                         "an arbitrator has no provider for " + nanos / MILLI + " ms, and does not end",
