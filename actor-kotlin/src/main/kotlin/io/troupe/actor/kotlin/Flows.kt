@@ -7,6 +7,7 @@ import io.troupe.actor.Topic
 import java.util.concurrent.CancellationException
 import java.util.concurrent.atomic.AtomicLong
 import kotlinx.coroutines.channels.Channel
+import kotlinx.coroutines.currentCoroutineContext
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.flow.takeWhile
@@ -103,7 +104,11 @@ public fun <T> callbacks(buffer: FlowBuffer = FlowBuffer.unlimited(), subscribe:
                 { end -> channel.close(end) },
             )
         try {
-            subscribe(stream)
+            if (currentCoroutineContext().isOfThisTurn()) {
+                subscribe(stream)
+            } else {
+                onBehalfOfTheSpace { subscribe(stream) }
+            }
             for (value in channel) {
                 emit(value)
             }

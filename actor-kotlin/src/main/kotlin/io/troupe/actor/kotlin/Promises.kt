@@ -53,7 +53,7 @@ public suspend fun <T> Promise<T>.coAwait(): T {
 
 internal suspend fun <T> awaitPending(promise: Promise<T>): T = suspendCancellableCoroutine { continuation ->
     val awaiting = Awaiting(promise, continuation)
-    promise.handle(awaiting)
+    onBehalfOfTheSpace { promise.handle(awaiting) }
     continuation.invokeOnCancellation(awaiting)
 }
 
@@ -63,7 +63,7 @@ private class Awaiting<T>(private val promise: Promise<T>, private val continuat
 
     override fun apply(value: T?, error: Throwable?) {
         val dispatcher = continuation.context[ContinuationInterceptor]
-        if (dispatcher is OwnerDispatcher && dispatcher.isCurrent()) { // this listener's turn becomes the coroutine's
+        if (dispatcher is OwnerDispatcher && dispatcher.beginTurn()) { // this listener's turn becomes the coroutine's
             with(continuation) {
                 if (error == null) {
                     @Suppress("UNCHECKED_CAST") // null is a value only where T allows it
