@@ -122,6 +122,31 @@ class ScopesTest : InTestSpace() {
     }
 
     @Test
+    fun actorScope_canBeUsedInTheConstructor_andEndsWithTheActor() {
+        class Clock : Counter {
+            private var ticks = 0
+
+            init {
+                actorScope().launch {
+                    while (true) {
+                        delay(100)
+                        ticks++
+                        log += "tick"
+                    }
+                }
+            }
+
+            override suspend fun add(number: Int) = ticks + number
+        }
+        val clock = test.spawn<Counter> { Clock() }
+        advance(100)
+        assertThat(value { clock.add(1) }).isEqualTo(2)
+        test.space().stop(clock)
+        advance(1_000)
+        assertThat(log).containsExactly("tick")
+    }
+
+    @Test
     fun actorScope_endsWithItsActor() {
         val lamp = test.spawn<Lamp> { LampActor() }
         lamp.blink()

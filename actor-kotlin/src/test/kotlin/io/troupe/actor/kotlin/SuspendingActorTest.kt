@@ -214,6 +214,17 @@ class SuspendingActorTest : InTestSpace() {
         assertThat(value { plain.put(3) }).isEqualTo(4)
     }
 
+    interface Broadcaster {
+        suspend fun channel(): Callback<Int>
+    }
+
+    @Test
+    fun callbackAsAResult_isRejected() {
+        assertThatThrownBy { test.spawn<Broadcaster> { throw AssertionError() } }
+            .isInstanceOf(ActorTypeException::class.java)
+            .hasMessageContainingAll("Broadcaster.channel()", "answers io.troupe.actor.Callback<java.lang.Integer>")
+    }
+
     @JvmInline value class Name(val text: String)
 
     @JvmInline value class Degrees(val number: Int)
