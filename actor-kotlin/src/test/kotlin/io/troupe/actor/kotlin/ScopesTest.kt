@@ -269,7 +269,7 @@ class ScopesTest : InTestSpace() {
         suspend fun add(number: Int): Int
     }
 
-    /** Calls from two threads are cancelled at any moment of their way; the actor still answers, and nothing is left. */
+    /** Calls of other threads are cancelled at any moment of their way: the actor goes on, and nothing is left. */
     @Test
     fun callsThatAreCancelledAtAnyMoment_endOnce_andLeaveNothing() {
         val seed = System.nanoTime()
