@@ -38,4 +38,6 @@ tasks.register<JavaExec>("costs") {
     mainClass.set("io.troupe.actor.kotlin.CostsKt")
 }
 
+tasks.named<Jar>("javadocJar") { from("README.md") } // which says where the KDoc is
+
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.actor.kotlin") } }

@@ -353,7 +353,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         /** A callback hidden inside another type would run the caller's code on the actor's thread, or vice versa. */
         void checkArguments(Method method) {
             Type[] types = method.getGenericParameterTypes();
-            for (int index = 0; index < types.length; index++) {
+            for (int index = 0; index < SuspendingCalls.parameters(method).length; index++) {
                 if (hidesCallback(types[index])) {
                     Parameter parameter = method.getParameters()[index];
                     throw wrong(
@@ -363,10 +363,13 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                                     + ", which holds a callback that would run on the actor's side: declare the parameter as Callback<T>");
                 }
             }
-            if (arguments.mentions(method.getGenericReturnType(), Callback.class)) {
+            Type result = SuspendingCalls.isSuspending(method)
+                    ? SuspendingCalls.result(method)
+                    : method.getGenericReturnType();
+            if (arguments.mentions(result, Callback.class)) {
                 throw wrong(
                         method,
-                        "answers " + method.getGenericReturnType().getTypeName()
+                        "answers " + result.getTypeName()
                                 + ", a callback that would run on the asker's side: let a method take what the callback would be sent");
             }
         }

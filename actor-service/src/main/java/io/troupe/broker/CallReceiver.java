@@ -6,6 +6,7 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
+import io.troupe.bus.internal.CancellableAnswer;
 import io.troupe.bus.internal.NotBegunException;
 import io.troupe.bus.internal.UnreadableException;
 import java.lang.reflect.InvocationTargetException;
@@ -92,6 +93,9 @@ final class CallReceiver {
         if (returned instanceof Promise<?> promise) {
             promise.toCompletableFuture() // at once, also if the actor's space has been closed
                     .whenComplete((value, error) -> settle(answer, method, value, error));
+            if (method.isSuspending()) {
+                return new CancellableAnswer<>(answer, promise);
+            }
         } else {
             answer.resolve(new CallMessages.Result(method.encodeResult(null)));
         }

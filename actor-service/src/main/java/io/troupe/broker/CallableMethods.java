@@ -170,6 +170,7 @@ final class CallableMethods {
         private final Values values;
         private final Type[] parameters;
         private final @Nullable Type result; // null: a one-way method
+        private final boolean isUnit; // the result is kotlin.Unit, which crosses as null
 
         CallableMethod(Class<?> owner, Method method, Values values) {
             this.owner = owner;
@@ -188,21 +189,34 @@ final class CallableMethods {
                     values.check(use, parameters[i]);
                 }
             }
-            Class<?> returned = method.getReturnType();
-            if (returned == Promise.class) {
-                result = argumentOf(method.getGenericReturnType(), "a Promise of a value");
+            Type returned = returned();
+            isUnit = returned != null && SuspendingCalls.areSupported() && SuspendingCalls.isUnit(returned);
+            result = isUnit ? Void.class : returned;
+            if (result != null) {
                 values.check(describe("result"), result);
-            } else if (SuspendingCalls.isSuspending(method)) {
-                Type suspended = SuspendingCalls.result(method);
-                result = SuspendingCalls.isUnit(suspended) ? Void.class : suspended;
-                values.check(describe("result"), result);
-            } else if (returned == void.class) {
-                result = null;
-            } else {
-                throw rejection("it returns " + returned.getSimpleName()
-                        + ", expected void (a one-way message) or Promise (a request)");
             }
             makeAccessible();
+        }
+
+        /** The type of the result as it is written; null for a one-way method. */
+        private @Nullable Type returned() {
+            Class<?> plain = method.getReturnType();
+            if (plain == Promise.class) {
+                return argumentOf(method.getGenericReturnType(), "a Promise of a value");
+            }
+            if (isSuspending()) {
+                return SuspendingCalls.result(method);
+            }
+            if (plain == void.class) {
+                return null;
+            }
+            throw rejection("it returns " + plain.getSimpleName()
+                    + ", expected void (a one-way message) or Promise (a request)");
+        }
+
+        /** True for a suspend function of Kotlin. */
+        boolean isSuspending() {
+            return SuspendingCalls.isSuspending(method);
         }
 
         private void makeAccessible() {
@@ -307,16 +321,12 @@ final class CallableMethods {
         }
 
         CborItem encodeResult(@Nullable Object value) {
-            return values.encode(result == null ? Void.class : result, isUnit() ? null : value);
+            return values.encode(result == null ? Void.class : result, isUnit ? null : value);
         }
 
         @Nullable
         Object decodeResult(CborItem item) {
-            return isUnit() ? SuspendingCalls.unit() : values.decode(result == null ? Void.class : result, item);
-        }
-
-        private boolean isUnit() {
-            return SuspendingCalls.isSuspending(method) && result == Void.class;
+            return isUnit ? SuspendingCalls.unit() : values.decode(result == null ? Void.class : result, item);
         }
 
         /** Calls the method of an actor; returns the promise of a request, or null. */

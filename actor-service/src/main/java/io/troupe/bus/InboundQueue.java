@@ -102,6 +102,9 @@ abstract class InboundQueue {
     /** Called under the lock when a message has been queued. */
     void accepted() {}
 
+    /** Called under the lock when a message has been removed from the queue, before it is handled. */
+    void taken(MessageDelivery delivery) {}
+
     private void signal() {
         if (wakeUps.publish(this) == 0) {
             end("the actor that listened has stopped");
@@ -117,6 +120,7 @@ abstract class InboundQueue {
                     signalled = false;
                     return;
                 }
+                taken(next);
             }
             handleOne(next);
         }

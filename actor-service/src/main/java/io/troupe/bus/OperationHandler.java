@@ -1,19 +1,41 @@
 package io.troupe.bus;
 
 import io.troupe.actor.promise.Promise;
+import io.troupe.bus.internal.CancellableAnswer;
 import io.troupe.bus.internal.NotBegunException;
+import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.concurrent.CancellationException;
 import java.util.function.Function;
+import java.util.function.Predicate;
 import org.jspecify.annotations.Nullable;
 
 /** The request handler that a port registered for one operation, with the queue of its requests. */
 final class OperationHandler<Q extends Record, A extends Record> extends InboundQueue {
     final Operation<Q, A> operation;
     private final Function<? super Q, ? extends Promise<A>> handler;
-    // guarded by itself: requests without a reply yet, at most capacity
-    private final Map<MessageDelivery.RequestId, MessageDelivery> begun = new LinkedHashMap<>();
+    // guarded by itself: requests that were taken from the queue and have no reply yet
+    private final Map<MessageDelivery.RequestId, Begun> begun = new LinkedHashMap<>();
+
+    /** A request that was taken from the queue, and the answer that is cancelled with it, if there is one. */
+    private static final class Begun {
+        final MessageDelivery request;
+
+        @Nullable
+        CancellableAnswer<?> answer;
+
+        Begun(MessageDelivery request) {
+            this.request = request;
+        }
+
+        void cancel() {
+            if (answer != null) {
+                answer.cancel();
+            }
+        }
+    }
 
     OperationHandler(BusPort port, Operation<Q, A> operation, Function<? super Q, ? extends Promise<A>> handler) {
         super(port, port.address() + " answers " + operation.name(), port.node.settings.capacity());
@@ -21,16 +43,31 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         this.handler = handler;
     }
 
+    /** Recorded under the lock of the queue, so that a cancellation finds each request either waiting or begun. */
+    @Override
+    void taken(MessageDelivery delivery) {
+        if (!isNotice(delivery)) {
+            synchronized (begun) {
+                begun.put(delivery.id(), new Begun(delivery));
+            }
+        }
+    }
+
+    private static boolean isNotice(MessageDelivery delivery) {
+        return delivery.message().purpose() instanceof BusMessage.Purpose.Notice;
+    }
+
     @Override
     void handle(MessageDelivery request) {
         if (request.isOverdue(node.nanos())) {
+            forget(request.id());
             node.reject(
                     port.address(),
                     request,
                     "got to it after the limit of " + request.limitNanos() / 1_000_000 + " ms");
             return;
         }
-        if (request.message().purpose() instanceof BusMessage.Purpose.Notice) {
+        if (isNotice(request)) {
             handleNotice(request);
             return;
         }
@@ -53,8 +90,25 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
             settle(request, null, thrown);
             return;
         }
+        if (answer instanceof CancellableAnswer<?> cancellable) {
+            cancelWith(request, cancellable);
+        }
         answer.toCompletableFuture() // notifies at once, on any thread, even if the actor has stopped
                 .whenComplete((value, error) -> settle(request, value, error));
+    }
+
+    /** Notes the answer that is cancelled with a request; cancels it if that has happened meanwhile. */
+    private void cancelWith(MessageDelivery request, CancellableAnswer<?> answer) {
+        Begun open;
+        synchronized (begun) {
+            open = begun.get(request.id());
+            if (open != null) {
+                open.answer = answer;
+            }
+        }
+        if (open == null) {
+            answer.cancel();
+        }
     }
 
     /** No requester waits for the result of a one-way message; its failure is reported on this node. */
@@ -76,31 +130,36 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     /**
-     * Records a request as begun. Returns false if the limit is reached. A request whose requester has cancelled is
-     * handled, but not recorded.
+     * Returns false if too many requests are being answered. A request whose requester has cancelled is handled, but
+     * its reply not awaited.
      */
     private boolean begin(MessageDelivery request) {
-        synchronized (begun) {
-            if (begun.size() >= node.settings.capacity()) {
-                long nowNanos = node.nanos();
-                begun.values().removeIf(each -> each.isOverdue(nowNanos)); // no requester waits for their replies
-            }
-            if (begun.size() >= node.settings.capacity() && node.isAwaited(request)) {
-                return false;
-            }
-            begun.put(request.id(), request);
-        }
-        // checked after recording: either this thread or the cancelling one sees the other's change
         if (!node.isAwaited(request)) {
             forget(request.id());
+        } else if (isBusy()) {
+            long nowNanos = node.nanos();
+            forgetAll(each -> each != request && each.isOverdue(nowNanos)); // no requester waits for their replies
+            if (isBusy()) {
+                forget(request.id());
+                return false;
+            }
         }
         return true;
+    }
+
+    private boolean isBusy() {
+        synchronized (begun) {
+            return begun.size() > node.settings.capacity();
+        }
     }
 
     private void settle(MessageDelivery request, @Nullable A value, @Nullable Throwable error) {
         boolean first;
         synchronized (begun) {
             first = begun.remove(request.id()) != null;
+        }
+        if (!first && error instanceof CancellationException) {
+            return; // cancelled with its request: there is no reply
         }
         BusMessage reply = replyTo(request, value, error);
         if (first) {
@@ -121,18 +180,27 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     private void forget(MessageDelivery.RequestId request) {
+        Begun gone;
         synchronized (begun) {
-            begun.remove(request);
+            gone = begun.remove(request);
+        }
+        if (gone != null) {
+            gone.cancel();
         }
     }
 
     /** That life of a node has ended. */
     void forgetAllOf(String requesterNode, long incarnation) {
+        forgetAll(each -> each.incarnation() == incarnation
+                && each.message().from().node().equals(requesterNode));
+    }
+
+    private void forgetAll(Predicate<? super MessageDelivery> unawaited) {
+        List<Begun> gone = new ArrayList<>();
         synchronized (begun) {
-            begun.keySet()
-                    .removeIf(each -> each.incarnation() == incarnation
-                            && each.by().node().equals(requesterNode));
+            begun.values().removeIf(each -> unawaited.test(each.request) && gone.add(each));
         }
+        gone.forEach(Begun::cancel);
     }
 
     private BusMessage replyTo(MessageDelivery request, @Nullable A value, @Nullable Throwable error) {
@@ -197,11 +265,11 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     private void rejectBegun(String why) {
-        List<MessageDelivery> open;
+        List<Begun> open;
         synchronized (begun) {
             open = List.copyOf(begun.values());
             begun.clear();
         }
-        open.forEach(request -> node.abandon(port.address(), request, "left before it answered: " + why));
+        open.forEach(each -> node.abandon(port.address(), each.request, "left before it answered: " + why));
     }
 }

@@ -9,6 +9,7 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
+import io.troupe.bus.internal.CancellableAnswer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -493,6 +494,31 @@ class BusContractTest extends BusContract {
         assertThat(theOnlyLoss())
                 .isInstanceOfSatisfying(
                         Loss.Late.class, late -> assertThat(late.why()).isEqualTo("nobody waits for it any more"));
+    }
+
+    @Test
+    void answerThatCanBeCancelled_isCancelledWithItsRequest_alsoWhileItsHandlerRuns() {
+        var asked = new ArrayList<Promise<Text>>();
+        var work = new ArrayList<Deferred<Text>>();
+        var speller = speller(count -> {
+            work.add(new Deferred<>(test.space()));
+            if (count.value() == 2) {
+                asked.getLast().cancel();
+            }
+            return new CancellableAnswer<>(work.getLast(), work.getLast());
+        });
+        asked.add(ask(asker, speller, 1));
+        test.crank();
+        asked.getFirst().cancel();
+        test.crank();
+        assertThat(work.getFirst().isCancelled()).isTrue();
+        asked.add(ask(asker, speller, 2));
+        test.crank();
+        assertThat(work.getLast().isCancelled()).isTrue();
+        asked.add(ask(asker, speller, 3));
+        test.crank();
+        work.getLast().resolve(new Text("three"));
+        assertThat(test.get(asked.getLast())).isEqualTo(new Text("three"));
     }
 
     // ---- ports, actors and spaces that are opened and closed

@@ -7,6 +7,7 @@ import io.troupe.actor.Topic
 import java.util.concurrent.CancellationException
 import java.util.concurrent.atomic.AtomicLong
 import kotlinx.coroutines.channels.Channel
+import kotlinx.coroutines.currentCoroutineContext
 import kotlinx.coroutines.flow.Flow
 import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.flow.takeWhile
@@ -19,7 +20,7 @@ import kotlinx.coroutines.flow.takeWhile
  * scope.launch { scans.asFlow(newest).collect { avoid(it) } }
  * ```
  *
- * One object may serve several flows; [lost] then counts for all of them.
+ * One object may serve several flows, on any threads; [lost] then counts for all of them.
  */
 public class FlowBuffer private constructor(
     private val name: String,
@@ -57,12 +58,20 @@ public class FlowBuffer private constructor(
         @JvmStatic
         public fun latest(): FlowBuffer = FlowBuffer("latest()", 1, failsIfFull = false)
 
-        /** Keeps the newest values. */
+        /**
+         * Keeps the newest values.
+         *
+         * @throws IllegalArgumentException if [capacity] is less than 1
+         */
         @JvmStatic
         public fun dropOldest(capacity: Int): FlowBuffer =
             FlowBuffer("dropOldest($capacity)", checked(capacity), failsIfFull = false)
 
-        /** Keeps values up to a number; one more ends the flow with a [FlowOverflowException]. */
+        /**
+         * Keeps values up to a number; one more ends the flow with a [FlowOverflowException].
+         *
+         * @throws IllegalArgumentException if [capacity] is less than 1
+         */
         @JvmStatic
         public fun failing(capacity: Int): FlowBuffer =
             FlowBuffer("failing($capacity)", checked(capacity), failsIfFull = true)
@@ -84,9 +93,12 @@ public class FlowOverflowException internal constructor(message: String) : Illeg
  * val numbers: Flow<Int> = callbacks { counter.count(3, it) }
  * ```
  *
- * Each collection calls [subscribe] once, with a new callback. It ends when the actor calls `finish` or `fail`; when
- * the collector has had enough, the actor sees `isCancelled`. If the actor stops without a `finish`, no end arrives,
- * as with every callback.
+ * Each collection calls [subscribe] once, with a new callback, in the coroutine of the collector, which may run on any
+ * dispatcher. It ends when the actor calls `finish` or `fail`; when the collector has had enough, the actor sees
+ * `isCancelled`. If the actor stops without a `finish`, no end arrives, as with every callback.
+ *
+ * The collector gets the exception of [subscribe], that of `fail`, an `ActorStoppedException` or a
+ * `MailboxFullException` if the actor does not take the call, and a [FlowOverflowException] from its [buffer].
  */
 public fun <T> callbacks(buffer: FlowBuffer = FlowBuffer.unlimited(), subscribe: (Callback<T>) -> Unit): Flow<T> =
     flow {
@@ -103,7 +115,11 @@ public fun <T> callbacks(buffer: FlowBuffer = FlowBuffer.unlimited(), subscribe:
                 { end -> channel.close(end) },
             )
         try {
-            subscribe(stream)
+            if (currentCoroutineContext().isOfThisTurn()) {
+                subscribe(stream)
+            } else {
+                onBehalfOfTheSpace { subscribe(stream) }
+            }
             for (value in channel) {
                 emit(value)
             }
@@ -115,7 +131,7 @@ public fun <T> callbacks(buffer: FlowBuffer = FlowBuffer.unlimited(), subscribe:
 
 /**
  * The values of a topic: those that are published while the flow is collected, and first the last one if the topic
- * stores it. It ends with the topic.
+ * stores it. It ends with the topic, and throws the error of a topic that has failed. Any dispatcher may collect it.
  *
  * ```
  * colours.asFlow(FlowBuffer.latest()).collect { show(it) }
@@ -126,7 +142,8 @@ public fun <T : Any> Topic<T>.asFlow(buffer: FlowBuffer = FlowBuffer.unlimited()
 
 /**
  * Sends the values of this flow through a callback, and then its end: `finish`, or `fail` with the flow's exception,
- * which is not thrown here. Returns early if the reader cancels.
+ * which is thrown here only if it is a cancellation. Returns at the next value if the reader cancels. The flow runs in
+ * the coroutine that calls this.
  *
  * ```
  * override fun count(limit: Int, to: Callback<Int>) {
@@ -148,7 +165,8 @@ public suspend fun <T> Flow<T>.sendTo(callback: Callback<in T>) {
 }
 
 /**
- * Publishes the values of this flow to a topic. The end of the flow does not end the topic, which may have others.
+ * Publishes the values of this flow to a topic. The end of the flow does not end the topic, which may have others; the
+ * exception of the flow is thrown here. The flow runs in the coroutine that calls this, on any dispatcher.
  *
  * ```
  * scope.launch { prices.publishTo(scans) }

@@ -25,7 +25,8 @@ import kotlinx.coroutines.newCoroutineContext
 import kotlinx.coroutines.suspendCancellableCoroutine
 
 /**
- * Suspends until the promise is settled; returns its value or throws its error, unwrapped.
+ * Suspends until the promise is settled; returns its value or throws its error, unwrapped. For coroutines of any
+ * dispatcher and scope.
  *
  * ```
  * suspend fun total(shop: Shop): Int = shop.price("lamp").coAwait() + shop.price("bulb").coAwait()
@@ -53,7 +54,7 @@ public suspend fun <T> Promise<T>.coAwait(): T {
 
 internal suspend fun <T> awaitPending(promise: Promise<T>): T = suspendCancellableCoroutine { continuation ->
     val awaiting = Awaiting(promise, continuation)
-    promise.handle(awaiting)
+    onBehalfOfTheSpace { promise.handle(awaiting) }
     continuation.invokeOnCancellation(awaiting)
 }
 
@@ -63,7 +64,7 @@ private class Awaiting<T>(private val promise: Promise<T>, private val continuat
 
     override fun apply(value: T?, error: Throwable?) {
         val dispatcher = continuation.context[ContinuationInterceptor]
-        if (dispatcher is OwnerDispatcher && dispatcher.isCurrent()) { // this listener's turn becomes the coroutine's
+        if (dispatcher is OwnerDispatcher && dispatcher.beginTurn()) { // this listener's turn becomes the coroutine's
             with(continuation) {
                 if (error == null) {
                     @Suppress("UNCHECKED_CAST") // null is a value only where T allows it
@@ -87,7 +88,8 @@ private class Awaiting<T>(private val promise: Promise<T>, private val continuat
 
 /**
  * Calls a suspend function of an actor from Java: `Promises.ask(c -> greeter.greet("Ada", c))`. The call sends a
- * message at once and returns its promise. In Kotlin, call the function in a coroutine.
+ * message at once and returns its promise; cancelling it cancels the call. Any thread. In Kotlin, call the function in
+ * a coroutine.
  *
  * @param call calls one suspend function of a proxy with the continuation it is given, and nothing else
  * @throws IllegalStateException if the function is not that of a proxy
@@ -112,7 +114,8 @@ public fun interface SuspendingCall<T> {
  * override fun total(item: String, count: Int): Promise<Int> = promise { shop.price(item).coAwait() * count }
  * ```
  *
- * It begins at once, in the actor's turn. Cancelling the promise cancels the coroutine.
+ * It begins at once, in the actor's turn, and goes on in further turns of the actor. Cancelling the promise cancels the
+ * coroutine; an exception rejects the promise, and is no failure of the actor.
  *
  * @throws IllegalStateException outside the turn of an actor; there, call it on a scope
  */
@@ -120,8 +123,8 @@ public fun <T> promise(block: suspend CoroutineScope.() -> T): Promise<T> =
     actorScope().promise(start = CoroutineStart.UNDISPATCHED, block = block)
 
 /**
- * Runs a coroutine of this scope and returns the promise of its result. Cancelling the promise cancels the coroutine;
- * a failure of the coroutine rejects the promise, and cancels the scope's job unless that is a supervisor.
+ * Runs a coroutine of this scope and returns the promise of its result. Any thread. Cancelling the promise cancels the
+ * coroutine; a failure of the coroutine rejects the promise, and cancels the scope's job unless that is a supervisor.
  *
  * ```
  * val high = scope.promise { prices.filter { it > 5 }.take(2).toList() }

@@ -10,6 +10,7 @@ import io.troupe.actor.internal.loop.Owner
 import io.troupe.actor.promise.EventLoop
 import java.time.Duration
 import java.util.concurrent.CancellationException
+import kotlin.coroutines.ContinuationInterceptor
 import kotlin.coroutines.CoroutineContext
 import kotlin.coroutines.resume
 import kotlinx.coroutines.CancellableContinuation
@@ -76,6 +77,21 @@ public fun ActorSpace.asDispatcher(): CoroutineDispatcher = owner().scope().disp
 
 private fun ActorSpace.owner(): Owner = EventLoop.homeOf(this)!!.itself()
 
+/**
+ * Registers what a coroutine waits for. The end of the actor whose turn it is would drop a listener of that actor; but
+ * the coroutine may be of another scope, or not cancellable now, and would never go on.
+ */
+internal inline fun onBehalfOfTheSpace(register: () -> Unit) {
+    val home = Home.current()
+    val owner = home?.owner()
+    home?.beginForItself()
+    try {
+        register()
+    } finally {
+        if (owner != null) home.begin(owner)
+    }
+}
+
 internal fun Owner.scope(): OwnerScope = attachment(::OwnerScope) as OwnerScope
 
 /** The coroutines of one incarnation of an actor, or of a space. */
@@ -93,7 +109,12 @@ internal class OwnerScope(owner: Owner) : CoroutineScope, Owner.Attachment {
     }
 }
 
-private class Failure(private val owner: Owner, private val error: Throwable) : Node() {
+/** True if a coroutine with this context belongs to the actor, or the space, whose turn it is. */
+internal fun CoroutineContext.isOfThisTurn(): Boolean =
+    (this[ContinuationInterceptor] as? OwnerDispatcher)?.owner === Home.current()?.owner()
+
+/** An exception that no caller gets: a failure of its owner. */
+internal class Failure(private val owner: Owner, private val error: Throwable) : Node() {
     override fun serve(): Node? {
         owner.home().beginForItself()
         owner.failed("a coroutine", error)
@@ -105,8 +126,17 @@ private class Failure(private val owner: Owner, private val error: Throwable) : 
 internal class OwnerDispatcher(val owner: Owner) : CoroutineDispatcher(), Delay {
     private val home: Home = owner.home()
 
-    /** True if a coroutine of this dispatcher may go on in the current turn: called at the bottom of its stack. */
-    fun isCurrent(): Boolean = home.isCurrent && home.owner() === owner
+    /**
+     * Makes the current turn one of this owner, or of the home if the owner has ended; called at the bottom of the
+     * stack of a turn. False on another thread, and if the home is ending.
+     */
+    fun beginTurn(): Boolean {
+        if (!home.isCurrent || home.isEnding) {
+            return false
+        }
+        home.begin(if (owner.isOver) home.itself() else owner)
+        return true
+    }
 
     override fun dispatch(context: CoroutineContext, block: Runnable) {
         if (home.isEnding && !home.isCurrent) {
@@ -136,13 +166,9 @@ internal class OwnerDispatcher(val owner: Owner) : CoroutineDispatcher(), Delay 
 
     private inner class Resumption(private val context: CoroutineContext, private val block: Runnable) : Node() {
         override fun serve(): Node? {
-            if (home.isEnding) {
-                context.cancel(closed())
-            }
-            if (owner.isOver) {
+            if (!beginTurn()) {
                 home.beginForItself()
-            } else {
-                home.begin(owner)
+                context.cancel(closed())
             }
             block.run()
             return null

@@ -18,8 +18,12 @@ import io.troupe.broker.ServiceRecord
  * services.publish<Thermometer>(space, "thermometer") { ThermometerActor() }
  * ```
  *
+ * Any thread may call this. The promise has the broker's record of the service, or its reason for a refusal.
+ *
  * @param space where it runs
  * @param factory creates the actor, on its space, at each start
+ * @throws IllegalArgumentException if there is a bus, and a function cannot be called from other hosts; the message
+ *     names it, the parameter and the reason
  */
 public inline fun <reified A : Any> ActorServices.publish(
     space: ActorSpace,
@@ -34,6 +38,11 @@ public inline fun <reified A : Any> ActorServices.publish(
  * ```
  * val thermometer = services.connect<Thermometer>(Need.ofService("guest", "thermometer")).actor()
  * ```
+ *
+ * Any thread may call this, and its actor. What a connection does without a provider, and how its calls fail, is the
+ * same as in Java.
+ *
+ * @throws IllegalArgumentException if the type is a class, or has a function that cannot be a message
  */
 public inline fun <reified A : Any> ActorServices.connect(
     need: Need,

@@ -23,7 +23,8 @@ import io.troupe.actor.testkit.TestSpace
  * actor handles other messages, as between two listeners of a promise. If the caller is cancelled, so is that
  * coroutine; if the actor stops or restarts, the caller gets an `ActorStoppedException` and the coroutine is cancelled.
  *
- * Write the type, `spawn<Greeter>`: without it the compiler takes the class of the implementation.
+ * Any thread may spawn an actor, and call it. Write the type, `spawn<Greeter>`: without it the compiler takes the class
+ * of the implementation.
  *
  * @param factory creates the implementation, on the space's thread, before the first message
  * @throws io.troupe.actor.ActorTypeException if the type has a function that cannot be a message

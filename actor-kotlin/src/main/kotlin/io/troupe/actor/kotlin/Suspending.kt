@@ -13,6 +13,7 @@ import java.lang.invoke.VarHandle
 import java.util.concurrent.CancellationException
 import java.util.concurrent.TimeoutException
 import kotlin.coroutines.Continuation
+import kotlin.coroutines.ContinuationInterceptor
 import kotlin.coroutines.CoroutineContext
 import kotlin.coroutines.EmptyCoroutineContext
 import kotlin.coroutines.intrinsics.COROUTINE_SUSPENDED
@@ -86,8 +87,11 @@ private class SuspendedCall(scope: OwnerScope) :
     AbstractCoroutine<Any?>(scope.callContext, initParentJob = false, active = true), Runnable {
     @Volatile private var end: Any? = null // null, then the outcome, or the promise of it
 
+    @Volatile private var abandoned = false // its request is settled already
+
     /** Cancels the call; any thread. */
     override fun run() {
+        abandoned = true
         cancel(CancellationException("the caller has cancelled this call, or its actor has ended"))
     }
 
@@ -103,7 +107,13 @@ private class SuspendedCall(scope: OwnerScope) :
 
     override fun onCompleted(value: Any?) = ended(Result.success(value))
 
-    override fun onCancelled(cause: Throwable, handled: Boolean) = ended(Result.failure(unwrapped(cause)))
+    override fun onCancelled(cause: Throwable, handled: Boolean) {
+        if (abandoned && cause !is CancellationException) { // for example of a "finally"
+            val home = (context[ContinuationInterceptor] as OwnerDispatcher).owner.home()
+            home.enqueue(Failure(home.itself(), cause)) // no failure of the actor: it goes on after failed calls
+        }
+        ended(Result.failure(unwrapped(cause)))
+    }
 
     private fun ended(outcome: Result<Any?>) {
         if (!setEnd(outcome)) {

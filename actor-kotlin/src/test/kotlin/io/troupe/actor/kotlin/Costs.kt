@@ -2,6 +2,7 @@ package io.troupe.actor.kotlin
 
 import io.troupe.actor.ActorSpace
 import io.troupe.actor.SpaceSettings
+import io.troupe.actor.promise.Deferred
 import io.troupe.actor.promise.Promise
 import java.time.Duration
 import kotlin.coroutines.CoroutineContext
@@ -63,7 +64,6 @@ private class Costs(private val space: ActorSpace, private val requests: Int) {
         "suspend function that asks another actor (2 requests)" to { inCoroutine { adder.passedOn(it) } },
         "sequential, await" to {
             space.sequential { repeat(requests / 20) { adder.promised(it).await() } }.get(LIMIT)
-
         },
         "kotlinx channel and CompletableDeferred, same space" to { channels(space.asDispatcher()) },
         "kotlinx channel and CompletableDeferred, Default" to { channels(Dispatchers.Default.limitedParallelism(1)) },
@@ -89,13 +89,13 @@ private class Costs(private val space: ActorSpace, private val requests: Int) {
     }
 
     private fun onSpace(start: () -> Promise<Int>) {
-        val end = io.troupe.actor.promise.Deferred<Int>(space)
+        val end = Deferred<Int>(space)
         space.execute { end.resolveFrom(start()) }
         end.get(LIMIT)
     }
 
     private fun chain(begin: Int): Promise<Int> {
-        val end = io.troupe.actor.promise.Deferred<Int>(space)
+        val end = Deferred<Int>(space)
         fun next(number: Int) {
             adder.promised(number).then { it: Int -> if (it < requests) next(it) else end.resolve(it) }
         }

@@ -1,23 +1,31 @@
 package io.troupe.actor.kotlin
 
+import io.troupe.actor.Actor
 import io.troupe.actor.ActorSettings
 import io.troupe.actor.ActorStoppedException
 import io.troupe.actor.MailboxBound.Overflow
 import io.troupe.actor.MailboxFullException
 import io.troupe.actor.Supervision
+import io.troupe.actor.Topic
 import io.troupe.actor.promise.Deferred
 import io.troupe.actor.promise.Promise
 import java.io.IOException
 import java.time.Duration
 import java.util.concurrent.CancellationException
 import java.util.concurrent.TimeoutException
+import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.CoroutineStart
+import kotlinx.coroutines.Dispatchers
+import kotlinx.coroutines.ExperimentalCoroutinesApi
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.NonCancellable
 import kotlinx.coroutines.TimeoutCancellationException
+import kotlinx.coroutines.async
 import kotlinx.coroutines.awaitCancellation
 import kotlinx.coroutines.coroutineScope
 import kotlinx.coroutines.currentCoroutineContext
 import kotlinx.coroutines.delay
+import kotlinx.coroutines.flow.first
 import kotlinx.coroutines.job
 import kotlinx.coroutines.launch
 import kotlinx.coroutines.withContext
@@ -100,7 +108,7 @@ class EndsTest : InTestSpace() {
 
         /** Starts a coroutine in the scope of this call, which ends before it. */
         override suspend fun forgetful(): String {
-            val call = kotlinx.coroutines.CoroutineScope(currentCoroutineContext())
+            val call = CoroutineScope(currentCoroutineContext())
             call.launch {
                 delay(10)
                 log += "child"
@@ -285,6 +293,105 @@ class EndsTest : InTestSpace() {
         assertThat(test.error(result)).isInstanceOf(ActorStoppedException::class.java)
         advance(10)
         assertThat(log).containsExactly("worked", "asked done")
+    }
+
+    interface Holder {
+        suspend fun holdOn(): Int
+
+        fun begin(foreign: CoroutineScope, gate: Promise<Int>, numbers: Topic<Int>)
+    }
+
+    private inner class HolderActor(private val gate: Promise<Int>, private val error: Exception? = null) : Holder {
+        override suspend fun holdOn(): Int =
+            try {
+                withContext(NonCancellable) { gate.coAwait() }
+            } finally {
+                log += "released"
+                if (error != null) throw error
+            }
+
+        override fun begin(foreign: CoroutineScope, gate: Promise<Int>, numbers: Topic<Int>) {
+            foreign.launch(start = CoroutineStart.UNDISPATCHED) { log += "awaited ${gate.coAwait()}" }
+            foreign.launch(start = CoroutineStart.UNDISPATCHED) { log += "collected ${numbers.asFlow().first()}" }
+        }
+    }
+
+    @Test
+    fun coroutineThatCannotBeCancelledNow_goesOnAfterTheEndOfItsActor() {
+        val gate = Deferred<Int>(test.space())
+        val holder = test.spawn<Holder> { HolderActor(gate) }
+        val result = run { holder.holdOn() }
+        test.space().stop(holder)
+        test.crank()
+        assertThat(test.error(result)).isInstanceOf(ActorStoppedException::class.java)
+        assertThat(log).isEmpty()
+        gate.resolve(1)
+        test.crank()
+        assertThat(log).containsExactly("released")
+    }
+
+    @Test
+    fun foreignCoroutines_begunUndispatchedInTheTurnOfAnActor_goOnAfterItsEnd() {
+        for (dispatcher in listOf(Dispatchers.Unconfined, test.space().asDispatcher())) {
+            log.clear()
+            val gate = Deferred<Int>(test.space())
+            val numbers = Topic.of<Int>(test.space(), "numbers")
+            val holder = test.spawn<Holder> { HolderActor(gate) }
+            holder.begin(CoroutineScope(dispatcher), gate, numbers)
+            test.space().stop(holder)
+            test.crank()
+            gate.resolve(1)
+            numbers.publish(2)
+            test.crank()
+            assertThat(log).containsExactlyInAnyOrder("awaited 1", "collected 2")
+        }
+    }
+
+    @Test
+    fun failureAfterACancellation_isReported_andTheActorGoesOn() {
+        val gate = Deferred<Int>(test.space())
+        val holder = test.spawn<Holder> { HolderActor(gate, IOException("not released")) }
+        val caller = test.space().scope.launch { holder.holdOn() }
+        test.crank()
+        caller.cancel()
+        gate.resolve(1)
+        test.crank()
+        assertThat(takeProblems()).hasSize(1).first().asString().endsWith(": not released")
+        assertThat(error { holder.holdOn() }).hasMessage("not released")
+    }
+
+    interface Leaver {
+        suspend fun leave(): String
+    }
+
+    @Test
+    fun actorThatStopsItselfWhileItSuspends_rejectsItsCall() {
+        val leaver = test.spawn<Leaver> {
+            object : Actor(), Leaver {
+                override suspend fun leave(): String {
+                    space().stop(self<Leaver>())
+                    delay(10)
+                    return "still there"
+                }
+            }
+        }
+        assertThat(error { leaver.leave() }).isInstanceOf(ActorStoppedException::class.java)
+        advance(10)
+    }
+
+    @OptIn(ExperimentalCoroutinesApi::class)
+    @Test
+    fun tenThousandCallsAtOnce_areAnswered_andHalfOfThemCancelled() {
+        val worker = worker()
+        val calls = (1..10_000).map { test.space().scope.async { worker.work(50) } }
+        test.crank()
+        calls.filterIndexed { index, _ -> index % 2 == 0 }.forEach { it.cancel() }
+        test.crank()
+        assertThat(log).hasSize(5_000).containsOnly("stopped after 0")
+        advance(50)
+        assertThat(calls.count { it.isCancelled }).isEqualTo(5_000)
+        assertThat(calls.filterNot { it.isCancelled }).allMatch { it.getCompleted() == "done" }
+        assertThat(test.space().metrics().timers()).isZero()
     }
 
     @Test

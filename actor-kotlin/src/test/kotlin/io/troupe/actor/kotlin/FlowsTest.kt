@@ -1,6 +1,7 @@
 package io.troupe.actor.kotlin
 
 import io.troupe.actor.ActorSpace
+import io.troupe.actor.ActorStoppedException
 import io.troupe.actor.Callback
 import io.troupe.actor.SpaceSettings
 import io.troupe.actor.Topic
@@ -111,6 +112,20 @@ class FlowsTest : InTestSpace() {
         }
         assertThat(two.now).containsExactly(1, 2)
         assertThat(numbers.subscribers()).isZero()
+    }
+
+    @Test
+    fun errorsOnTheWay_reachTheCollector_andEndTheCallback() {
+        assertThat(error { callbacks<Int> { throw IOException("no counter") }.toList() }).hasMessage("no counter")
+        val collected = run {
+            callbacks<Int> { counter.countSlowly(1_000, it) }.collect { throw IOException("no room for $it") }
+        }
+        advance(10)
+        assertThat(test.error(collected)).hasMessage("no room for 1")
+        test.space().stop(counter)
+        test.crank()
+        assertThat(error { numbers(3).toList() }).isInstanceOf(ActorStoppedException::class.java)
+        assertThat(test.takeDeadLetters()).hasSize(1)
     }
 
     @Test

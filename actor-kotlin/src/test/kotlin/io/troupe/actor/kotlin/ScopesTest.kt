@@ -8,8 +8,10 @@ import io.troupe.actor.promise.Promise
 import java.io.IOException
 import java.util.concurrent.CancellationException
 import java.util.concurrent.atomic.AtomicReference
+import kotlin.random.Random
 import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.CoroutineScope
+import kotlinx.coroutines.CoroutineStart
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.Job
 import kotlinx.coroutines.NonCancellable
@@ -117,6 +119,31 @@ class ScopesTest : InTestSpace() {
         }
 
         private var scope: CoroutineScope? = null
+    }
+
+    @Test
+    fun actorScope_canBeUsedInTheConstructor_andEndsWithTheActor() {
+        class Clock : Counter {
+            private var ticks = 0
+
+            init {
+                actorScope().launch {
+                    while (true) {
+                        delay(100)
+                        ticks++
+                        log += "tick"
+                    }
+                }
+            }
+
+            override suspend fun add(number: Int) = ticks + number
+        }
+        val clock = test.spawn<Counter> { Clock() }
+        advance(100)
+        assertThat(value { clock.add(1) }).isEqualTo(2)
+        test.space().stop(clock)
+        advance(1_000)
+        assertThat(log).containsExactly("tick")
     }
 
     @Test
@@ -240,6 +267,38 @@ class ScopesTest : InTestSpace() {
 
     interface Counter {
         suspend fun add(number: Int): Int
+    }
+
+    /** Calls of other threads are cancelled at any moment of their way: the actor goes on, and nothing is left. */
+    @Test
+    fun callsThatAreCancelledAtAnyMoment_endOnce_andLeaveNothing() {
+        val seed = System.nanoTime()
+        val random = Random(seed)
+        ActorSpace.create(SpaceSettings.named("races")).use { space ->
+            val next = space.spawn<Counter> { Adder(null) }
+            val counter = space.spawn<Counter> { Adder(next) }
+            val outcomes = mutableMapOf<String, Int>()
+            runBlocking(Dispatchers.Default) {
+                repeat(3_000) {
+                    val call = async(start = CoroutineStart.UNDISPATCHED) { counter.add(it) }
+                    repeat(random.nextInt(300)) { Thread.onSpinWait() }
+                    call.cancel()
+                    call.join()
+                    outcomes.merge(if (call.isCancelled) "cancelled" else "answered", 1, Int::plus)
+                }
+                assertThat(counter.add(1)).`as`("seed $seed, $outcomes").isEqualTo(3)
+            }
+            runBlocking(space.asDispatcher()) { yield() }
+            assertThat(space.metrics().timers()).isZero()
+            assertThat(space.metrics().errors()).isZero()
+        }
+    }
+
+    private class Adder(private val next: Counter?) : Counter {
+        override suspend fun add(number: Int): Int {
+            yield()
+            return 1 + (next?.add(number) ?: number)
+        }
     }
 
     @Test

@@ -1,14 +1,17 @@
 package io.troupe.actor.kotlin
 
 import io.troupe.actor.Callback
+import io.troupe.actor.promise.Promise
 import io.troupe.broker.ActorServices
 import io.troupe.broker.Broker
 import io.troupe.broker.BrokerSettings
+import io.troupe.broker.ConnectionSettings
 import io.troupe.broker.Need
 import io.troupe.bus.Bus
 import io.troupe.bus.BusSettings
 import io.troupe.bus.BytePipe
 import io.troupe.bus.RemoteFailure
+import java.time.Duration
 import kotlinx.coroutines.CancellationException
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.flow.toList
@@ -30,6 +33,8 @@ class ServicesTest : InTestSpace() {
         suspend fun find(place: String): String?
 
         suspend fun reset()
+
+        fun save(): Promise<Unit>
 
         suspend fun warmest(places: List<String>): Reading = places.map { read(it) }.maxBy { it.degrees }
 
@@ -57,6 +62,8 @@ class ServicesTest : InTestSpace() {
             log += "reset"
         }
 
+        override fun save(): Promise<Unit> = promise { log += "saved" }
+
         override fun count(limit: Int, to: Callback<Int>) {
             (1..limit).forEach(to::next)
             to.finish()
@@ -68,6 +75,7 @@ class ServicesTest : InTestSpace() {
 
     private val brokers = mutableListOf<Broker>()
     private val buses = mutableListOf<Bus>()
+    private val losses = mutableListOf<String>()
 
     private fun services(host: String?): ActorServices {
         val broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver { })
@@ -75,7 +83,7 @@ class ServicesTest : InTestSpace() {
         if (host == null) {
             return ActorServices(broker, "ship", space) { }
         }
-        val bus = pipe.open(host, BusSettings.on(space).withObserver { })
+        val bus = pipe.open(host, BusSettings.on(space).withObserver { losses += it.toString() })
         buses += bus
         return ActorServices.over(bus, broker, space) { }
     }
@@ -109,7 +117,8 @@ class ServicesTest : InTestSpace() {
         assertThat(result { thermometer.readLater(20) }).isEqualTo(21)
         assertThat(result { thermometer.find("hall") }).isNull()
         assertThat(result<Any> { thermometer.reset() }).isEqualTo(Unit)
-        assertThat(log).containsExactly("reset")
+        assertThat(result<Any> { thermometer.save().coAwait() }).isEqualTo(Unit)
+        assertThat(log).containsExactly("reset", "saved")
         assertThat(result { thermometer.warmest(listOf("a", "attic", "hall")) }).isEqualTo(Reading(5.0, "attic"))
         assertThat(result { callbacks<Int> { thermometer.count(3, it) }.toList() }).containsExactly(1, 2, 3)
     }
@@ -122,6 +131,8 @@ class ServicesTest : InTestSpace() {
         job.cancel()
         advance(1_000)
         assertThat(job.isCancelled).isTrue()
+        assertThat(log).containsExactly("cancelled")
+        assertThat(losses).isEmpty()
     }
 
     @Test
@@ -134,7 +145,6 @@ class ServicesTest : InTestSpace() {
             .isExactlyInstanceOf(IllegalArgumentException::class.java)
             .hasMessage("no place")
         checkCancellation(thermometer)
-        assertThat(log).containsExactly("cancelled")
     }
 
     @Test
@@ -149,6 +159,27 @@ class ServicesTest : InTestSpace() {
             .isInstanceOf(RemoteFailure::class.java)
             .hasMessageEndingWith(": java.lang.IllegalArgumentException: no place")
         checkCancellation(thermometer)
+    }
+
+    @Test
+    fun callThatAnotherHostHasBegun_isCancelledAtItsLimit_andWhenItsCallersHostLeaves() {
+        val ship = services("ship")
+        val shore = services("shore")
+        publish(ship)
+        advance(3_000)
+        val limit = ConnectionSettings.DEFAULT.withAnswerLimit(Duration.ofSeconds(1))
+        val limited = shore.connect<Thermometer>(Need.ofService("guest", "thermometer"), limit).actor()
+        val result = run { limited.readLater(60_000) }
+        advance(1_000)
+        assertThat(test.error(result)).hasMessageContaining("did not answer")
+        assertThat(log).containsExactly("cancelled")
+        val call = run { connected(shore).readLater(60_000) }
+        advance(100)
+        assertThat(call.isDone).isFalse()
+        buses.last().close() // that of the shore
+        advance(100)
+        assertThat(test.error(call)).hasMessageContaining("the bus shore is closed")
+        assertThat(log).containsExactly("cancelled", "cancelled")
     }
 
     interface Odd {

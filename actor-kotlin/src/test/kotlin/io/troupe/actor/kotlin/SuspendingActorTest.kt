@@ -139,6 +139,44 @@ class SuspendingActorTest : InTestSpace() {
         assertThat(test.get(counter.now())).isEqualTo(8)
     }
 
+    abstract class Register<T> : Actor() {
+        private val items = mutableListOf<T>()
+
+        open suspend fun add(item: T, times: Int = 1): Int {
+            repeat(times) { items += item }
+            return items.size
+        }
+
+        abstract suspend fun checked(item: T): T?
+
+        open suspend fun all(): List<T> = items.toList()
+
+        open fun clear(): Promise<Unit> = promise { items.clear() }
+    }
+
+    open class TextRegister : Register<String>() {
+        override suspend fun add(item: String, times: Int): Int {
+            yield()
+            return super.add(item.trim(), times)
+        }
+
+        override suspend fun checked(item: String): String? = item.trim().ifEmpty { null }
+
+        open suspend fun later(): Promise<String> = Promise.of("later")
+    }
+
+    @Test
+    fun openClass_ofAGenericClass_withDefaultArguments() {
+        val register = test.spawn<TextRegister> { TextRegister() }
+        assertThat(value { register.add(" a") }).isEqualTo(1)
+        assertThat(value { (register as Register<String>).add("b ", 2) }).isEqualTo(3)
+        assertThat(value { register.all() }).containsExactly("a", "b", "b")
+        assertThat(value { (register as Register<String>).checked(" ") }).isNull()
+        assertThat(value { register.later().coAwait() }).isEqualTo("later")
+        assertThat(test.get(register.clear())).isEqualTo(Unit)
+        assertThat(value { register.all() }).isEmpty()
+    }
+
     interface Box<T> {
         suspend fun put(item: T): T?
 
@@ -174,6 +212,17 @@ class SuspendingActorTest : InTestSpace() {
             }
         }
         assertThat(value { plain.put(3) }).isEqualTo(4)
+    }
+
+    interface Broadcaster {
+        suspend fun channel(): Callback<Int>
+    }
+
+    @Test
+    fun callbackAsAResult_isRejected() {
+        assertThatThrownBy { test.spawn<Broadcaster> { throw AssertionError() } }
+            .isInstanceOf(ActorTypeException::class.java)
+            .hasMessageContainingAll("Broadcaster.channel()", "answers io.troupe.actor.Callback<java.lang.Integer>")
     }
 
     @JvmInline value class Name(val text: String)

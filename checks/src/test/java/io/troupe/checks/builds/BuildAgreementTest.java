@@ -98,6 +98,8 @@ class BuildAgreementTest {
             gradle.properties       | kotlin.compiler.execution.strategy=in-process | no process outlives the build
             actor-kotlin/pom.xml    | <kotlin.compiler.daemon>false</kotlin.compiler.daemon> | \
             no process outlives the build
+            actor-kotlin/build.gradle.kts | tasks.named<Jar>("javadocJar") { from("README.md") } | says where the KDoc is
+            actor-kotlin/pom.xml    | <include>README.md</include>          | says where the KDoc is
             README.md               | compile exec:exec -pl demo -am        | the main job ends in the phase compile
             """)
     void buildFile_keepsTheLineThatUsersNeed(String file, String line, String reason) throws IOException {

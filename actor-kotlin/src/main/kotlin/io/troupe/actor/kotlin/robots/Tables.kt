@@ -14,7 +14,7 @@ import kotlin.time.Duration
 import kotlin.time.DurationUnit
 
 /**
- * A control law; it returns null where it leaves the robot to the layer below it.
+ * A control law, called by one thread at a time; it returns null where it leaves the robot to the layer below it.
  *
  * ```
  * fun spin() = Service("spin", true) {
@@ -46,13 +46,21 @@ public fun behaviour(step: (Senses) -> Velocity?): Behaviour = Behaviour { Optio
 public fun subsumptionTable(robots: Int, declare: SubsumptionTableBuilder.() -> Unit): SubsumptionTable =
     SubsumptionTable.forRobots(robots).apply(declare).build()
 
-/** Adds the next state, with one service for each robot in order; [priority] is that of its colour. */
+/**
+ * Adds the next state, with one service for each robot in order; [priority] is that of its colour.
+ *
+ * @throws IllegalArgumentException if the colour has a state already, or there is not exactly one service per robot
+ */
 public fun SubsumptionTableBuilder.state(colour: Int, vararg services: Service, priority: Int = 0) {
     `when`(colour, services.asList())
     rank(colour, priority)
 }
 
-/** Adds the next state, with an assignment of services by ranges of robots; [priority] is that of its colour. */
+/**
+ * Adds the next state, with an assignment of services by ranges of robots; [priority] is that of its colour.
+ *
+ * @throws IllegalArgumentException if the colour has a state already, or a robot no service
+ */
 public fun SubsumptionTableBuilder.state(colour: Int, services: Assignment, priority: Int = 0) {
     `when`(colour, services)
     rank(colour, priority)
@@ -69,6 +77,10 @@ public fun SubsumptionTableBuilder.hold(atLeast: Duration) {
     hold(atLeast.toDouble(DurationUnit.SECONDS))
 }
 
-/** Adds a range of robots to an assignment: `everyRobot(SPACE_WANDERER).robots(3..5, WALL_FOLLOWER)`. */
+/**
+ * Adds a range of robots to an assignment: `everyRobot(SPACE_WANDERER).robots(3..5, WALL_FOLLOWER)`.
+ *
+ * @throws IllegalArgumentException if the range is empty or begins below 1, or a robot of it has a service already
+ */
 public fun Assignment.robots(numbers: IntRange, service: Service): Assignment =
     robots(numbers.first, numbers.last, service)
