@@ -33,7 +33,7 @@ final class ActorCell extends Recipient {
     private final Supplier<?> factory;
     private final ActorSettings settings;
     private final @Nullable BoundedMailbox mailbox;
-    private @Nullable Object implementation; // also null while calls are held back
+    private @Nullable Object implementation; // null if the slow path is to decide: calls are held back or bounded
     private @Nullable Object instance;
     private @Nullable Object proxy;
     private @Nullable Failures failures; // most actors have none
@@ -203,7 +203,7 @@ final class ActorCell extends Recipient {
             throw new ActorException("the factory of " + this + " answered a proxy, expected a new implementation");
         }
         instance = made;
-        implementation = held() == null ? made : null;
+        implementation = held() == null && mailbox == null ? made : null;
         if (made instanceof Actor actor) {
             actor.join(this);
             actor.started();
@@ -339,7 +339,7 @@ final class ActorCell extends Recipient {
         }
         if (had.held.isEmpty()) {
             had.held = null;
-            implementation = instance;
+            implementation = mailbox == null ? instance : null;
         } else {
             releaseSoon(had);
         }
@@ -353,22 +353,20 @@ final class ActorCell extends Recipient {
     @Override
     protected @Nullable Object target(Message message) {
         Object target = implementation;
-        if (target == null || mailbox != null) {
+        if (target == null) {
             deliverNext(message);
             return null;
         }
-        space.begin(life);
         return target;
     }
 
     @Override
     protected @Nullable Object target(Request<?> request) {
         Object target = implementation;
-        if (target == null || mailbox != null || request.isDone()) {
+        if (target == null || request.isDone()) {
             deliverNext(request);
             return null;
         }
-        space.begin(life);
         return target;
     }
 
@@ -475,7 +473,7 @@ final class ActorCell extends Recipient {
         if (starting && directive != Supervision.Directive.RESUME) {
             had.hold(); // the call that caused the start is not delivered to this instance
         }
-        if (directive != Supervision.Directive.RESUME || implementation == null) {
+        if (directive != Supervision.Directive.RESUME || instance == null) {
             had.endedBy = thrown;
         }
         switch (directive) {

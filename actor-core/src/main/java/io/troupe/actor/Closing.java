@@ -291,7 +291,7 @@ final class Closing {
                 }
                 default -> {}
             }
-            dispatcher.serve(node); // its actor has stopped and rejects the call
+            dispatcher.serveDirect(node); // its actor has stopped and rejects the call
         }
 
         private void count(Node call) {

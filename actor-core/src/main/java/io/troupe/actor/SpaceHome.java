@@ -4,6 +4,8 @@ import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.internal.loop.TimerWheel;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
@@ -196,6 +198,19 @@ final class SpaceHome extends Home {
     }
 
     // ---- turns, on the space's thread
+
+    @Override
+    protected Owner keptOwner() {
+        Node kept = messages.kept();
+        Owner owner = kept == null ? null : Nodes.turnOwner(kept);
+        return owner == null ? itself() : owner;
+    }
+
+    /** Begins the turn of a message that is in no ring. */
+    void beginFor(Node message) {
+        Owner owner = Nodes.turnOwner(message);
+        begin(owner == null ? itself() : owner);
+    }
 
     /** Runs a task on the space's own behalf and reports what it throws. */
     void runGuarded(Runnable task) {

@@ -2,6 +2,7 @@ package io.troupe.actor.internal;
 
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.promise.Promise;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
@@ -63,6 +64,11 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     @Override
     protected final boolean isMessage() {
         return true;
+    }
+
+    @Override
+    protected final Owner turnOwner() {
+        return receiver().life();
     }
 
     @Override

@@ -17,6 +17,7 @@ public abstract class Home {
     private final Owner outsider;
     private final Owner self;
     private CurrentOwner turn;
+    private boolean ownerIsKept;
 
     @SuppressWarnings("this-escape") // owners only store the reference, and do not use it before the first node runs
     protected Home() {
@@ -121,6 +122,15 @@ public abstract class Home {
         if (now.owner != owner) {
             now.owner = owner;
         }
+        ownerIsKept = false;
+    }
+
+    /**
+     * Makes the {@link #keptOwner} the one on whose behalf this home's thread now runs. Storing no reference saves the
+     * collector's barriers, for most messages.
+     */
+    public final void beginForKept() {
+        ownerIsKept = true;
     }
 
     /** Sets this home itself as the owner on whose behalf its thread now runs. */
@@ -130,7 +140,12 @@ public abstract class Home {
 
     /** The owner on whose behalf this home's thread is running. */
     public final Owner owner() {
-        return turn.owner;
+        return ownerIsKept ? keptOwner() : turn.owner;
+    }
+
+    /** The owner of the message that the home keeps while it runs. */
+    protected Owner keptOwner() {
+        return self;
     }
 
     /** The owner for work of the home itself. */

@@ -35,6 +35,11 @@ public abstract class Node {
         return false;
     }
 
+    /** The owner on whose behalf this message runs; null if it decides that by itself. */
+    protected @Nullable Owner turnOwner() {
+        return null;
+    }
+
     /** True if this listener no longer needs the outcome, so that the promise may drop it. */
     protected boolean isIdle() {
         return false;
