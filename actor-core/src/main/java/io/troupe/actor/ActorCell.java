@@ -363,7 +363,7 @@ final class ActorCell extends Recipient {
     @Override
     protected @Nullable Object target(Request<?> request) {
         Object target = implementation;
-        if (target == null || request.isDone()) {
+        if (target == null || request.isDone() || request.mayBeGivenUp()) {
             deliverNext(request);
             return null;
         }
@@ -384,8 +384,8 @@ final class ActorCell extends Recipient {
     private void deliver(Node ticket) {
         Node call = mailbox == null ? ticket : mailbox.next(ticket);
         Object target = instance;
-        if (call instanceof Request<?> request && request.isDone()) {
-            space.reports().skip(request); // cancelled while queued
+        if (call instanceof Request<?> request && (request.isDone() || request.shed())) {
+            space.reports().skip(request); // cancelled or given up while queued
         } else if (target == null) {
             reject(call);
         } else {

@@ -115,9 +115,9 @@ final class Reports {
         }
     }
 
-    /** Ends the callbacks of a request that was cancelled before it began. */
+    /** Ends the callbacks of a request that was cancelled or given up before it began. */
     void skip(Request<?> request) {
-        endCallbacks(request, new CancellationException(request + " was cancelled before it began"));
+        endCallbacks(request, new CancellationException(request + " was cancelled or given up before it began"));
     }
 
     private static void endCallbacks(Node call, Exception error) {

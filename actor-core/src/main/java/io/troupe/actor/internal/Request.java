@@ -4,6 +4,7 @@ import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.promise.Promise;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
@@ -14,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     private final Recipient receiver;
     private boolean calledInside;
+    private volatile boolean timedOut; // a time limit on this promise has passed, perhaps not that of every listener
 
     protected Request(Recipient receiver) {
         this.receiver = receiver;
@@ -74,6 +76,26 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     @Override
     protected final Home home() {
         return receiver.home();
+    }
+
+    @Override
+    protected final void timedOut() {
+        timedOut = true;
+    }
+
+    /** True if this request may have been given up: {@link #shed} decides. */
+    public final boolean mayBeGivenUp() {
+        return timedOut;
+    }
+
+    /**
+     * Rejects this request, which has not begun, if the time limits of all its listeners have passed; false if it is to
+     * begin. On the space's thread.
+     */
+    public final boolean shed() {
+        return timedOut
+                && isGivenUp()
+                && (isDone() || reject(new CancellationException(this + " was not begun: its callers had timed out")));
     }
 
     public final void noteCaller(boolean inside) {

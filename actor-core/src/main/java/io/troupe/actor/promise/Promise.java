@@ -240,6 +240,9 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * depend on the thread of this promise's space: it expires in time even if that thread is stalled, unless the space
      * uses a manual clock.
      *
+     * <p>A request that still waits in a mailbox is not begun if the time limits of all its listeners have passed: it
+     * is rejected with a {@link CancellationException} when its turn comes.
+     *
      * <p><b>Errors.</b> A failure after the time-out is reported to the error handler of this promise's space, if no
      * other listener is left.
      */
