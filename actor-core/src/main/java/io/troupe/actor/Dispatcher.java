@@ -107,9 +107,11 @@ final class Dispatcher {
             renew();
         }
         boolean worked = drainInbox(true);
-        worked |= drainRings();
-        messages.forgetKept();
-        space.beginForItself();
+        if (drainRings()) {
+            worked = true;
+            messages.forgetKept();
+            space.beginForItself();
+        }
         worked |= quota > 0 && timers.runDue(runTask) > 0;
         if (!worked && space.isCrankedByHand()) { // a space with a thread does so before it sleeps
             forgetServed();
