@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorEnd;
 import io.troupe.actor.ActorException;
+import io.troupe.actor.ActorPool;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
@@ -62,6 +63,19 @@ class JavadocSamplesTest extends InTestSpace {
             greeter.greet("Ada").then(text -> log.add(text)); // on the thread of the space
         } // close() serves what was queued
         assertThat(log).containsExactly("Hello, Ada");
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void actorPool_choosesAnActorForEachCall() throws Exception {
+        try (ActorPool<Greeter> pool = ActorPool.create(
+                2, SpaceSettings.named("greeter"), Greeter.class, () -> name -> Promise.of("Hello, " + name))) {
+            Greeter next = pool.roundRobin(); // each call goes to the next actor
+            Greeter same = pool.byFirstArgument(); // calls for one name go to one actor
+            String text = next.greet("Ada").get(Duration.ofSeconds(10));
+            assertThat(text).isEqualTo(same.greet("Ada").get(LONG));
+        } // closes the spaces
     }
 
     static class Heater extends Actor {

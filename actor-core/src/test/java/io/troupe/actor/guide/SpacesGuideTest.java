@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorEnd;
+import io.troupe.actor.ActorPool;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.InTestSpace;
@@ -156,6 +157,42 @@ class SpacesGuideTest extends InTestSpace {
             show(pilot.look().get(Duration.ofSeconds(10)));
         }
         assertThat(next()).isEqualTo("shot on eyes, seen on wheels");
+    }
+
+    interface Finder {
+        void learn(String colour);
+
+        Promise<Integer> blobs(String image);
+    }
+
+    private static final class BlobFinder implements Finder {
+        private final List<String> colours = new ArrayList<>();
+
+        @Override
+        public void learn(String colour) {
+            colours.add(colour);
+        }
+
+        @Override
+        public Promise<Integer> blobs(String image) {
+            return Promise.of((int) colours.stream().filter(image::contains).count());
+        }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void pool_spreadsTheWork() throws Exception {
+        String image = "a red wall";
+        try (ActorPool<Finder> pool =
+                ActorPool.create(2, SpaceSettings.named("finder"), Finder.class, BlobFinder::new)) {
+            Finder next = pool.roundRobin(); // each call goes to the next actor
+            Finder own = pool.byFirstArgument(); // calls with equal first arguments go to one actor
+            pool.broadcast().learn("red"); // to all; a request is fulfilled when all have answered
+            Promise<Integer> blobs = next.blobs(image);
+            assertThat(blobs.get(Duration.ofSeconds(30))).isOne();
+            assertThat(own.blobs(image).get(Duration.ofSeconds(30))).isOne();
+        } // closes the spaces finder-0 and finder-1
     }
 
     @Test
