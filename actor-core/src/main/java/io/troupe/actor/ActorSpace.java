@@ -124,8 +124,8 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
 
     /**
      * Stops the actor behind a proxy of this space after the messages already in its mailbox. An actor that is waiting
-     * for its restart is stopped without another start, and those messages are rejected as at every end of an actor:
-     * one-way messages become dead letters, requests are rejected.
+     * for its restart, or that holds its calls back, is stopped immediately in its turn, and those messages are
+     * rejected as at every end of an actor: one-way messages become dead letters, requests are rejected.
      */
     public void stop(Object proxy) {
         ActorCell cell = cellOf(proxy);
@@ -135,10 +135,10 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     /**
      * Watches an actor of this space.
      *
-     * @return fulfilled when the actor has stopped, for whatever reason; immediately if it has stopped already
+     * @return fulfilled with the reason when the actor has stopped; immediately if it has stopped already
      */
-    public Promise<@Nullable Void> whenStopped(Object proxy) {
-        var own = new Deferred<@Nullable Void>(this); // a separate promise, so that each watcher may cancel its own
+    public Promise<ActorEnd> whenStopped(Object proxy) {
+        var own = new Deferred<ActorEnd>(this); // a separate promise, so that each watcher may cancel its own
         own.resolveFrom(cellOf(proxy).ended());
         return own;
     }

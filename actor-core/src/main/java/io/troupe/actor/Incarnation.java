@@ -68,6 +68,15 @@ final class Incarnation extends Owner {
         }
     }
 
+    @Override
+    public boolean listenerFailed(Throwable error) {
+        if (isOver() || !cell.countsRequests(error)) {
+            return false;
+        }
+        cell.failed("a listener", error);
+        return true;
+    }
+
     /** Runs an action on behalf of this incarnation; false if it has ended. */
     boolean run(String what, Runnable action) {
         if (isOver()) {

@@ -67,6 +67,10 @@ public record SpaceSettings(
                 false);
     }
 
+    SpaceSettings withName(String newName) {
+        return new SpaceSettings(newName, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked);
+    }
+
     public SpaceSettings withClock(Clock newClock) {
         return new SpaceSettings(name, newClock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked);
     }

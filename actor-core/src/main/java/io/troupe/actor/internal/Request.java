@@ -54,13 +54,14 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return receiver.target(this);
     }
 
-    /** An exception of the actor rejects the promise; an error of the virtual machine is reported in addition. */
+    /**
+     * An exception of the actor rejects the promise; an error of the virtual machine is reported in addition, and
+     * supervision may count it as a failure of the actor.
+     */
     @Override
     protected final void threw(Throwable thrown) {
         reject(thrown);
-        if (isOfTheMachine(thrown)) {
-            receiver.reportError(method(), thrown);
-        }
+        receiver.requestFailed(method(), thrown, isOfTheMachine(thrown));
     }
 
     @Override

@@ -104,11 +104,16 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return outcome;
     }
 
-    /** An exception of the listener rejects the promise of its result; an error of the virtual machine goes on. */
+    /**
+     * An exception of the listener rejects the promise of its result, and may be a failure of its owner; an error of
+     * the virtual machine goes on.
+     */
     @Override
     protected final void threw(Throwable thrown) {
         settleError(thrown);
-        if (isOfTheMachine(thrown)) {
+        if (owner != null && owner.listenerFailed(thrown)) {
+            markHandled(); // reported there
+        } else if (isOfTheMachine(thrown)) {
             throw (VirtualMachineError) thrown;
         }
     }
