@@ -69,6 +69,10 @@ final class ActorCell extends Recipient {
         this.settings = settings;
         MailboxBound bound = settings.mailbox();
         this.mailbox = bound == null ? null : new BoundedMailbox(bound);
+        int quota = space.settings.actorQuota();
+        if (quota > 0) {
+            exceptional().share = new Share(this, quota);
+        }
     }
 
     @Override
@@ -217,7 +221,7 @@ final class ActorCell extends Recipient {
             throw new ActorException("the factory of " + this + " answered a proxy, expected a new implementation");
         }
         instance = made;
-        implementation = held() == null && mailbox == null ? made : null;
+        implementation = held() == null ? direct(made) : null;
         if (made instanceof Actor actor) {
             actor.join(this);
             actor.started();
@@ -252,6 +256,8 @@ final class ActorCell extends Recipient {
         if (state != null && state.held != null && instance != null && !state.byActor) {
             state.stopHeld = true;
             state.held.add(new Entry(this::stop));
+        } else if (state != null && state.share != null && state.share.isUsed()) {
+            state.share.waiting.add(new Entry(this::stop));
         } else {
             stop();
         }
@@ -274,6 +280,10 @@ final class ActorCell extends Recipient {
         if (exceptional != null && exceptional.held != null) {
             exceptional.held.forEach(space::enqueueMessage); // to be rejected like all others
             exceptional.held = null;
+        }
+        Share share = share();
+        if (share != null) {
+            share.queueAll();
         }
         if (watched != null) {
             watched.resolve(ActorEnd.of(endedBy()));
@@ -381,7 +391,7 @@ final class ActorCell extends Recipient {
         }
         if (had.held.isEmpty()) {
             had.held = null;
-            implementation = mailbox == null ? instance : null;
+            implementation = direct(instance);
         } else {
             releaseSoon(had);
         }
@@ -412,9 +422,22 @@ final class ActorCell extends Recipient {
         return target;
     }
 
+    /** What calls may invoke without the slow path: the instance, unless its calls are bounded or have a quota. */
+    private @Nullable Object direct(@Nullable Object target) {
+        return mailbox == null && share() == null ? target : null;
+    }
+
+    private @Nullable Share share() {
+        return exceptional == null ? null : exceptional.share;
+    }
+
     /** The slow path: the actor is not running, its mailbox is bounded, or the request is cancelled. */
     private void deliverNext(Node ticket) {
         start();
+        Share share = share();
+        if (share != null && !stopped && !share.admits(ticket)) {
+            return; // it waits for the next round
+        }
         var held = held();
         if (held != null) {
             held.add(ticket);
@@ -457,7 +480,11 @@ final class ActorCell extends Recipient {
     private int placeInMailbox(Node call) {
         int place = mailbox == null ? -1 : mailbox.placeOf(call, COUNTED);
         var held = held();
-        return place < 0 && held != null ? placeAmong(held, call) : place;
+        if (place < 0 && held != null) {
+            place = placeAmong(held, call);
+        }
+        Share share = share();
+        return place < 0 && share != null ? placeAmong(share.waiting, call) : place;
     }
 
     private static int placeAmong(ArrayDeque<Node> held, Node call) {
@@ -562,6 +589,69 @@ final class ActorCell extends Recipient {
         return name != null ? name : type.getSimpleName() + "#" + number;
     }
 
+    /**
+     * The share of an actor in a space that has a quota: so many calls in a round. A round ends when all messages have
+     * run that were queued in the space when the share was used up. Calls beyond the share wait here. On the space's
+     * thread.
+     */
+    private static final class Share {
+        private final ActorCell cell;
+        private final int quota;
+        private final ArrayDeque<Node> waiting = new ArrayDeque<>(); // for a later round
+        private final ArrayDeque<Node> due = new ArrayDeque<>(); // queued once more, in this round
+        private int left;
+
+        Share(ActorCell cell, int quota) {
+            this.cell = cell;
+            this.quota = quota;
+            this.left = quota;
+        }
+
+        /** True if a call is to be delivered now; otherwise it waits. */
+        boolean admits(Node ticket) {
+            if (due.peekFirst() == ticket) {
+                due.removeFirst();
+            } else if (left == 0 || isUsed()) {
+                waiting.addLast(ticket); // behind the older ones
+                return false;
+            }
+            if (--left == 0) {
+                cell.space.enqueueMessageLast(Entry.urgent(this::begin, () -> {}));
+            } else {
+                queueNext();
+            }
+            return true;
+        }
+
+        /** True if calls wait that are older than the next one. */
+        boolean isUsed() {
+            return !due.isEmpty() || !waiting.isEmpty();
+        }
+
+        /** Begins a round. */
+        private void begin() {
+            left = quota;
+            queueNext();
+        }
+
+        private void queueNext() {
+            while (due.size() < left && !waiting.isEmpty()) {
+                Node ticket = waiting.removeFirst();
+                if (!(ticket instanceof Entry)) { // a stop, see stopBehindCalls()
+                    due.addLast(ticket);
+                }
+                cell.space.enqueueMessage(ticket);
+            }
+        }
+
+        /** Called when the actor has stopped: queues what waits, to be rejected like all other calls. */
+        void queueAll() {
+            waiting.forEach(cell.space::enqueueMessage);
+            waiting.clear();
+            due.clear();
+        }
+    }
+
     /** What an actor keeps once it has failed, or has held its calls back. On the space's thread. */
     private static final class Exceptional {
         private final Map<Supervision, Record> records = new IdentityHashMap<>(2);
@@ -575,6 +665,7 @@ final class ActorCell extends Recipient {
         private boolean stopHeld; // a stop is queued among the held calls
         private boolean releasing;
         private @Nullable Timer restartTimer; // the timer of the pause before a restart
+        private @Nullable Share share; // only if the space has a quota for its actors
 
         /** Holds calls back from now on. */
         void hold() {

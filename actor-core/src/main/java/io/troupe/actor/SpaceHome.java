@@ -101,6 +101,11 @@ final class SpaceHome extends Home {
         }
     }
 
+    /** Queues a node behind all messages that are queued, those of other threads included; on this space's thread. */
+    void enqueueMessageLast(Node node) {
+        offer(node, inbox);
+    }
+
     /** Queues a node of another thread; if this throws, nothing was queued. */
     private void offer(Node node, NodeQueue queue) {
         if (idle.phase == IdleStrategy.CLOSED) {

@@ -25,6 +25,8 @@ import java.util.function.Consumer;
  * @param onStall receives such a report, on a helper thread that it may block
  * @param offloadLimit the number of concurrent runs of {@link ActorSpace#offload}
  * @param handCranked true for a space without a thread, which runs only in {@link ActorSpace#crank}
+ * @param actorQuota after so many calls of one actor in a row, those of the others that are queued come first; zero =
+ *     all calls are handled in the order of arrival
  */
 public record SpaceSettings(
         String name,
@@ -34,7 +36,8 @@ public record SpaceSettings(
         Duration stallLimit,
         Consumer<Stall> onStall,
         int offloadLimit,
-        boolean handCranked) {
+        boolean handCranked,
+        int actorQuota) {
     private static final int USUAL_OFFLOAD_LIMIT = 256;
 
     public SpaceSettings {
@@ -48,6 +51,9 @@ public record SpaceSettings(
         }
         if (offloadLimit < 1) {
             throw new IllegalArgumentException("offloadLimit is " + offloadLimit + ", expected 1 or more");
+        }
+        if (actorQuota < 0) {
+            throw new IllegalArgumentException("actorQuota is " + actorQuota + ", expected zero (off) or more");
         }
     }
 
@@ -64,35 +70,54 @@ public record SpaceSettings(
                 Duration.ofSeconds(1),
                 SpaceLog::stall,
                 USUAL_OFFLOAD_LIMIT,
-                false);
+                false,
+                0);
     }
 
     SpaceSettings withName(String newName) {
-        return new SpaceSettings(newName, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked);
+        return new SpaceSettings(
+                newName, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, actorQuota);
     }
 
     public SpaceSettings withClock(Clock newClock) {
-        return new SpaceSettings(name, newClock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked);
+        return new SpaceSettings(
+                name, newClock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, actorQuota);
     }
 
     public SpaceSettings withOnError(ErrorHandler handler) {
-        return new SpaceSettings(name, clock, handler, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked);
+        return new SpaceSettings(
+                name, clock, handler, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, actorQuota);
     }
 
     public SpaceSettings withOnDeadLetter(Consumer<DeadLetter> handler) {
-        return new SpaceSettings(name, clock, onError, handler, stallLimit, onStall, offloadLimit, handCranked);
+        return new SpaceSettings(
+                name, clock, onError, handler, stallLimit, onStall, offloadLimit, handCranked, actorQuota);
     }
 
     public SpaceSettings withOnStall(Duration limit, Consumer<Stall> handler) {
-        return new SpaceSettings(name, clock, onError, onDeadLetter, limit, handler, offloadLimit, handCranked);
+        return new SpaceSettings(
+                name, clock, onError, onDeadLetter, limit, handler, offloadLimit, handCranked, actorQuota);
     }
 
     public SpaceSettings withHandCrank() {
-        return new SpaceSettings(name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, true);
+        return new SpaceSettings(
+                name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, true, actorQuota);
     }
 
     public SpaceSettings withOffloadLimit(int limit) {
-        return new SpaceSettings(name, clock, onError, onDeadLetter, stallLimit, onStall, limit, handCranked);
+        return new SpaceSettings(
+                name, clock, onError, onDeadLetter, stallLimit, onStall, limit, handCranked, actorQuota);
+    }
+
+    /**
+     * Handles at most so many calls of an actor before the calls of others that are queued meanwhile. So an actor that
+     * gets very many calls does not keep the others waiting. The calls of each actor keep their order.
+     *
+     * <p><b>Cost.</b> Some 10 ns for each call in this space; nothing in others.
+     */
+    public SpaceSettings withActorQuota(int calls) {
+        return new SpaceSettings(
+                name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, calls);
     }
 }
 
