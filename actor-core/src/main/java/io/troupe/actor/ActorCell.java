@@ -6,6 +6,7 @@ import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Nodes;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Schedule;
@@ -78,11 +79,11 @@ final class ActorCell extends Recipient {
     @Override
     public void send(Message message) {
         if (mailbox != null) {
-            sendBounded(message, mailbox);
+            sendBounded(carried(message), mailbox);
         } else if (Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
             thread.messages().add(message);
         } else {
-            space.enqueueMessage(message);
+            space.enqueueMessage(carried(message));
         }
     }
 
@@ -103,10 +104,16 @@ final class ActorCell extends Recipient {
     private void sendSlowly(Request<?> request) {
         request.noteCaller(space.isCurrent());
         if (mailbox != null) {
-            sendBounded(request, mailbox);
+            sendBounded(carried(request), mailbox);
         } else {
-            space.enqueueMessage(request);
+            space.enqueueMessage(carried(request));
         }
+    }
+
+    /** The call with the context of its caller, if there is one to carry. */
+    private Node carried(Node call) {
+        var context = space.captureContext();
+        return context == null ? call : new CarriedCall(this, call, context);
     }
 
     private void sendBounded(Node call, BoundedMailbox bounded) {
@@ -398,7 +405,8 @@ final class ActorCell extends Recipient {
     }
 
     /** Rejects a call for which the mailbox had no room, or which was dropped for a newer one. Any thread. */
-    void drop(Node call, String reason) {
+    void drop(Node entry, String reason) {
+        Node call = CarriedCall.callIn(entry);
         space.reports().rejectCall(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
     }
 
@@ -432,7 +440,7 @@ final class ActorCell extends Recipient {
     }
 
     /** The slow path: the actor is not running, its mailbox is bounded, or the request is cancelled. */
-    private void deliverNext(Node ticket) {
+    void deliverNext(Node ticket) {
         start();
         Share share = share();
         if (share != null && !stopped && !share.admits(ticket)) {
@@ -447,7 +455,15 @@ final class ActorCell extends Recipient {
     }
 
     private void deliver(Node ticket) {
-        Node call = mailbox == null ? ticket : mailbox.next(ticket);
+        Node entry = mailbox == null ? ticket : mailbox.next(ticket);
+        if (entry instanceof CarriedCall carried) {
+            carried.run(() -> deliverCall(CarriedCall.callIn(carried)));
+        } else {
+            deliverCall(entry);
+        }
+    }
+
+    private void deliverCall(Node call) {
         Object target = instance;
         if (call instanceof Request<?> request && (request.isDone() || request.shed())) {
             space.reports().skip(request); // cancelled or given up while queued
@@ -470,7 +486,7 @@ final class ActorCell extends Recipient {
 
     /** The call that would be delivered for this ticket. */
     Node callOf(Node ticket) {
-        return mailbox == null ? ticket : mailbox.peek(ticket);
+        return CarriedCall.callIn(mailbox == null ? ticket : mailbox.peek(ticket));
     }
 
     /**
@@ -490,7 +506,7 @@ final class ActorCell extends Recipient {
     private static int placeAmong(ArrayDeque<Node> held, Node call) {
         int place = 0;
         for (Node each : held) {
-            if (each == call) {
+            if (Nodes.carries(each, call)) {
                 return place;
             }
             if (++place == COUNTED) {

@@ -285,6 +285,7 @@ final class Closing {
             switch (node) {
                 case Message ticket -> count(((ActorCell) ticket.receiver()).callOf(ticket));
                 case Request<?> ticket -> count(((ActorCell) ticket.receiver()).callOf(ticket));
+                case CarriedCall ticket -> count(ticket.cell().callOf(ticket));
                 case Entry entry -> {
                     reject(entry);
                     return;

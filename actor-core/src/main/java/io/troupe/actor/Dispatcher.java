@@ -195,7 +195,7 @@ final class Dispatcher {
     int messagesBefore(Node message, int limit) {
         int inside = Math.min(limit, messages.size());
         for (int index = 0; index < inside; index++) {
-            if (messages.get(index) == message) {
+            if (Nodes.carries(messages.get(index), message)) {
                 return index;
             }
         }

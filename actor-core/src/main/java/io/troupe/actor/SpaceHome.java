@@ -11,6 +11,7 @@ import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,6 +38,7 @@ final class SpaceHome extends Home {
     private final Reports reports;
     private final Reports.Rejections rejections;
     private final SpaceTimers timers;
+    private final @Nullable Contexts<?> contexts; // most spaces have none
     private final ProbedMetrics figures;
     private final SequentialBodies sequences = new SequentialBodies(this);
     private final ActorList actors = new ActorList();
@@ -47,6 +49,7 @@ final class SpaceHome extends Home {
         reports = new Reports(this, settings);
         dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, messages, wheel, settings.clock());
         timers = new SpaceTimers(this, settings.clock(), wheel);
+        contexts = settings.context() == null ? null : new Contexts<>(settings.context(), reports);
         rejections = new Reports.Rejections(wheel, reports);
         figures = new ProbedMetrics(this, dispatcher, reports);
         closing =
@@ -55,7 +58,7 @@ final class SpaceHome extends Home {
     }
 
     void startThread() {
-        new SpaceThread(this, callbacks, messages, loop).start();
+        new SpaceThread(this, contexts == null, callbacks, messages, loop).start();
     }
 
     // ---- queueing
@@ -156,6 +159,11 @@ final class SpaceHome extends Home {
     @Override
     public void await(Node promise) {
         sequences.await((Promise<?>) promise);
+    }
+
+    @Override
+    public @Nullable Supplier<Runnable> captureContext() {
+        return contexts == null ? null : contexts.capture();
     }
 
     // ---- thread
@@ -287,6 +295,52 @@ final class SpaceHome extends Home {
     @Override
     public String toString() {
         return settings.name();
+    }
+
+    /** Captures and restores the contexts of callers; what the hook throws is reported. From any thread. */
+    private static final class Contexts<C> {
+        private static final Runnable NOTHING = () -> {};
+
+        private final TurnContext<C> hook;
+        private final Reports reports;
+
+        Contexts(TurnContext<C> hook, Reports reports) {
+            this.hook = hook;
+            this.reports = reports;
+        }
+
+        @Nullable
+        Supplier<Runnable> capture() {
+            try {
+                C captured = hook.capture();
+                return captured == null ? null : () -> restore(captured);
+            } catch (Throwable thrown) {
+                report("capture", thrown);
+                return null;
+            }
+        }
+
+        private Runnable restore(C captured) {
+            try {
+                Runnable end = hook.restore(captured);
+                return () -> end(end);
+            } catch (Throwable thrown) {
+                report("restore", thrown);
+                return NOTHING;
+            }
+        }
+
+        private void end(Runnable end) {
+            try {
+                end.run();
+            } catch (Throwable thrown) {
+                report("end", thrown);
+            }
+        }
+
+        private void report(String step, Throwable thrown) {
+            reports.error(step + " of", hook, thrown, null);
+        }
     }
 
     /**

@@ -4,6 +4,7 @@ import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Settings of an actor space; immutable.
@@ -27,6 +28,7 @@ import java.util.function.Consumer;
  * @param handCranked true for a space without a thread, which runs only in {@link ActorSpace#crank}
  * @param actorQuota after so many calls of one actor in a row, those of the others that are queued come first; zero =
  *     all calls are handled in the order of arrival
+ * @param context carried from callers to turns; null = none
  */
 public record SpaceSettings(
         String name,
@@ -37,7 +39,8 @@ public record SpaceSettings(
         Consumer<Stall> onStall,
         int offloadLimit,
         boolean handCranked,
-        int actorQuota) {
+        int actorQuota,
+        @Nullable TurnContext<?> context) {
     private static final int USUAL_OFFLOAD_LIMIT = 256;
 
     public SpaceSettings {
@@ -71,42 +74,70 @@ public record SpaceSettings(
                 SpaceLog::stall,
                 USUAL_OFFLOAD_LIMIT,
                 false,
-                0);
+                0,
+                null);
     }
 
     SpaceSettings withName(String newName) {
         return new SpaceSettings(
-                newName, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, actorQuota);
+                newName,
+                clock,
+                onError,
+                onDeadLetter,
+                stallLimit,
+                onStall,
+                offloadLimit,
+                handCranked,
+                actorQuota,
+                context);
     }
 
     public SpaceSettings withClock(Clock newClock) {
         return new SpaceSettings(
-                name, newClock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, actorQuota);
+                name,
+                newClock,
+                onError,
+                onDeadLetter,
+                stallLimit,
+                onStall,
+                offloadLimit,
+                handCranked,
+                actorQuota,
+                context);
     }
 
     public SpaceSettings withOnError(ErrorHandler handler) {
         return new SpaceSettings(
-                name, clock, handler, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, actorQuota);
+                name,
+                clock,
+                handler,
+                onDeadLetter,
+                stallLimit,
+                onStall,
+                offloadLimit,
+                handCranked,
+                actorQuota,
+                context);
     }
 
     public SpaceSettings withOnDeadLetter(Consumer<DeadLetter> handler) {
         return new SpaceSettings(
-                name, clock, onError, handler, stallLimit, onStall, offloadLimit, handCranked, actorQuota);
+                name, clock, onError, handler, stallLimit, onStall, offloadLimit, handCranked, actorQuota, context);
     }
 
     public SpaceSettings withOnStall(Duration limit, Consumer<Stall> handler) {
         return new SpaceSettings(
-                name, clock, onError, onDeadLetter, limit, handler, offloadLimit, handCranked, actorQuota);
+                name, clock, onError, onDeadLetter, limit, handler, offloadLimit, handCranked, actorQuota, context);
     }
 
     public SpaceSettings withHandCrank() {
         return new SpaceSettings(
-                name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, true, actorQuota);
+                name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, true, actorQuota, context);
     }
 
     public SpaceSettings withOffloadLimit(int limit) {
         return new SpaceSettings(
-                name, clock, onError, onDeadLetter, stallLimit, onStall, limit, handCranked, actorQuota);
+                name, clock, onError, onDeadLetter, stallLimit, onStall, limit, handCranked, actorQuota, context);
     }
 
     /**
@@ -117,7 +148,28 @@ public record SpaceSettings(
      */
     public SpaceSettings withActorQuota(int calls) {
         return new SpaceSettings(
-                name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, calls);
+                name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, calls, context);
+    }
+
+    /**
+     * Carries the context of a caller: captured on the calling thread with each call of an actor of this space, and
+     * with each listener that will run in this space, and restored for that turn. Not with timers, tasks, sequential
+     * bodies and callbacks.
+     *
+     * <p><b>Cost.</b> Two objects for each call and listener in this space; nothing in others.
+     */
+    public SpaceSettings withContext(TurnContext<?> newContext) {
+        return new SpaceSettings(
+                name,
+                clock,
+                onError,
+                onDeadLetter,
+                stallLimit,
+                onStall,
+                offloadLimit,
+                handCranked,
+                actorQuota,
+                Objects.requireNonNull(newContext, "newContext"));
     }
 }
 

@@ -26,6 +26,7 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.Stall;
 import io.troupe.actor.Supervision;
 import io.troupe.actor.Topic;
+import io.troupe.actor.TurnContext;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Outcome;
 import io.troupe.actor.promise.Promise;
@@ -255,6 +256,36 @@ class JavadocSamplesTest extends InTestSpace {
         SpaceSettings settings = SpaceSettings.named("shop").withOnError(handler);
         settings.onError().handle("here", new IllegalStateException("why"));
         assertThat(log).containsExactly("here failed: why");
+    }
+
+    private static final ThreadLocal<String> USER = ThreadLocal.withInitial(() -> "nobody");
+
+    @Test
+    void turnContext_carriesTheUserOfACaller() {
+        TurnContext<String> user = new TurnContext<>() {
+            @Override
+            public String capture() {
+                return USER.get();
+            }
+
+            @Override
+            public Runnable restore(String captured) {
+                USER.set(captured);
+                return USER::remove;
+            }
+        };
+        USER.set("ann");
+        try {
+            var captured = user.capture();
+            USER.remove();
+            Runnable end = user.restore(captured);
+            log.add(USER.get());
+            end.run();
+            log.add(USER.get());
+        } finally {
+            USER.remove();
+        }
+        assertThat(log).containsExactly("ann", "nobody");
     }
 
     @Test

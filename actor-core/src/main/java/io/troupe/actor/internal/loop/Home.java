@@ -1,6 +1,7 @@
 package io.troupe.actor.internal.loop;
 
 import java.time.Duration;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -83,6 +84,15 @@ public abstract class Home {
     }
 
     // ---- services for promises
+
+    /**
+     * Captures the context of the calling thread, for a listener that will run in this home.
+     *
+     * @return restores the context, and returns what ends it; null if there is nothing to carry
+     */
+    public @Nullable Supplier<Runnable> captureContext() {
+        return null;
+    }
 
     /**
      * Runs a task after a delay, or the other one if the home is closed first. If called on this home's thread, the

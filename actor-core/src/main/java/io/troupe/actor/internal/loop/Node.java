@@ -40,6 +40,11 @@ public abstract class Node {
         return null;
     }
 
+    /** True if this is that call, or the entry for it. */
+    protected boolean carries(Node wanted) {
+        return this == wanted;
+    }
+
     /** True if this listener no longer needs the outcome, so that the promise may drop it. */
     protected boolean isIdle() {
         return false;

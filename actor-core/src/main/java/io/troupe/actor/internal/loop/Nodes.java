@@ -39,6 +39,11 @@ public final class Nodes {
         return message.turnOwner();
     }
 
+    /** See {@link Node#carries}. */
+    public static boolean carries(Node entry, Node wanted) {
+        return entry.carries(wanted);
+    }
+
     /** See {@link Node#isIdle}. */
     public static boolean isIdle(Node listener) {
         return listener.isIdle();
