@@ -108,7 +108,8 @@ record CallbackPublisher<T>(SpaceHome space, Backlog backlog, Consumer<? super C
             } else if (!cancelled) {
                 waiting.clear();
                 ended = true;
-                failure = new IllegalArgumentException("request(" + count + "), expected 1 or more");
+                failure = new IllegalArgumentException("request(" + count
+                        + "), expected 1 or more: rule 3.9 forbids a non-positive subscription request");
                 deliver();
                 stream.cancel();
             }

@@ -239,7 +239,7 @@ class PublisherTest extends InTestSpace {
 
     /** Run by TestNG: a space, and publishers of it whose source is another thread. */
     public static class Verification extends FlowPublisherVerification<Integer> {
-        private static final long TIMEOUT_MILLIS = 30_000; // for what has to happen
+        private static final long TIMEOUT_MILLIS = 3_000; // for what has to happen; four of its tests take that long
         private static final long SILENCE_MILLIS = 50; // for what must not happen
 
         private final ActorSpace space = ActorSpace.create(SpaceSettings.named("verified"));
