@@ -10,8 +10,10 @@ import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.Flow;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -240,6 +242,31 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
             throw new IllegalArgumentException("tries is " + tries + ", expected 1 or more");
         }
         return promises.retry(tries, pause, attempt);
+    }
+
+    /**
+     * A publisher of Java's reactive streams, for libraries that have these: each subscriber calls the source once,
+     * with a new callback, and receives its results.
+     *
+     * {@snippet :
+     * Flow.Publisher<Integer> publisher = space.publisher(Backlog.newest(16), colours::subscribe); // of a topic
+     * Flow.Publisher<Integer> watched = space.publisher(Backlog.ALL, camera::watch); // of an actor
+     * }
+     *
+     * <p><b>Threads.</b> Any thread may subscribe, request and cancel. The subscriber runs on this space, as entries of
+     * its callback queue; if it subscribed in an actor of this space, on behalf of that actor, until that stops.
+     *
+     * <p><b>Order.</b> Senders do not wait for requests. The results that come before they are requested are queued;
+     * the backlog determines which of them are kept, in the callback queue and again in the queue of the subscription.
+     * The end follows the results that were kept.
+     *
+     * <p><b>Errors.</b> A source that throws, or a null result, is the failure of the stream. If the space is closed
+     * before the end, no further signal arrives.
+     */
+    public <T> Flow.Publisher<T> publisher(Backlog backlog, Consumer<? super Callback<T>> source) {
+        Objects.requireNonNull(backlog, "backlog");
+        Objects.requireNonNull(source, "source");
+        return new CallbackPublisher<>(home, backlog, source);
     }
 
     /** Runs an action on the space's thread as soon as it is idle: no entry in any queue, no timer due. */

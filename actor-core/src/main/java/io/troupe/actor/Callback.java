@@ -129,6 +129,11 @@ public interface Callback<T extends @Nullable Object> {
             return over.get();
         }
 
+        @Override
+        public String toString() {
+            return "stream" + (over.get() ? ", ended" : "") + (skipped() > 0 ? ", skipped " + skipped() : "");
+        }
+
         private void end(@Nullable Throwable error) {
             if (over.compareAndSet(false, true)) {
                 onEnd.accept(error);

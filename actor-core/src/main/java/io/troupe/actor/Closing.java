@@ -106,7 +106,7 @@ final class Closing {
     /** Counts a request that had begun and was rejected because its actor was stopped; on the space's thread. */
     void noteOpenRequest(Request<?> request) {
         if (openRequests++ < Leftovers.EXAMPLES) {
-            openExamples.add(request.toString());
+            openExamples.add(request.name());
         }
     }
 
@@ -301,7 +301,7 @@ final class Closing {
                 note(message + " to " + message.receiver());
             } else if (call instanceof Request<?> request && !request.isDone()) {
                 requests++;
-                note(request.toString());
+                note(request.name());
             }
         }
 

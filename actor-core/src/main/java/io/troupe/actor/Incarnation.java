@@ -47,7 +47,7 @@ final class Incarnation extends Owner {
         SpaceHome space = cell.space();
         for (var open : takeOpenRequests()) {
             var request = (Request<?>) open;
-            String message = request + " was begun and not answered: " + reason.get();
+            String message = request.name() + " was begun and not answered: " + reason.get();
             var error = new ActorStoppedException(message, cause, true);
             if (request.reject(error) && space.isStopping()) {
                 space.closing.noteOpenRequest(request);

@@ -36,6 +36,22 @@ class KeyedTimersTest extends InTestSpace {
     }
 
     @Test
+    void timer_asText_saysWhenItIsDue() {
+        run(me -> {
+            var timer = me.every("key", SECOND, () -> {});
+            log.add(timer.toString());
+            log.add(me.after(SECOND, () -> {}).toString());
+            timer.cancel();
+            log.add(timer.toString());
+        });
+        assertThat(log)
+                .containsExactly(
+                        "timer due in PT1S, then every PT1S, FIXED_RATE",
+                        "timer due in PT1S",
+                        "timer that has run or was cancelled");
+    }
+
+    @Test
     void timer_isActive_untilItHasRunForTheLastTimeOrWasCancelled() {
         run(me -> {
             me.after("once", SECOND, () -> log.add("once " + me.isTimerActive("once")));

@@ -33,7 +33,7 @@ import org.openjdk.jmh.annotations.Warmup;
 @Measurement(iterations = 5, time = 500, timeUnit = TimeUnit.MILLISECONDS)
 public class PoolBenchmark {
     private static final int REQUESTS = 256;
-    private static final int STEPS = 20_000;
+    private static final int STEPS = 10_000;
     private static final Duration LONG = Duration.ofSeconds(30);
 
     /** Computes. */
@@ -50,7 +50,9 @@ public class PoolBenchmark {
     private static Promise<Long> compute(long seed) {
         long value = seed;
         for (int step = 0; step < STEPS; step++) {
-            value = value * 6364136223846793005L + 1442695040888963407L; // each step needs the one before
+            value ^= value << 13; // a xorshift: the compiler cannot merge its steps
+            value ^= value >>> 7;
+            value ^= value << 17;
         }
         return Promise.of(value);
     }
@@ -79,7 +81,7 @@ public class PoolBenchmark {
 
     private static List<Long> compute(Worker worker) throws Exception {
         List<Promise<Long>> results = new ArrayList<>(REQUESTS);
-        for (long seed = 0; seed < REQUESTS; seed++) {
+        for (long seed = 1; seed <= REQUESTS; seed++) {
             results.add(worker.compute(seed));
         }
         return Promise.all(results).get(LONG);

@@ -96,7 +96,8 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     public final boolean shed() {
         return timedOut
                 && isGivenUp()
-                && (isDone() || reject(new CancellationException(this + " was not begun: its callers had timed out")));
+                && (isDone()
+                        || reject(new CancellationException(name() + " was not begun: its callers had timed out")));
     }
 
     public final void noteCaller(boolean inside) {
@@ -149,9 +150,16 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return settleError(error);
     }
 
+    /** The call and its actor. */
+    @Override
+    public final String name() {
+        return Message.describe(method(), arguments()) + " of " + receiver;
+    }
+
+    /** The name, and the outcome if it is settled. */
     @Override
     public final String toString() {
-        return Message.describe(method(), arguments()) + " of " + receiver;
+        return withOutcome(name());
     }
 
     // ---- access to any promise, for this library

@@ -184,6 +184,32 @@ class ActorsGuideTest extends InTestSpace {
         assertThat(test.get(image)).isEqualTo(BRIGHT);
     }
 
+    interface Door {
+        Promise<Boolean> open();
+
+        Promise<Boolean> close();
+    }
+
+    interface Rover {
+        Promise<String> drive();
+    }
+
+    @Test
+    void eventually_closesTheDoor() {
+        Probe<Door> probe = test.probe(Door.class);
+        Probe<Rover> driver = test.probe(Rover.class);
+        Door door = probe.actor();
+        Rover robot = driver.actor();
+        Promise<String> end = door.open().thenCompose(open -> robot.drive()).eventually(() -> door.close());
+        probe.expectCall("open()");
+        probe.answer(true);
+        driver.reject(new IllegalStateException("stuck"));
+        probe.expectCall("close()");
+        assertThat(end.isDone()).isFalse();
+        probe.answer(true);
+        assertThat(test.error(end)).hasMessage("stuck");
+    }
+
     @Test
     void combinators_andConversions_answerWhatTheyAreSaidTo() {
         Camera left = test.spawn(Camera.class, () -> () -> Promise.failed(new IllegalStateException("no light")));

@@ -39,6 +39,7 @@ import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.Flow;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
@@ -372,6 +373,39 @@ class JavadocSamplesTest extends InTestSpace {
         assertThat(lost).isOne();
         test.crank();
         assertThat(log).containsExactly("saw 65280");
+    }
+
+    @Test
+    void publisher_isForOtherLibraries() {
+        Topic<Integer> colours = Topic.of(space, "colours");
+        Camera camera = space.spawn(Camera.class, () -> seen -> seen.fail(new IllegalStateException("dark")));
+        Flow.Publisher<Integer> publisher = space.publisher(Backlog.newest(16), colours::subscribe); // of a topic
+        Flow.Publisher<Integer> watched = space.publisher(Backlog.ALL, camera::watch); // of an actor
+        for (var each : List.of(publisher, watched)) {
+            each.subscribe(new Flow.Subscriber<>() {
+                @Override
+                public void onSubscribe(Flow.Subscription subscription) {
+                    subscription.request(1);
+                }
+
+                @Override
+                public void onNext(Integer colour) {
+                    log.add("saw " + colour);
+                }
+
+                @Override
+                public void onError(Throwable error) {
+                    log.add(error.getMessage());
+                }
+
+                @Override
+                public void onComplete() {}
+            });
+        }
+        test.crank();
+        colours.publish(1);
+        test.crank();
+        assertThat(log).containsExactly("dark", "saw 1");
     }
 
     interface Shop {
