@@ -92,6 +92,35 @@ public abstract class Actor {
         mine.space().dispatcher.afterTurn(mine::stop);
     }
 
+    /**
+     * Holds this actor's calls back, from the next one until {@link #release}: for an actor that first has to connect.
+     * Timers, listeners and callbacks run meanwhile. The calls wait in the order in which they were sent, including
+     * those that this actor sends to itself, and occupy their places in a bounded mailbox.
+     *
+     * {@snippet :
+     * @Override
+     * protected void started() {
+     *     hold();
+     *     modem.connect().then(line -> {
+     *         connected = line;
+     *         release(); // now the calls that came meanwhile are served, in their order
+     *     });
+     * }
+     * }
+     *
+     * <p>Not counted: one {@link #release} suffices. A restart ends it, and so does {@link #started()} that throws. If
+     * the actor stops, the calls are rejected as at every end of an actor; {@link ActorSpace#stop} does not wait for
+     * them.
+     */
+    protected final void hold() {
+        cell("hold()").hold();
+    }
+
+    /** Ends {@link #hold}: the calls that were held back are served before later ones. No effect without it. */
+    protected final void release() {
+        cell("release()").release();
+    }
+
     final SpaceTimers.Keyed keyedTimers() {
         return keyed;
     }
@@ -151,6 +180,12 @@ public abstract class Actor {
     protected final boolean cancelTimer(Object key) {
         cell("cancelTimer(..)");
         return keyed.cancel(key);
+    }
+
+    /** True if the timer with that key is set: it has not run for the last time and was not cancelled. */
+    protected final boolean isTimerActive(Object key) {
+        cell("isTimerActive(..)");
+        return keyed.isActive(key);
     }
 
     /**

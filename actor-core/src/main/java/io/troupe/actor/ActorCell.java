@@ -6,12 +6,16 @@ import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Nodes;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.ArrayDeque;
+import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.Objects;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -19,11 +23,13 @@ import org.jspecify.annotations.Nullable;
  * The internal state of an actor: its mailbox, its implementation and its supervision.
  *
  * <p><b>Threads.</b> {@link #send} from any thread, everything else on the space's thread.
+ *
+ * <p>Long, because a call, a failure and an end meet here: each may find the actor not started, holding its calls back,
+ * waiting for a restart, or stopped. What only few actors need is in {@link Exceptional}.
  */
 final class ActorCell extends Recipient {
     private static final long FIRST_PAUSE_NANOS = 10_000_000;
     private static final long LONGEST_PAUSE_NANOS = 10_000_000_000L;
-    private static final int MOST_DOUBLINGS = 10;
     private static final int FRAMES_FOR_QUEUEING = 48;
     private static final int COUNTED = 1_000; // bounds the cost of a time-out behind a long queue
 
@@ -33,11 +39,11 @@ final class ActorCell extends Recipient {
     private final Supplier<?> factory;
     private final ActorSettings settings;
     private final @Nullable BoundedMailbox mailbox;
-    private @Nullable Object implementation; // also null while calls are held back
+    private @Nullable Object implementation; // null if the slow path is to decide: calls are held back or bounded
     private @Nullable Object instance;
     private @Nullable Object proxy;
-    private @Nullable Failures failures; // most actors have none
-    private @Nullable Deferred<@Nullable Void> ended; // guarded by this, as are writes of stopped
+    private @Nullable Exceptional exceptional; // most actors have none
+    private @Nullable Deferred<ActorEnd> ended; // guarded by this, as are writes of stopped
     private Incarnation life;
     private boolean starting;
     private boolean begun;
@@ -64,16 +70,20 @@ final class ActorCell extends Recipient {
         this.settings = settings;
         MailboxBound bound = settings.mailbox();
         this.mailbox = bound == null ? null : new BoundedMailbox(bound);
+        int quota = space.settings.actorQuota();
+        if (quota > 0) {
+            exceptional().share = new Share(this, quota);
+        }
     }
 
     @Override
     public void send(Message message) {
         if (mailbox != null) {
-            sendBounded(message, mailbox);
+            sendBounded(carried(message), mailbox);
         } else if (Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
             thread.messages().add(message);
         } else {
-            space.enqueueMessage(message);
+            space.enqueueMessage(carried(message));
         }
     }
 
@@ -94,10 +104,16 @@ final class ActorCell extends Recipient {
     private void sendSlowly(Request<?> request) {
         request.noteCaller(space.isCurrent());
         if (mailbox != null) {
-            sendBounded(request, mailbox);
+            sendBounded(carried(request), mailbox);
         } else {
-            space.enqueueMessage(request);
+            space.enqueueMessage(carried(request));
         }
+    }
+
+    /** The call with the context of its caller, if there is one to carry. */
+    private Node carried(Node call) {
+        var context = space.captureContext();
+        return context == null ? call : new CarriedCall(this, call, context);
     }
 
     private void sendBounded(Node call, BoundedMailbox bounded) {
@@ -157,10 +173,10 @@ final class ActorCell extends Recipient {
     }
 
     /** Fulfilled when the actor has stopped; any thread. */
-    synchronized Promise<@Nullable Void> ended() {
+    synchronized Promise<ActorEnd> ended() {
         if (ended == null) {
             if (stopped) {
-                return Promise.done();
+                return Promise.of(ActorEnd.of(endedBy()));
             }
             ended = new Deferred<>(space, null);
         }
@@ -180,17 +196,26 @@ final class ActorCell extends Recipient {
     private void startInstance() {
         begun = true;
         space.actors().add(this);
-        int failedBefore = failures == null ? 0 : failures.starts;
+        int failedBefore = exceptional == null ? 0 : exceptional.starts;
         starting = true;
         guard("the start", this::begin);
         starting = false;
         if (instance == null) {
             stop();
-        } else if (failures != null && failures.starts == failedBefore) {
-            failures.starts = 0;
-            if (failures.held != null) {
-                releaseSoon(failures);
-            }
+        } else if (exceptional != null) {
+            hasBegun(exceptional, exceptional.starts > failedBefore);
+        }
+    }
+
+    private void hasBegun(Exceptional state, boolean failed) {
+        if (failed) {
+            release(); // no longer held back by the actor, which might never release them
+            return;
+        }
+        state.starts = 0;
+        state.startedNanos = space.settings.clock().nanos();
+        if (state.held != null) {
+            releaseSoon(state);
         }
     }
 
@@ -203,21 +228,43 @@ final class ActorCell extends Recipient {
             throw new ActorException("the factory of " + this + " answered a proxy, expected a new implementation");
         }
         instance = made;
-        implementation = held() == null ? made : null;
+        implementation = held() == null ? direct(made) : null;
         if (made instanceof Actor actor) {
             actor.join(this);
             actor.started();
         }
     }
 
+    /** See {@link Actor#hold}. */
+    void hold() {
+        if (instance == null) {
+            return; // it has stopped: nothing is delivered any more
+        }
+        Exceptional state = exceptional();
+        state.hold();
+        state.byActor = true;
+        implementation = null;
+    }
+
+    /** See {@link Actor#release}. */
+    void release() {
+        if (exceptional != null && exceptional.byActor) {
+            exceptional.byActor = false;
+            releaseSoon(exceptional);
+        }
+    }
+
     /**
      * Stops the actor after the calls that are queued. During the pause before a restart it stops immediately, because
-     * the actor may never start again.
+     * the actor may never start again; and while it holds its calls back, because it may never release them.
      */
     void stopBehindCalls() {
-        if (failures != null && failures.held != null && instance != null) {
-            failures.stopHeld = true;
-            failures.held.add(new Entry(this::stop));
+        Exceptional state = exceptional;
+        if (state != null && state.held != null && instance != null && !state.byActor) {
+            state.stopHeld = true;
+            state.held.add(new Entry(this::stop));
+        } else if (state != null && state.share != null && state.share.isUsed()) {
+            state.share.waiting.add(new Entry(this::stop));
         } else {
             stop();
         }
@@ -227,22 +274,33 @@ final class ActorCell extends Recipient {
         if (stopped) {
             return;
         }
-        if (failures != null && failures.restartTimer != null) {
-            failures.restartTimer.cancel();
+        if (exceptional != null && exceptional.restartTimer != null) {
+            exceptional.restartTimer.cancel();
         }
         space.actors().remove(this);
-        Deferred<@Nullable Void> watched;
+        Deferred<ActorEnd> watched;
         synchronized (this) {
             stopped = true;
             watched = ended;
         }
         endLife(false);
-        if (failures != null && failures.held != null) {
-            failures.held.forEach(space::enqueueMessage); // to be rejected like all others
-            failures.held = null;
+        if (exceptional != null && exceptional.held != null) {
+            exceptional.held.forEach(space::enqueueMessage); // to be rejected like all others
+            exceptional.held = null;
+        }
+        Share share = share();
+        if (share != null) {
+            share.queueAll();
         }
         if (watched != null) {
-            watched.resolve(null);
+            watched.resolve(ActorEnd.of(endedBy()));
+        }
+    }
+
+    private void stopAfter(Throwable failure) {
+        if (!stopped) {
+            exceptional().endedBy = failure;
+            stop();
         }
     }
 
@@ -258,6 +316,9 @@ final class ActorCell extends Recipient {
         }
         implementation = null;
         instance = null;
+        if (exceptional != null) {
+            exceptional.byActor = false;
+        }
         life.end();
         life.rejectOpenRequests(() -> restarted ? "the actor " + this + " was restarted" : whyStopped(), endedBy());
         life.endAttachment();
@@ -265,37 +326,36 @@ final class ActorCell extends Recipient {
 
     /** The failure that led to the end of the last instance, or null. */
     private @Nullable Throwable endedBy() {
-        return failures == null ? null : failures.endedBy;
+        return exceptional == null ? null : exceptional.endedBy;
     }
 
-    /** The calls held back while a restart waits, until all of them have been delivered; or null. */
+    /** The calls held back, until all of them have been delivered; or null. */
     private @Nullable ArrayDeque<Node> held() {
-        return failures == null ? null : failures.held;
+        return exceptional == null ? null : exceptional.held;
     }
 
-    private Failures failures() {
-        if (failures == null) {
-            failures = new Failures(settings.supervision());
+    private Exceptional exceptional() {
+        if (exceptional == null) {
+            exceptional = new Exceptional();
         }
-        return failures;
+        return exceptional;
     }
 
     private String whyStopped() {
         return space.isStopping() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
     }
 
-    /**
-     * Restarts the actor immediately. From the second failed start in a row it pauses first, so that an actor that
-     * cannot start leaves time for the others.
-     */
-    private void restart() {
+    /** Restarts the actor, after a pause if its supervision or its failed starts require one. */
+    private void restartAfter(Throwable failure) {
         if (stopped) {
             return;
         }
+        Exceptional had = exceptional();
+        had.endedBy = failure;
         endLife(true);
-        Failures had = failures();
         had.endedBy = null;
-        if (had.starts < 2) {
+        long pauseNanos = had.pauseNanos();
+        if (pauseNanos == 0) {
             startAgain();
             return;
         }
@@ -304,7 +364,6 @@ final class ActorCell extends Recipient {
             stop();
             return;
         }
-        long pauseNanos = Math.min(LONGEST_PAUSE_NANOS, FIRST_PAUSE_NANOS << Math.min(had.starts - 2, MOST_DOUBLINGS));
         had.restartTimer = space.dispatcher.timers.set(this::startAgain, pauseNanos, 0);
     }
 
@@ -316,16 +375,16 @@ final class ActorCell extends Recipient {
     }
 
     /** Delivers the held calls before those queued in the space, one per entry, so that other actors get their turn. */
-    private void releaseSoon(Failures had) {
+    private void releaseSoon(Exceptional had) {
         if (!had.releasing) {
             had.releasing = true;
-            space.enqueue(Entry.urgent(() -> release(had), () -> release(had)));
+            space.enqueue(Entry.urgent(() -> deliverHeld(had), () -> deliverHeld(had)));
         }
     }
 
-    private void release(Failures had) {
+    private void deliverHeld(Exceptional had) {
         had.releasing = false;
-        if (had.held == null || instance == null) {
+        if (had.held == null || had.byActor || instance == null) {
             return; // it has stopped, or is waiting again
         }
         Node ticket = had.held.poll();
@@ -334,47 +393,59 @@ final class ActorCell extends Recipient {
         } else if (ticket != null) {
             deliver(ticket);
         }
-        if (had.held == null) {
+        if (had.held == null || had.byActor) {
             return;
         }
         if (had.held.isEmpty()) {
             had.held = null;
-            implementation = instance;
+            implementation = direct(instance);
         } else {
             releaseSoon(had);
         }
     }
 
     /** Rejects a call for which the mailbox had no room, or which was dropped for a newer one. Any thread. */
-    void drop(Node call, String reason) {
+    void drop(Node entry, String reason) {
+        Node call = CarriedCall.callIn(entry);
         space.reports().rejectCall(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
     }
 
     @Override
     protected @Nullable Object target(Message message) {
         Object target = implementation;
-        if (target == null || mailbox != null) {
+        if (target == null) {
             deliverNext(message);
             return null;
         }
-        space.begin(life);
         return target;
     }
 
     @Override
     protected @Nullable Object target(Request<?> request) {
         Object target = implementation;
-        if (target == null || mailbox != null || request.isDone()) {
+        if (target == null || request.isDone() || request.mayBeGivenUp()) {
             deliverNext(request);
             return null;
         }
-        space.begin(life);
         return target;
     }
 
+    /** What calls may invoke without the slow path: the instance, unless its calls are bounded or have a quota. */
+    private @Nullable Object direct(@Nullable Object target) {
+        return mailbox == null && share() == null ? target : null;
+    }
+
+    private @Nullable Share share() {
+        return exceptional == null ? null : exceptional.share;
+    }
+
     /** The slow path: the actor is not running, its mailbox is bounded, or the request is cancelled. */
-    private void deliverNext(Node ticket) {
+    void deliverNext(Node ticket) {
         start();
+        Share share = share();
+        if (share != null && !stopped && !share.admits(ticket)) {
+            return; // it waits for the next round
+        }
         var held = held();
         if (held != null) {
             held.add(ticket);
@@ -384,10 +455,18 @@ final class ActorCell extends Recipient {
     }
 
     private void deliver(Node ticket) {
-        Node call = mailbox == null ? ticket : mailbox.next(ticket);
+        Node entry = mailbox == null ? ticket : mailbox.next(ticket);
+        if (entry instanceof CarriedCall carried) {
+            carried.run(() -> deliverCall(CarriedCall.callIn(carried)));
+        } else {
+            deliverCall(entry);
+        }
+    }
+
+    private void deliverCall(Node call) {
         Object target = instance;
-        if (call instanceof Request<?> request && request.isDone()) {
-            space.reports().skip(request); // cancelled while queued
+        if (call instanceof Request<?> request && (request.isDone() || request.shed())) {
+            space.reports().skip(request); // cancelled or given up while queued
         } else if (target == null) {
             reject(call);
         } else {
@@ -407,7 +486,7 @@ final class ActorCell extends Recipient {
 
     /** The call that would be delivered for this ticket. */
     Node callOf(Node ticket) {
-        return mailbox == null ? ticket : mailbox.peek(ticket);
+        return CarriedCall.callIn(mailbox == null ? ticket : mailbox.peek(ticket));
     }
 
     /**
@@ -417,13 +496,17 @@ final class ActorCell extends Recipient {
     private int placeInMailbox(Node call) {
         int place = mailbox == null ? -1 : mailbox.placeOf(call, COUNTED);
         var held = held();
-        return place < 0 && held != null ? placeAmong(held, call) : place;
+        if (place < 0 && held != null) {
+            place = placeAmong(held, call);
+        }
+        Share share = share();
+        return place < 0 && share != null ? placeAmong(share.waiting, call) : place;
     }
 
     private static int placeAmong(ArrayDeque<Node> held, Node call) {
         int place = 0;
         for (Node each : held) {
-            if (each == call) {
+            if (Nodes.carries(each, call)) {
                 return place;
             }
             if (++place == COUNTED) {
@@ -464,30 +547,38 @@ final class ActorCell extends Recipient {
         if (stopped) {
             return;
         }
-        Failures had = failures();
+        Exceptional had = exceptional();
         if (starting) {
             had.starts++;
         }
-        Supervision.Directive directive = had.note(space.settings.clock().nanos());
-        if (had.starts > settings.supervision().limit()) { // the pauses between them may be longer than the window
-            directive = Supervision.Directive.STOP;
-        }
+        Supervision supervision = settings.supervision().forError(thrown);
+        Supervision.Directive directive =
+                had.note(supervision, space.settings.clock().nanos(), starting);
         if (starting && directive != Supervision.Directive.RESUME) {
             had.hold(); // the call that caused the start is not delivered to this instance
         }
-        if (directive != Supervision.Directive.RESUME || implementation == null) {
-            had.endedBy = thrown;
+        if (instance == null) {
+            had.endedBy = thrown; // the factory has thrown
         }
         switch (directive) {
             case RESUME -> {}
-            case STOP -> space.dispatcher.afterTurn(this::stop);
-            case RESTART -> space.dispatcher.afterTurn(this::restart);
+            case STOP -> space.dispatcher.afterTurn(() -> stopAfter(thrown));
+            case RESTART -> space.dispatcher.afterTurn(() -> restartAfter(thrown));
         }
     }
 
     @Override
-    protected void reportError(String method, Throwable thrown) {
-        space.reports().error(method + " of", this, thrown, null);
+    protected void requestFailed(String method, Throwable thrown, boolean isReported) {
+        if (countsRequests(thrown)) {
+            failed(method, thrown);
+        } else if (isReported) {
+            space.reports().error(method + " of", this, thrown, null);
+        }
+    }
+
+    /** True if an exception of a request or of a listener is a failure of the actor. */
+    boolean countsRequests(Throwable thrown) {
+        return settings.supervision().forError(thrown).requestsAndListeners();
     }
 
     @Override
@@ -500,7 +591,8 @@ final class ActorCell extends Recipient {
         int inMailbox = placeInMailbox(request);
         int before = inMailbox >= 0 ? inMailbox : space.dispatcher.messagesBefore(request, COUNTED);
         if (before >= 0) {
-            return ", which has not begun it: " + before + " calls come first";
+            boolean isHeld = exceptional != null && exceptional.byActor;
+            return ", which has not begun it: " + before + " calls come first" + (isHeld ? ", and it holds them" : "");
         }
         return space.dispatcher.isLongerThan(COUNTED)
                 ? ", where more than " + COUNTED + " calls wait"
@@ -513,21 +605,83 @@ final class ActorCell extends Recipient {
         return name != null ? name : type.getSimpleName() + "#" + number;
     }
 
-    /** What an actor keeps once it has failed. On the space's thread. */
-    private static final class Failures {
-        private final Supervision supervision;
-        private final ArrayDeque<Long> recent = new ArrayDeque<>(); // those within the window of its supervision
+    /**
+     * The share of an actor in a space that has a quota: so many calls in a round. A round ends when all messages have
+     * run that were queued in the space when the share was used up. Calls beyond the share wait here. On the space's
+     * thread.
+     */
+    private static final class Share {
+        private final ActorCell cell;
+        private final int quota;
+        private final ArrayDeque<Node> waiting = new ArrayDeque<>(); // for a later round
+        private final ArrayDeque<Node> due = new ArrayDeque<>(); // queued once more, in this round
+        private int left;
+
+        Share(ActorCell cell, int quota) {
+            this.cell = cell;
+            this.quota = quota;
+            this.left = quota;
+        }
+
+        /** True if a call is to be delivered now; otherwise it waits. */
+        boolean admits(Node ticket) {
+            if (due.peekFirst() == ticket) {
+                due.removeFirst();
+            } else if (left == 0 || isUsed()) {
+                waiting.addLast(ticket); // behind the older ones
+                return false;
+            }
+            if (--left == 0) {
+                cell.space.enqueueMessageLast(Entry.urgent(this::begin, () -> {}));
+            } else {
+                queueNext();
+            }
+            return true;
+        }
+
+        /** True if calls wait that are older than the next one. */
+        boolean isUsed() {
+            return !due.isEmpty() || !waiting.isEmpty();
+        }
+
+        /** Begins a round. */
+        private void begin() {
+            left = quota;
+            queueNext();
+        }
+
+        private void queueNext() {
+            while (due.size() < left && !waiting.isEmpty()) {
+                Node ticket = waiting.removeFirst();
+                if (!(ticket instanceof Entry)) { // a stop, see stopBehindCalls()
+                    due.addLast(ticket);
+                }
+                cell.space.enqueueMessage(ticket);
+            }
+        }
+
+        /** Called when the actor has stopped: queues what waits, to be rejected like all other calls. */
+        void queueAll() {
+            waiting.forEach(cell.space::enqueueMessage);
+            waiting.clear();
+            due.clear();
+        }
+    }
+
+    /** What an actor keeps once it has failed, or has held its calls back. On the space's thread. */
+    private static final class Exceptional {
+        private final Map<Supervision, Record> records = new IdentityHashMap<>(2);
         private int starts; // failed starts in a row
+        private long startedNanos; // when the current instance started, if there was a failure before
+        private @Nullable Record last; // of the last failure
         private @Nullable Throwable endedBy; // the failure that led to the end of the last instance
-        // calls held back while a restart waits, until all of them have been delivered
+        // calls held back by the actor, or while a restart waits, until all of them have been delivered
         private @Nullable ArrayDeque<Node> held;
+        private boolean byActor; // the actor holds its calls back
         private boolean stopHeld; // a stop is queued among the held calls
         private boolean releasing;
         private @Nullable Timer restartTimer; // the timer of the pause before a restart
-
-        Failures(Supervision supervision) {
-            this.supervision = supervision;
-        }
+        private @Nullable Share share; // only if the space has a quota for its actors
 
         /** Holds calls back from now on. */
         void hold() {
@@ -537,19 +691,63 @@ final class ActorCell extends Recipient {
         }
 
         /** Counts a failure and returns the directive for it. */
-        Supervision.Directive note(long nowNanos) {
+        Supervision.Directive note(Supervision supervision, long nowNanos, boolean starting) {
+            Record failures = records.computeIfAbsent(supervision, Record::new);
+            last = failures;
+            if (!starting && failures.isOver(nowNanos - startedNanos)) {
+                failures.inARow = 0;
+            }
+            boolean isWithinLimit = failures.note(nowNanos) && starts <= supervision.limit();
+            return isWithinLimit ? supervision.directive() : Supervision.Directive.STOP;
+        }
+
+        /**
+         * The pause before a restart. Without pauses in the supervision, from the second failed start in a row, so that
+         * an actor that cannot start leaves time for the others.
+         */
+        long pauseNanos() {
+            var failures = Objects.requireNonNull(last);
+            return failures.supervision.hasPauses()
+                    ? doubled(
+                            Home.nanosOf(failures.supervision.firstPause()),
+                            failures.inARow - 1,
+                            Home.nanosOf(failures.supervision.longestPause()))
+                    : starts < 2 ? 0 : doubled(FIRST_PAUSE_NANOS, starts - 2, LONGEST_PAUSE_NANOS);
+        }
+
+        private static long doubled(long nanos, int times, long longest) {
+            return times >= Long.numberOfLeadingZeros(nanos) - 1 ? longest : Math.min(longest, nanos << times);
+        }
+    }
+
+    /** The failures of an actor that fall under one supervision. */
+    private static final class Record {
+        private final Supervision supervision;
+        private final ArrayDeque<Long> recent = new ArrayDeque<>(); // those within the window
+        private int inARow; // those without a run as long as the window in between
+
+        Record(Supervision supervision) {
+            this.supervision = supervision;
+        }
+
+        /** Counts a failure; false if it is one too many. */
+        boolean note(long nowNanos) {
+            if (inARow < Integer.MAX_VALUE) {
+                inARow++;
+            }
             if (supervision.limit() == Integer.MAX_VALUE) {
-                return supervision.directive();
+                return true;
             }
             while (!recent.isEmpty() && isOver(nowNanos - recent.peekFirst())) {
                 recent.removeFirst();
             }
             recent.addLast(nowNanos);
-            return recent.size() > supervision.limit() ? Supervision.Directive.STOP : supervision.directive();
+            boolean pausesCount = !supervision.hasPauses(); // else a long pause would hide the failures before it
+            return (pausesCount ? recent.size() : inARow) <= supervision.limit();
         }
 
         /** Compares durations: a window may exceed the range of nanoseconds in a long. */
-        private boolean isOver(long agoNanos) {
+        boolean isOver(long agoNanos) {
             return Duration.ofNanos(agoNanos).compareTo(supervision.window()) >= 0;
         }
     }

@@ -10,8 +10,10 @@ import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
+import java.util.concurrent.Flow;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
+import java.util.function.Consumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -124,8 +126,8 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
 
     /**
      * Stops the actor behind a proxy of this space after the messages already in its mailbox. An actor that is waiting
-     * for its restart is stopped without another start, and those messages are rejected as at every end of an actor:
-     * one-way messages become dead letters, requests are rejected.
+     * for its restart, or that holds its calls back, is stopped immediately in its turn, and those messages are
+     * rejected as at every end of an actor: one-way messages become dead letters, requests are rejected.
      */
     public void stop(Object proxy) {
         ActorCell cell = cellOf(proxy);
@@ -135,10 +137,10 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     /**
      * Watches an actor of this space.
      *
-     * @return fulfilled when the actor has stopped, for whatever reason; immediately if it has stopped already
+     * @return fulfilled with the reason when the actor has stopped; immediately if it has stopped already
      */
-    public Promise<@Nullable Void> whenStopped(Object proxy) {
-        var own = new Deferred<@Nullable Void>(this); // a separate promise, so that each watcher may cancel its own
+    public Promise<ActorEnd> whenStopped(Object proxy) {
+        var own = new Deferred<ActorEnd>(this); // a separate promise, so that each watcher may cancel its own
         own.resolveFrom(cellOf(proxy).ended());
         return own;
     }
@@ -240,6 +242,31 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
             throw new IllegalArgumentException("tries is " + tries + ", expected 1 or more");
         }
         return promises.retry(tries, pause, attempt);
+    }
+
+    /**
+     * A publisher of Java's reactive streams, for libraries that have these: each subscriber calls the source once,
+     * with a new callback, and receives its results.
+     *
+     * {@snippet :
+     * Flow.Publisher<Integer> publisher = space.publisher(Backlog.newest(16), colours::subscribe); // of a topic
+     * Flow.Publisher<Integer> watched = space.publisher(Backlog.ALL, camera::watch); // of an actor
+     * }
+     *
+     * <p><b>Threads.</b> Any thread may subscribe, request and cancel. The subscriber runs on this space, as entries of
+     * its callback queue; if it subscribed in an actor of this space, on behalf of that actor, until that stops.
+     *
+     * <p><b>Order.</b> Senders do not wait for requests. The results that come before they are requested are queued;
+     * the backlog determines which of them are kept, in the callback queue and again in the queue of the subscription.
+     * The end follows the results that were kept.
+     *
+     * <p><b>Errors.</b> A source that throws, or a null result, is the failure of the stream. If the space is closed
+     * before the end, no further signal arrives.
+     */
+    public <T> Flow.Publisher<T> publisher(Backlog backlog, Consumer<? super Callback<T>> source) {
+        Objects.requireNonNull(backlog, "backlog");
+        Objects.requireNonNull(source, "source");
+        return new CallbackPublisher<>(home, backlog, source);
     }
 
     /** Runs an action on the space's thread as soon as it is idle: no entry in any queue, no timer due. */

@@ -2,6 +2,7 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
+import io.troupe.actor.internal.Router;
 import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
@@ -16,15 +17,34 @@ import org.objenesis.instantiator.ObjectInstantiator;
  * The generated classes of an actor type, and how to create its proxies. One per type, retained as long as the type.
  */
 abstract class ActorType {
-    private static final ClassValue<Once> TYPES = new ClassValue<>() {
+    private static final ClassValue<Once> ACTORS = new OncePerType(ActorType::actorOf);
+    private static final ClassValue<Once> POOLS = new OncePerType(ActorType::poolOf);
+
+    /** The type of a proxy that sends to the {@link Recipient} behind it. */
+    static ActorType of(Class<?> type) {
+        return ACTORS.get(type).get(type);
+    }
+
+    /** The type of a proxy that forwards to the actors of its {@link Router}. */
+    static ActorType ofPool(Class<?> type) {
+        return POOLS.get(type).get(type);
+    }
+
+    private static final class OncePerType extends ClassValue<Once> {
+        private final Generator generator;
+
+        OncePerType(Generator generator) {
+            this.generator = generator;
+        }
+
         @Override
         protected Once computeValue(Class<?> type) {
-            return new Once();
+            return new Once(generator);
         }
-    };
+    }
 
-    static ActorType of(Class<?> type) {
-        return TYPES.get(type).get(type);
+    private interface Generator {
+        ActorType generate(Class<?> type, MethodHandles.Lookup lookup) throws ReflectiveOperationException;
     }
 
     /**
@@ -32,8 +52,13 @@ abstract class ActorType {
      * permanent.
      */
     private static final class Once {
+        private final Generator generator;
         private @Nullable ActorType made;
         private @Nullable ActorTypeException failure;
+
+        Once(Generator generator) {
+            this.generator = generator;
+        }
 
         synchronized ActorType get(Class<?> type) {
             if (failure != null) {
@@ -41,7 +66,7 @@ abstract class ActorType {
             }
             if (made == null) {
                 try {
-                    made = generate(type);
+                    made = generate(type, generator);
                 } catch (ActorTypeException e) {
                     failure = e;
                     throw e;
@@ -51,14 +76,31 @@ abstract class ActorType {
         }
     }
 
-    /** Creates a proxy that sends to the cell. */
-    abstract <A> A newProxy(Recipient cell);
+    /**
+     * Creates a proxy.
+     *
+     * @param target a {@link Recipient} or a {@link Router}, depending on the type
+     */
+    abstract <A> A newProxy(Object target);
 
-    private static ActorType generate(Class<?> type) {
+    private static ActorType actorOf(Class<?> type, MethodHandles.Lookup lookup) throws ReflectiveOperationException {
+        Class<?> proxyClass = new ProxyGenerator(type, ActorMethods.of(type), lookup).generate();
+        return type.isInterface()
+                ? new OfInterface(lookup, proxyClass, Recipient.class)
+                : new OfClass(lookup, proxyClass, ProxyGenerator.CELL, Recipient.class);
+    }
+
+    private static ActorType poolOf(Class<?> type, MethodHandles.Lookup lookup) throws ReflectiveOperationException {
+        Class<?> proxyClass = new PoolProxyGenerator(type, ActorMethods.of(type), lookup).generate();
+        return type.isInterface()
+                ? new OfInterface(lookup, proxyClass, Router.class)
+                : new OfClass(lookup, proxyClass, PoolProxyGenerator.ROUTER_FIELD, Router.class);
+    }
+
+    private static ActorType generate(Class<?> type, Generator generator) {
         MethodHandles.Lookup lookup = TypeRules.check(type);
         try {
-            Class<?> proxyClass = new ProxyGenerator(type, ActorMethods.of(type), lookup).generate();
-            return type.isInterface() ? new OfInterface(lookup, proxyClass) : new OfClass(lookup, proxyClass);
+            return generator.generate(type, lookup);
         } catch (ReflectiveOperationException | LinkageError | TypeNotPresentException e) {
             throw new ActorTypeException("the proxy of " + type.getName() + " cannot be made: " + e, e);
         }
@@ -67,16 +109,17 @@ abstract class ActorType {
     private static final class OfInterface extends ActorType {
         private final MethodHandle constructor;
 
-        OfInterface(MethodHandles.Lookup lookup, Class<?> proxyClass) throws ReflectiveOperationException {
-            constructor = lookup.findConstructor(proxyClass, MethodType.methodType(void.class, Recipient.class))
-                    .asType(MethodType.methodType(Object.class, Recipient.class));
+        OfInterface(MethodHandles.Lookup lookup, Class<?> proxyClass, Class<?> targetType)
+                throws ReflectiveOperationException {
+            constructor = lookup.findConstructor(proxyClass, MethodType.methodType(void.class, targetType))
+                    .asType(MethodType.methodType(Object.class, Object.class));
         }
 
         @Override
         @SuppressWarnings("unchecked") // the proxy class was generated for A
-        <A> A newProxy(Recipient cell) {
+        <A> A newProxy(Object target) {
             try {
-                return (A) constructor.invokeExact(cell);
+                return (A) constructor.invokeExact(target);
             } catch (Throwable e) {
                 throw new AssertionError("a generated constructor does not throw", e);
             }
@@ -89,19 +132,20 @@ abstract class ActorType {
      */
     private static final class OfClass extends ActorType {
         private final ObjectInstantiator<?> instantiator;
-        private final VarHandle cellField;
+        private final VarHandle targetField;
 
-        OfClass(MethodHandles.Lookup lookup, Class<?> proxyClass) throws ReflectiveOperationException {
+        OfClass(MethodHandles.Lookup lookup, Class<?> proxyClass, String field, Class<?> targetType)
+                throws ReflectiveOperationException {
             instantiator = new ObjenesisStd(false).getInstantiatorOf(proxyClass);
-            cellField = lookup.findVarHandle(proxyClass, ProxyGenerator.CELL, Recipient.class);
+            targetField = lookup.findVarHandle(proxyClass, field, targetType);
         }
 
         @Override
         @SuppressWarnings("unchecked") // the proxy class was generated for A
-        <A> A newProxy(Recipient cell) {
+        <A> A newProxy(Object target) {
             Object proxy = instantiator.newInstance();
-            cellField.set(proxy, cell);
-            VarHandle.releaseFence(); // like a final field: every thread that receives the proxy sees its cell
+            targetField.set(proxy, target);
+            VarHandle.releaseFence(); // like a final field: every thread that receives the proxy sees its target
             return (A) proxy;
         }
     }

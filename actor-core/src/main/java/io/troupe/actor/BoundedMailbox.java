@@ -2,6 +2,7 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Nodes;
 import java.util.ArrayDeque;
 import java.util.Objects;
 import java.util.concurrent.Semaphore;
@@ -112,7 +113,7 @@ final class BoundedMailbox {
         synchronized (calls) {
             int place = 0;
             for (Node each : calls) {
-                if (each == call) {
+                if (Nodes.carries(each, call)) {
                     return place;
                 }
                 if (++place == limit) {

@@ -3,6 +3,7 @@ package io.troupe.actor;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
@@ -56,19 +57,36 @@ public interface Callback<T extends @Nullable Object> {
         return false;
     }
 
-    /** The receiving side of a callback: it can be cancelled, by any thread, and is notified of the end. */
+    /**
+     * The receiving side of a callback: it can be cancelled, by any thread, is notified of the end, and determines
+     * which results are kept while it is slow.
+     */
     final class Stream<T extends @Nullable Object> implements Callback<T> {
+        private final Backlog backlog;
         private final Consumer<? super T> onNext;
         private final Consumer<@Nullable Throwable> onEnd;
         private final AtomicBoolean over = new AtomicBoolean();
+        private final AtomicLong skipped = new AtomicLong();
 
         /**
-         * Creates a stream.
+         * Creates a stream that receives every result.
          *
          * @param onNext receives each result
          * @param onEnd receives the end, once: null for success, a {@link CancellationException} after {@link #cancel}
          */
         public Stream(Consumer<? super T> onNext, Consumer<@Nullable Throwable> onEnd) {
+            this(Backlog.ALL, onNext, onEnd);
+        }
+
+        /**
+         * Creates a stream that skips results while it is slow.
+         *
+         * @param backlog which of the queued results are kept
+         * @param onNext receives each result that is kept
+         * @param onEnd receives the end, once: null for success, a {@link CancellationException} after {@link #cancel}
+         */
+        public Stream(Backlog backlog, Consumer<? super T> onNext, Consumer<@Nullable Throwable> onEnd) {
+            this.backlog = Objects.requireNonNull(backlog, "backlog");
             this.onNext = Objects.requireNonNull(onNext, "onNext");
             this.onEnd = Objects.requireNonNull(onEnd, "onEnd");
         }
@@ -76,6 +94,19 @@ public interface Callback<T extends @Nullable Object> {
         /** Cancels: no more results arrive, and the actor sees {@link #isCancelled}. */
         public void cancel() {
             end(new CancellationException("the reader has cancelled"));
+        }
+
+        /** The number of results that were replaced by newer ones before they were received; any thread. */
+        public long skipped() {
+            return skipped.get();
+        }
+
+        Backlog backlog() {
+            return backlog;
+        }
+
+        void noteSkipped() {
+            skipped.incrementAndGet();
         }
 
         @Override
@@ -96,6 +127,11 @@ public interface Callback<T extends @Nullable Object> {
         @Override
         public boolean isCancelled() {
             return over.get();
+        }
+
+        @Override
+        public String toString() {
+            return "stream" + (over.get() ? ", ended" : "") + (skipped() > 0 ? ", skipped " + skipped() : "");
         }
 
         private void end(@Nullable Throwable error) {

@@ -106,7 +106,7 @@ final class Closing {
     /** Counts a request that had begun and was rejected because its actor was stopped; on the space's thread. */
     void noteOpenRequest(Request<?> request) {
         if (openRequests++ < Leftovers.EXAMPLES) {
-            openExamples.add(request.toString());
+            openExamples.add(request.name());
         }
     }
 
@@ -285,13 +285,14 @@ final class Closing {
             switch (node) {
                 case Message ticket -> count(((ActorCell) ticket.receiver()).callOf(ticket));
                 case Request<?> ticket -> count(((ActorCell) ticket.receiver()).callOf(ticket));
+                case CarriedCall ticket -> count(ticket.cell().callOf(ticket));
                 case Entry entry -> {
                     reject(entry);
                     return;
                 }
                 default -> {}
             }
-            dispatcher.serve(node); // its actor has stopped and rejects the call
+            dispatcher.serveDirect(node); // its actor has stopped and rejects the call
         }
 
         private void count(Node call) {
@@ -300,7 +301,7 @@ final class Closing {
                 note(message + " to " + message.receiver());
             } else if (call instanceof Request<?> request && !request.isDone()) {
                 requests++;
-                note(request.toString());
+                note(request.name());
             }
         }
 

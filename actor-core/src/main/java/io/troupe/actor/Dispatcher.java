@@ -64,6 +64,7 @@ final class Dispatcher {
     // reduced within a row of callbacks, or if a message waits for that many callbacks only
     private int callbackQuota = QUOTA;
     private int stride = STRIDE;
+    private int untilLook = STRIDE; // messages until the timers are checked
     private long lastLookNanos;
 
     Dispatcher(
@@ -106,7 +107,11 @@ final class Dispatcher {
             renew();
         }
         boolean worked = drainInbox(true);
-        worked |= drainRings();
+        if (drainRings()) {
+            worked = true;
+            messages.forgetKept();
+            space.beginForItself();
+        }
         worked |= quota > 0 && timers.runDue(runTask) > 0;
         if (!worked && space.isCrankedByHand()) { // a space with a thread does so before it sleeps
             forgetServed();
@@ -190,7 +195,7 @@ final class Dispatcher {
     int messagesBefore(Node message, int limit) {
         int inside = Math.min(limit, messages.size());
         for (int index = 0; index < inside; index++) {
-            if (messages.get(index) == message) {
+            if (Nodes.carries(messages.get(index), message)) {
                 return index;
             }
         }
@@ -204,8 +209,22 @@ final class Dispatcher {
         return inside > limit || inbox.isLongerThan(limit - inside);
     }
 
-    /** Runs an entry, and the listener that it returns. */
-    void serve(Node node) {
+    /** Runs a message that is in no ring, and the listener that it returns. */
+    void serveDirect(Node message) {
+        space.beginFor(message);
+        serve(message);
+    }
+
+    /** Runs the message that its ring keeps, and the listener that it returns. */
+    private void serveKept(Node message) {
+        space.beginForKept();
+        serve(message);
+        if (--untilLook <= 0) {
+            untilLook = lookAtTimers();
+        }
+    }
+
+    private void serve(Node node) {
         Node next = serveOne(node);
         if (next != null) {
             serveNext(next);
@@ -309,7 +328,6 @@ final class Dispatcher {
     private boolean drainInbox(boolean withCallbacks) {
         boolean worked = takeCallbacks();
         Node last = inbox.beginBatch();
-        int untilLook = stride;
         try {
             for (int count = 0; count < quota && inbox.isReadyAfter(last); count++) {
                 takeCallbacks(); // these may include callbacks that the sender queued before the message
@@ -338,8 +356,8 @@ final class Dispatcher {
                 } else {
                     callbackQuota = quota; // no callback precedes this message any more
                     direct.step();
-                    serve(last);
-                    if (--untilLook == 0) {
+                    serveDirect(last);
+                    if (--untilLook <= 0) {
                         inbox.endBatch(last); // a timer's task may read the queue
                         untilLook = lookAtTimers();
                     }
@@ -384,33 +402,56 @@ final class Dispatcher {
 
     private boolean drainRings() {
         boolean worked = false;
-        int untilLook = stride;
         if (callbacks.isEmpty() && !callbackInbox.isReady()) {
             callbackQuota = quota;
         }
-        for (int count = 0; count < quota; count++) {
-            if (callbackInbox.isReady()) {
-                takeCallbacks();
-            }
-            boolean more = false;
-            if (callbacks.isEmpty()) {
-                callbackQuota = quota; // no callback precedes the next message
-            } else {
-                more = drainCallbacks();
-            }
-            Node message = more ? messageAfterQuota() : messages.poll();
-            if (message != null) {
-                serve(message);
-                if (--untilLook == 0) {
-                    untilLook = lookAtTimers();
-                }
-            } else if (callbacks.isEmpty() && !callbackInbox.isReady()) { // a message may have queued a callback there
+        long end = messages.taken() + quota;
+        for (int row = 0; row < quota; row++) {
+            worked |= runMessages(end);
+            if (quota == 0 || messages.taken() == end) {
                 return worked;
+            }
+            takeCallbacks();
+            if (callbacks.isEmpty()) {
+                return worked;
+            }
+            worked = true;
+            boolean more = drainCallbacks();
+            Node message = more ? messageAfterQuota() : messages.pollBefore(end);
+            if (message != null) {
+                serveKept(message);
             }
             if (more) {
                 return true; // timers and the inbox get their turn
             }
+        }
+        return worked;
+    }
+
+    /**
+     * Runs messages of the ring, up to the one with that number, as long as no callback is queued. This is the usual
+     * case. The loop is a method of its own, with as few steps per message as possible.
+     *
+     * @return false if there was none
+     */
+    private boolean runMessages(long end) {
+        NodeRing waiting = messages;
+        NodeRing first = callbacks;
+        NodeQueue arrivals = callbackInbox;
+        Node lastArrival = arrivals.beginBatch(); // nothing is taken from there meanwhile
+        long none = first.taken();
+        boolean worked = false;
+        while (first.added() == none && !arrivals.isReadyAfter(lastArrival)) {
+            Node message = waiting.pollBefore(end);
+            if (message == null) {
+                break;
+            }
             worked = true;
+            callbackQuota = quota; // no callback precedes this message
+            serveKept(message);
+            if (quota == 0) {
+                break; // it has halted this dispatcher
+            }
         }
         return worked;
     }
@@ -432,7 +473,7 @@ final class Dispatcher {
             callbackQuota = (int) Math.min(quota, before);
             return null;
         }
-        return messages.poll();
+        return messages.pollBefore(Long.MAX_VALUE);
     }
 
     /** Runs callbacks up to the quota; true if there may be more. */

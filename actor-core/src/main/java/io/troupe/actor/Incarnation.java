@@ -47,7 +47,7 @@ final class Incarnation extends Owner {
         SpaceHome space = cell.space();
         for (var open : takeOpenRequests()) {
             var request = (Request<?>) open;
-            String message = request + " was begun and not answered: " + reason.get();
+            String message = request.name() + " was begun and not answered: " + reason.get();
             var error = new ActorStoppedException(message, cause, true);
             if (request.reject(error) && space.isStopping()) {
                 space.closing.noteOpenRequest(request);
@@ -66,6 +66,15 @@ final class Incarnation extends Owner {
         } else {
             cell.failed(what, error);
         }
+    }
+
+    @Override
+    public boolean listenerFailed(Throwable error) {
+        if (isOver() || !cell.countsRequests(error)) {
+            return false;
+        }
+        cell.failed("a listener", error);
+        return true;
     }
 
     /** Runs an action on behalf of this incarnation; false if it has ended. */

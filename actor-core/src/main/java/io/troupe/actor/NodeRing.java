@@ -22,24 +22,24 @@ final class NodeRing {
     private @Nullable Node[] entries = new Node[SMALL];
     private long head; // both only increase; the low bits are the index
     private long tail;
+    private long limit = SMALL - 1; // the tail from which on there may be no room; less than the head and the length
 
     void add(Node node) {
-        @Nullable Node[] places = entries;
         long place = tail;
-        if (place - head == places.length) {
-            moveTo(new Node[places.length * 2]);
-            places = entries;
-            place = tail;
+        if (place >= limit) {
+            makeRoom();
         }
+        @Nullable Node[] places = entries;
         places[indexOf(place, places)] = node;
         tail = place + 1;
     }
 
     /** Ensures that the next {@link #add} does not allocate. */
     void makeRoom() {
-        if (tail - head == entries.length) {
+        if (tail - head >= entries.length - 1) { // one place is for the node that is kept
             moveTo(new Node[entries.length * 2]);
         }
+        limit = head + entries.length - 1;
     }
 
     @Nullable
@@ -54,6 +54,33 @@ final class NodeRing {
         places[index] = null;
         HEAD.setOpaque(this, place + 1);
         return node;
+    }
+
+    /**
+     * Like {@link #poll}, but returns null at the node with that number, and the node remains the one that is
+     * {@link #kept} until the next call.
+     */
+    @Nullable
+    Node pollBefore(long end) {
+        long place = head;
+        if (place == tail || place == end) {
+            return null;
+        }
+        @Nullable Node[] places = entries;
+        places[indexOf(place - 1, places)] = null;
+        Node node = places[indexOf(place, places)];
+        HEAD.setOpaque(this, place + 1);
+        return node;
+    }
+
+    /** The node that {@link #pollBefore} has returned last, or null. */
+    @Nullable
+    Node kept() {
+        return entries[indexOf(head - 1, entries)];
+    }
+
+    void forgetKept() {
+        entries[indexOf(head - 1, entries)] = null;
     }
 
     boolean isEmpty() {
@@ -89,16 +116,16 @@ final class NodeRing {
      * queueing.
      */
     void renew() {
-        if (size() < SMALL) {
+        if (size() < SMALL - 1) {
             moveTo(new Node[SMALL]);
         }
     }
 
     private void moveTo(@Nullable Node[] fresh) {
-        int size = size();
-        for (int index = 0; index < size; index++) {
-            fresh[indexOf(head + index, fresh)] = get(index);
+        for (long place = head - 1; place < tail; place++) { // with the node that is kept
+            fresh[indexOf(place, fresh)] = entries[indexOf(place, entries)];
         }
         entries = fresh;
+        limit = head + fresh.length - 1;
     }
 }

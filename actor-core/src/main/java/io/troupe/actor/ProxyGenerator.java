@@ -56,7 +56,7 @@ final class ProxyGenerator {
             "(" + Type.getDescriptor(Promise.class) + "Ljava/lang/Object;)Ljava/lang/Object;";
 
     /** What a method is to its caller, and the class that its messages extend. */
-    private enum Kind {
+    enum Kind {
         ONE_WAY(Message.class),
         REQUEST(Request.class),
         SUSPENDING(SuspendingRequest.class);
@@ -93,18 +93,18 @@ final class ProxyGenerator {
         this.type = type;
         this.typeName = Type.getInternalName(type);
         this.messages = methods.messages();
-        this.locals = new LocalMethods(type, typeName + "$$Proxy", methods);
+        this.locals = new LocalMethods(type, typeName + "$$Proxy", CELL, RECIPIENT, methods);
         this.lookup = lookup;
     }
 
     Class<?> generate() {
         for (int index = 0; index < messages.size(); index++) {
-            define(new MessageGenerator(type, messages.get(index), messageName(index)).generate());
+            define(lookup, type, new MessageGenerator(type, messages.get(index), messageName(index)).generate());
         }
-        return define(proxy());
+        return define(lookup, type, proxy());
     }
 
-    private Class<?> define(byte[] bytes) {
+    static Class<?> define(MethodHandles.Lookup lookup, Class<?> type, byte[] bytes) {
         try {
             return lookup.defineClass(bytes);
         } catch (IllegalAccessException | LinkageError e) {
@@ -129,11 +129,7 @@ final class ProxyGenerator {
                 null,
                 superName,
                 isInterface ? new String[] {typeName, proxyMarker} : new String[] {proxyMarker});
-        writer.visitField(isInterface ? ACC_FINAL : 0, CELL, RECIPIENT_DESCRIPTOR, null, null)
-                .visitEnd();
-        if (isInterface) {
-            constructor(writer);
-        }
+        target(writer, typeName + "$$Proxy", isInterface, CELL, RECIPIENT_DESCRIPTOR);
         cellAccessor(writer);
         for (int index = 0; index < messages.size(); index++) {
             send(writer, messages.get(index), messageName(index));
@@ -143,14 +139,20 @@ final class ProxyGenerator {
         return writer.toByteArray();
     }
 
-    private void constructor(ClassWriter writer) {
-        MethodVisitor code = writer.visitMethod(0, "<init>", "(" + RECIPIENT_DESCRIPTOR + ")V", null, null);
+    /** The field to which a proxy delegates, and for an interface its constructor: see {@link ActorType}. */
+    static void target(ClassWriter writer, String proxyName, boolean isInterface, String field, String descriptor) {
+        writer.visitField(isInterface ? ACC_FINAL : 0, field, descriptor, null, null)
+                .visitEnd();
+        if (!isInterface) {
+            return;
+        }
+        MethodVisitor code = writer.visitMethod(0, "<init>", "(" + descriptor + ")V", null, null);
         code.visitCode();
         code.visitVarInsn(ALOAD, 0);
         code.visitMethodInsn(INVOKESPECIAL, "java/lang/Object", "<init>", "()V", false);
         code.visitVarInsn(ALOAD, 0);
         code.visitVarInsn(ALOAD, 1);
-        code.visitFieldInsn(PUTFIELD, typeName + "$$Proxy", CELL, RECIPIENT_DESCRIPTOR);
+        code.visitFieldInsn(PUTFIELD, proxyName, field, descriptor);
         code.visitInsn(RETURN);
         finish(code);
     }
@@ -207,9 +209,31 @@ final class ProxyGenerator {
         code.visitFieldInsn(GETFIELD, typeName + "$$Proxy", CELL, RECIPIENT_DESCRIPTOR);
     }
 
-    private static void finish(MethodVisitor code) {
+    static void finish(MethodVisitor code) {
         code.visitMaxs(0, 0);
         code.visitEnd();
+    }
+
+    static void box(MethodVisitor code, Type primitive) {
+        String wrapper = switch (primitive.getSort()) {
+            case Type.BOOLEAN -> "Boolean";
+            case Type.CHAR -> "Character";
+            case Type.BYTE -> "Byte";
+            case Type.SHORT -> "Short";
+            case Type.INT -> "Integer";
+            case Type.LONG -> "Long";
+            case Type.FLOAT -> "Float";
+            case Type.DOUBLE -> "Double";
+            default -> null;
+        };
+        if (wrapper != null) {
+            code.visitMethodInsn(
+                    INVOKESTATIC,
+                    "java/lang/" + wrapper,
+                    "valueOf",
+                    "(" + primitive.getDescriptor() + ")Ljava/lang/" + wrapper + ";",
+                    false);
+        }
     }
 
     /** Generates the message class of one method: its arguments in typed fields, and the call. */
@@ -362,42 +386,29 @@ final class ProxyGenerator {
             code.visitVarInsn(ALOAD, 0);
             code.visitFieldInsn(GETFIELD, name, "a" + index, arguments[index].getDescriptor());
         }
-
-        private static void box(MethodVisitor code, Type primitive) {
-            String wrapper = switch (primitive.getSort()) {
-                case Type.BOOLEAN -> "Boolean";
-                case Type.CHAR -> "Character";
-                case Type.BYTE -> "Byte";
-                case Type.SHORT -> "Short";
-                case Type.INT -> "Integer";
-                case Type.LONG -> "Long";
-                case Type.FLOAT -> "Float";
-                case Type.DOUBLE -> "Double";
-                default -> null;
-            };
-            if (wrapper != null) {
-                code.visitMethodInsn(
-                        INVOKESTATIC,
-                        "java/lang/" + wrapper,
-                        "valueOf",
-                        "(" + primitive.getDescriptor() + ")Ljava/lang/" + wrapper + ";",
-                        false);
-            }
-        }
     }
 
     /**
      * Generates the methods of a proxy that send no message: bridges, methods that throw, {@code toString},
      * {@code equals} and {@code hashCode}.
      */
-    private static final class LocalMethods {
+    static final class LocalMethods {
         private final Class<?> type;
         private final String proxyName;
+        private final String field;
+        private final String fieldType;
         private final ActorMethods methods;
 
-        LocalMethods(Class<?> type, String proxyName, ActorMethods methods) {
+        /**
+         * Creates a generator.
+         *
+         * @param field the field whose text is the proxy's
+         */
+        LocalMethods(Class<?> type, String proxyName, String field, String fieldType, ActorMethods methods) {
             this.type = type;
             this.proxyName = proxyName;
+            this.field = field;
+            this.fieldType = fieldType;
             this.methods = methods;
         }
 
@@ -466,8 +477,8 @@ final class ProxyGenerator {
             MethodVisitor code = writer.visitMethod(ACC_PUBLIC, "toString", "()Ljava/lang/String;", null, null);
             code.visitCode();
             code.visitVarInsn(ALOAD, 0);
-            code.visitFieldInsn(GETFIELD, proxyName, CELL, Type.getDescriptor(Recipient.class));
-            code.visitMethodInsn(INVOKEVIRTUAL, RECIPIENT, "toString", "()Ljava/lang/String;", false);
+            code.visitFieldInsn(GETFIELD, proxyName, field, "L" + fieldType + ";");
+            code.visitMethodInsn(INVOKEVIRTUAL, fieldType, "toString", "()Ljava/lang/String;", false);
             code.visitInsn(ARETURN);
             finish(code);
         }

@@ -115,9 +115,9 @@ final class Reports {
         }
     }
 
-    /** Ends the callbacks of a request that was cancelled before it began. */
+    /** Ends the callbacks of a request that was cancelled or given up before it began. */
     void skip(Request<?> request) {
-        endCallbacks(request, new CancellationException(request + " was cancelled before it began"));
+        endCallbacks(request, new CancellationException(request.name() + " was cancelled or given up before it began"));
     }
 
     private static void endCallbacks(Node call, Exception error) {
@@ -174,7 +174,8 @@ final class Reports {
             lost.clear();
             for (var candidate : candidates) {
                 if (!Request.isHandled(candidate.promise)) {
-                    reports.error("a promise nobody listens to:", candidate.promise, candidate.error, null);
+                    Object name = candidate.promise instanceof Request<?> request ? request.name() : candidate.promise;
+                    reports.error("a promise nobody listens to:", name, candidate.error, null);
                 }
             }
         }

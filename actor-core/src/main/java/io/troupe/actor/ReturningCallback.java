@@ -2,23 +2,34 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
+import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** A callback argument as the actor sees it: what the actor sends becomes entries of the caller's callback queue. */
 final class ReturningCallback<T extends @Nullable Object> implements Callback<T> {
+    /** Whether more can follow, and whether it is delivered by the thread that rejects the remaining entries. */
+    private enum Kind {
+        VALUE,
+        END,
+        END_EVEN_IF_CLOSED
+    }
+
     private final Callback<T> reader;
     private final SpaceHome home;
     private final @Nullable Incarnation owner;
+    private final @Nullable Kept<T> kept; // for a reader that does not receive every result
     private volatile boolean ended;
     private volatile boolean readerGone;
-    private volatile @Nullable Queue<Delivery> pending;
+    private volatile @Nullable Queue<Result> pending;
 
     private ReturningCallback(Callback<T> reader, SpaceHome home, @Nullable Incarnation owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
+        this.kept = reader instanceof Stream<T> stream && stream.backlog().isBounded() ? new Kept<>(stream) : null;
     }
 
     /** Wraps a callback argument; one that was wrapped before keeps its first reader. */
@@ -44,13 +55,13 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     /** Sends one result to a reader that was checked before. */
     void sendTo(T result) {
-        queue(() -> reader.accept(result, null), false);
+        queue(new Result(() -> reader.accept(result, null), Kind.VALUE));
     }
 
     /** Ends the callback, unless it has ended. */
     void endOnce(@Nullable Throwable error) {
         if (end()) {
-            queue(error == null ? reader::finish : () -> reader.fail(error), false);
+            queue(new Result(error == null ? reader::finish : () -> reader.fail(error), Kind.END));
         }
     }
 
@@ -65,26 +76,26 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             fail(error);
         } else {
             checkNotEnded();
-            send(() -> reader.accept(result, null));
+            send(() -> reader.accept(result, null), Kind.VALUE);
         }
     }
 
     @Override
     public void finish() {
         endOrThrow();
-        send(reader::finish);
+        send(reader::finish, Kind.END);
     }
 
     @Override
     public void fail(Throwable error) {
         endOrThrow();
-        send(() -> reader.fail(error));
+        send(() -> reader.fail(error), Kind.END);
     }
 
     /** Ends the callback, unless it has ended, because no results will be sent. */
     void abandon(Throwable error) {
         if (end()) {
-            send(() -> reader.fail(error), true);
+            send(() -> reader.fail(error), Kind.END_EVEN_IF_CLOSED);
         }
     }
 
@@ -116,28 +127,38 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         return new IllegalStateException("this callback has been finished or failed before: nothing can follow");
     }
 
-    private void send(Runnable delivery) {
-        send(delivery, false);
-    }
-
-    private void send(Runnable delivery, boolean evenIfClosed) {
+    private void send(Runnable delivery, Kind kind) {
         if (!isCancelled()) {
-            queue(delivery, evenIfClosed);
+            queue(new Result(delivery, kind));
         }
     }
 
-    private void queue(Runnable delivery, boolean evenIfClosed) {
-        var next = new Delivery(delivery, evenIfClosed);
-        Queue<Delivery> waiting = home.isCurrent() ? pending : pendingQueue();
+    private void queue(Result next) {
+        if (kept != null) {
+            queueKept(next, kept);
+            return;
+        }
+        Queue<Result> waiting = home.isCurrent() ? pending : pendingQueue();
         if (waiting == null) {
             home.enqueue(next);
         } else {
             waiting.add(next);
-            home.enqueue(new Ticket(waiting));
+            home.enqueue(new Ticket(waiting::remove));
         }
     }
 
-    private synchronized Queue<Delivery> pendingQueue() {
+    private void queueKept(Result next, Kept<T> results) {
+        if (results.add(next)) {
+            try {
+                home.enqueue(new Ticket(results::next));
+            } catch (Throwable notQueued) { // the sender's stack overflowed: there is one ticket less
+                results.takeBack(next);
+                throw notQueued;
+            }
+        }
+    }
+
+    private synchronized Queue<Result> pendingQueue() {
         if (pending == null) {
             pending = new ConcurrentLinkedQueue<>();
         }
@@ -147,39 +168,85 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     /**
      * The turn of the next queued result. Results sent by the space's own thread would overtake those that another
      * thread put into the inbox before. So as soon as another thread sends, results wait in a separate queue, and only
-     * tickets are queued in the space.
+     * tickets are queued in the space. Results that may be replaced always wait that way.
      */
     private static final class Ticket extends Node {
-        private final Queue<? extends ReturningCallback<?>.Delivery> waiting;
+        private final Supplier<? extends ReturningCallback<?>.@Nullable Result> next;
 
-        Ticket(Queue<? extends ReturningCallback<?>.Delivery> waiting) {
-            this.waiting = waiting;
+        Ticket(Supplier<? extends ReturningCallback<?>.@Nullable Result> next) {
+            this.next = next;
         }
 
         @Override
         protected @Nullable Node serve() {
-            return waiting.remove().serve();
+            var result = next.get();
+            return result == null ? null : result.serve();
         }
     }
 
-    private final class Delivery extends Node {
-        private final Runnable delivery;
-        private final boolean evenIfClosed;
+    /**
+     * The queued results of a reader that keeps only the newest ones. A result that replaces another one is delivered
+     * for the ticket of an earlier one, so there are as many tickets as results. Any thread.
+     */
+    private static final class Kept<T extends @Nullable Object> {
+        private final Stream<T> reader;
+        private final int most;
+        private final ArrayDeque<ReturningCallback<T>.Result> results = new ArrayDeque<>(); // guarded by this
 
-        /**
-         * Creates a delivery.
-         *
-         * @param evenIfClosed true if it is delivered even when the space is closed, on the thread that rejects the
-         *     remaining entries
-         */
-        Delivery(Runnable delivery, boolean evenIfClosed) {
+        Kept(Stream<T> reader) {
+            this.reader = reader;
+            this.most = reader.backlog().most();
+        }
+
+        /** Adds a result; true if it needs a ticket. */
+        synchronized boolean add(ReturningCallback<T>.Result next) {
+            var last = results.peekLast();
+            if (last != null && last.isEnd()) {
+                return false; // its sender lost a race against the end
+            }
+            boolean replaces = !next.isEnd() && results.size() == most;
+            if (replaces) {
+                skipOldest();
+            }
+            results.addLast(next);
+            return !replaces;
+        }
+
+        /** Takes the oldest result; null only if the sender's stack overflowed while a newer one replaced it. */
+        synchronized ReturningCallback<T>.@Nullable Result next() {
+            return results.pollFirst();
+        }
+
+        /** Removes a result that has no ticket, or the oldest one if that result was replaced. */
+        synchronized void takeBack(ReturningCallback<T>.Result result) {
+            if (!results.removeLastOccurrence(result)) {
+                skipOldest();
+            }
+        }
+
+        private void skipOldest() {
+            if (results.pollFirst() != null) {
+                reader.noteSkipped();
+            }
+        }
+    }
+
+    private final class Result extends Node {
+        private final Runnable delivery;
+        private final Kind kind;
+
+        Result(Runnable delivery, Kind kind) {
             this.delivery = delivery;
-            this.evenIfClosed = evenIfClosed;
+            this.kind = kind;
+        }
+
+        boolean isEnd() {
+            return kind != Kind.VALUE;
         }
 
         @Override
         protected @Nullable Node serve() {
-            if (home.hasEnded() && !evenIfClosed) {
+            if (home.hasEnded() && kind != Kind.END_EVEN_IF_CLOSED) {
                 readerGone = true; // the sender's thread is rejecting what is left in the queues
             } else if (owner == null) {
                 home.runGuarded(delivery);

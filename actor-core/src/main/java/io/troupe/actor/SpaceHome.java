@@ -4,11 +4,14 @@ import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
+import io.troupe.actor.internal.loop.Nodes;
+import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.internal.loop.TimerWheel;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -35,6 +38,7 @@ final class SpaceHome extends Home {
     private final Reports reports;
     private final Reports.Rejections rejections;
     private final SpaceTimers timers;
+    private final @Nullable Contexts<?> contexts; // most spaces have none
     private final ProbedMetrics figures;
     private final SequentialBodies sequences = new SequentialBodies(this);
     private final ActorList actors = new ActorList();
@@ -45,6 +49,7 @@ final class SpaceHome extends Home {
         reports = new Reports(this, settings);
         dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, messages, wheel, settings.clock());
         timers = new SpaceTimers(this, settings.clock(), wheel);
+        contexts = settings.context() == null ? null : new Contexts<>(settings.context(), reports);
         rejections = new Reports.Rejections(wheel, reports);
         figures = new ProbedMetrics(this, dispatcher, reports);
         closing =
@@ -53,7 +58,7 @@ final class SpaceHome extends Home {
     }
 
     void startThread() {
-        new SpaceThread(this, callbacks, messages, loop).start();
+        new SpaceThread(this, contexts == null, callbacks, messages, loop).start();
     }
 
     // ---- queueing
@@ -97,6 +102,11 @@ final class SpaceHome extends Home {
         } else {
             offer(node, inbox);
         }
+    }
+
+    /** Queues a node behind all messages that are queued, those of other threads included; on this space's thread. */
+    void enqueueMessageLast(Node node) {
+        offer(node, inbox);
     }
 
     /** Queues a node of another thread; if this throws, nothing was queued. */
@@ -151,6 +161,11 @@ final class SpaceHome extends Home {
         sequences.await((Promise<?>) promise);
     }
 
+    @Override
+    public @Nullable Supplier<Runnable> captureContext() {
+        return contexts == null ? null : contexts.capture();
+    }
+
     // ---- thread
 
     /**
@@ -196,6 +211,19 @@ final class SpaceHome extends Home {
     }
 
     // ---- turns, on the space's thread
+
+    @Override
+    protected Owner keptOwner() {
+        Node kept = messages.kept();
+        Owner owner = kept == null ? null : Nodes.turnOwner(kept);
+        return owner == null ? itself() : owner;
+    }
+
+    /** Begins the turn of a message that is in no ring. */
+    void beginFor(Node message) {
+        Owner owner = Nodes.turnOwner(message);
+        begin(owner == null ? itself() : owner);
+    }
 
     /** Runs a task on the space's own behalf and reports what it throws. */
     void runGuarded(Runnable task) {
@@ -267,6 +295,52 @@ final class SpaceHome extends Home {
     @Override
     public String toString() {
         return settings.name();
+    }
+
+    /** Captures and restores the contexts of callers; what the hook throws is reported. From any thread. */
+    private static final class Contexts<C> {
+        private static final Runnable NOTHING = () -> {};
+
+        private final TurnContext<C> hook;
+        private final Reports reports;
+
+        Contexts(TurnContext<C> hook, Reports reports) {
+            this.hook = hook;
+            this.reports = reports;
+        }
+
+        @Nullable
+        Supplier<Runnable> capture() {
+            try {
+                C captured = hook.capture();
+                return captured == null ? null : () -> restore(captured);
+            } catch (Throwable thrown) {
+                report("capture", thrown);
+                return null;
+            }
+        }
+
+        private Runnable restore(C captured) {
+            try {
+                Runnable end = hook.restore(captured);
+                return () -> end(end);
+            } catch (Throwable thrown) {
+                report("restore", thrown);
+                return NOTHING;
+            }
+        }
+
+        private void end(Runnable end) {
+            try {
+                end.run();
+            } catch (Throwable thrown) {
+                report("end", thrown);
+            }
+        }
+
+        private void report(String step, Throwable thrown) {
+            reports.error(step + " of", hook, thrown, null);
+        }
     }
 
     /**

@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.DetachedNodes;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The thread of a space that is not cranked by hand. It holds references to the rings of its space.
@@ -10,23 +11,29 @@ import io.troupe.actor.internal.loop.DetachedNodes;
  * short, and the same for all messages.
  */
 final class SpaceThread extends Thread implements DetachedNodes.Keeper {
-    private final SpaceHome space;
+    private final @Nullable SpaceHome direct;
     private final NodeRing callbacks;
     private final NodeRing messages;
     private final SpaceLoop loop;
     private final DetachedNodes detachedNodes = new DetachedNodes();
 
-    SpaceThread(SpaceHome space, NodeRing callbacks, NodeRing messages, SpaceLoop loop) {
+    /**
+     * Creates the thread.
+     *
+     * @param isDirect whether calls go straight into the rings; false if they need a context
+     */
+    SpaceThread(SpaceHome space, boolean isDirect, NodeRing callbacks, NodeRing messages, SpaceLoop loop) {
         super(null, null, space.toString(), 0, false);
-        this.space = space;
+        this.direct = isDirect ? space : null;
         this.loop = loop;
         this.callbacks = callbacks;
         this.messages = messages;
         setDaemon(true);
     }
 
+    /** True if calls and callbacks of this thread for that space go straight into the rings. */
     boolean serves(SpaceHome which) {
-        return space == which;
+        return direct == which;
     }
 
     NodeRing callbacks() {

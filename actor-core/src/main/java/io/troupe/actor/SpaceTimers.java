@@ -255,6 +255,12 @@ final class SpaceTimers {
             return timer != null && timer.cancel();
         }
 
+        boolean isActive(Object key) {
+            Objects.requireNonNull(key, "key");
+            Timer timer = timers == null ? null : timers.get(key);
+            return timer != null && timer.isWaiting();
+        }
+
         void cancelAll() {
             if (timers != null) {
                 timers.values().forEach(Timer::cancel);

@@ -31,9 +31,9 @@ import org.jspecify.annotations.Nullable;
  * reach all subscribers in the same order. No values arrive after the end, after a cancellation, or after the
  * subscribing actor has stopped or restarted.
  *
- * <p><b>Cost.</b> Publishing holds a lock while it queues one entry for each subscriber. The number of these entries is
- * not bounded: they accumulate if a subscriber is slower than its publishers for long. A subscriber that is gone is
- * removed by the next call of any method.
+ * <p><b>Cost.</b> Publishing holds a lock while it queues one entry for each subscriber. These entries accumulate if a
+ * subscriber is slower than its publishers for long, unless it subscribes with a {@link Backlog}. A subscriber that is
+ * gone is removed by the next call of any method.
  *
  * <p><b>Errors.</b> A value without subscribers, or after the end, is not delivered: {@link #publish} returns 0. An
  * exception of a subscriber is a failure of that subscriber.
@@ -97,7 +97,18 @@ public final class Topic<T> {
      * @return the subscription, to be cancelled from any thread
      */
     public Callback.Stream<T> subscribe(Consumer<? super T> onValue) {
-        var stream = new Callback.Stream<T>(Objects.requireNonNull(onValue, "onValue"), this::refuseFailure);
+        return subscribe(Backlog.ALL, onValue);
+    }
+
+    /**
+     * Like {@link #subscribe(Consumer)}, for a subscriber that may skip values while it is slow. A backlog for a
+     * subscriber that is notified of the end is an argument of its {@link Callback.Stream}.
+     *
+     * @param backlog which of the queued values are kept
+     */
+    public Callback.Stream<T> subscribe(Backlog backlog, Consumer<? super T> onValue) {
+        Objects.requireNonNull(onValue, "onValue");
+        var stream = new Callback.Stream<T>(backlog, onValue, this::refuseFailure);
         addReader(ReturningCallback.to(stream, space.home));
         return stream;
     }

@@ -158,6 +158,63 @@ class FailedCallTest extends InTestSpace {
         assertThat(log).singleElement().asString().contains("which has not begun it");
     }
 
+    interface Switch {
+        Promise<Integer> press(int times, Callback<String> clicks);
+    }
+
+    /** Asks while more is queued than one pass runs, so that a time limit of zero passes first. */
+    private void askLate(Runnable question) {
+        test.run(() -> {
+            for (int before = 0; before < 600; before++) {
+                test.space().execute(() -> {});
+            }
+            question.run();
+        });
+    }
+
+    @Test
+    void request_whoseCallersHaveTimedOut_isNotBegun_andItsCallbacksEnd() {
+        Switch actor = test.spawn(Switch.class, () -> (times, clicks) -> {
+            log.add("pressed");
+            return Promise.of(times);
+        });
+        askLate(() -> {
+            var request = actor.press(1, (click, error) -> log.add("callback: " + error));
+            logTimeout(request);
+            logTimeout(request);
+            request.orTimeout(Duration.ofDays(1)).cancel();
+        });
+        assertThat(log).hasSize(3);
+        assertThat(log.subList(0, 2)).allMatch(line -> line.startsWith("no answer to"));
+        assertThat(log.get(2)).startsWith("callback: ").contains("Switch.press(1", "was cancelled or given up");
+    }
+
+    @Test
+    void request_thatOneCallerHasGivenUp_isBegunForTheOther_orIfNobodyListens() {
+        Switch actor = test.spawn(Switch.class, () -> (times, clicks) -> {
+            log.add("pressed " + times);
+            return Promise.of(times);
+        });
+        askLate(() -> {
+            var request = actor.press(1, (click, error) -> {});
+            logTimeout(request);
+            request.then(times -> log.add("answered " + times));
+            actor.press(2, (click, error) -> {});
+        });
+        assertThat(log.subList(1, log.size())).containsExactly("pressed 1", "answered 1", "pressed 2");
+    }
+
+    @Test
+    void request_thatHasBegun_isNotSkippedWhenItsCallerTimesOut() {
+        var answer = new Deferred<Integer>();
+        Worker worker = test.spawn(Worker.class, () -> anything -> answer);
+        Promise<Integer> request = worker.ask(1);
+        test.crank();
+        test.run(() -> logTimeout(request));
+        test.run(() -> answer.resolve(7));
+        assertThat(test.get(request)).isEqualTo(7);
+    }
+
     @Test
     void timeout_behindALongQueue_countsItNoFurtherThanAThousand() {
         Worker worker = test.spawn(Worker.class, () -> number -> new Deferred<>());

@@ -36,6 +36,37 @@ class KeyedTimersTest extends InTestSpace {
     }
 
     @Test
+    void timer_asText_saysWhenItIsDue() {
+        run(me -> {
+            var timer = me.every("key", SECOND, () -> {});
+            log.add(timer.toString());
+            log.add(me.after(SECOND, () -> {}).toString());
+            timer.cancel();
+            log.add(timer.toString());
+        });
+        assertThat(log)
+                .containsExactly(
+                        "timer due in PT1S, then every PT1S, FIXED_RATE",
+                        "timer due in PT1S",
+                        "timer that has run or was cancelled");
+    }
+
+    @Test
+    void timer_isActive_untilItHasRunForTheLastTimeOrWasCancelled() {
+        run(me -> {
+            me.after("once", SECOND, () -> log.add("once " + me.isTimerActive("once")));
+            me.every("again", SECOND, () -> log.add("again " + me.isTimerActive("again")));
+            me.after("handle", SECOND, () -> {}).cancel();
+            log.add(me.isTimerActive("once") + " " + me.isTimerActive("handle") + " " + me.isTimerActive("none"));
+        });
+        advanceSeconds(1);
+        run(me -> log.add(me.isTimerActive("once") + " " + me.isTimerActive("again")));
+        run(me -> me.cancelTimer("again"));
+        run(me -> log.add("" + me.isTimerActive("again")));
+        assertThat(log).containsExactly("true false false", "once false", "again true", "false true", "false");
+    }
+
+    @Test
     void timersWithOtherKeys_ofOtherActors_orWithoutAKey_areLeftAlone() {
         Doer other = test.spawn(Doer.class, Doer::new);
         other.run(me -> me.after("key", SECOND, () -> log.add("another's")));

@@ -87,7 +87,7 @@ class SupervisionTest extends InTestSpace {
     @Test
     void moreFailuresThanTheLimit_stopTheActor_andItsWatchersAreNotified() {
         Fragile fragile = spawn(Supervision.restart(2, TEN_SECONDS));
-        Promise<Void> stopped = test.space().whenStopped(fragile);
+        Promise<ActorEnd> stopped = test.space().whenStopped(fragile);
         for (int i = 0; i < 3; i++) {
             assertThat(stopped.isDone()).isFalse();
             fragile.fail();
@@ -313,5 +313,175 @@ class SupervisionTest extends InTestSpace {
         test.advance(PAUSE);
         assertThat(log).containsExactly("note 7", "note 8");
         assertThat(instances).isEqualTo(3);
+    }
+
+    // ---- pauses
+
+    @Test
+    void pauses_double_upToTheLongest_andBeginAgainAfterARunWithoutFailure() {
+        var second = Duration.ofSeconds(1);
+        Fragile fragile =
+                spawn(Supervision.restart(Integer.MAX_VALUE, TEN_SECONDS).withPauses(second, second.multipliedBy(3)));
+        test.crank();
+        for (int pauseSeconds : new int[] {1, 2, 3, 3}) {
+            fragile.fail();
+            int before = instances;
+            test.advance(second.multipliedBy(pauseSeconds).minusNanos(1));
+            assertThat(instances).isEqualTo(before);
+            test.advance(Duration.ofNanos(1));
+            assertThat(instances).isEqualTo(before + 1);
+        }
+        test.advance(TEN_SECONDS);
+        fragile.fail();
+        test.advance(second);
+        assertThat(instances).isEqualTo(6);
+        assertThat(test.takeProblems()).hasSize(5);
+    }
+
+    @Test
+    void callsDuringAPause_waitInOrder_andALimitCountsTheRow_thoughThePausesExceedTheWindow() {
+        var second = Duration.ofSeconds(1);
+        Fragile fragile = spawn(Supervision.restart(2, second).withPauses(TEN_SECONDS, TEN_SECONDS));
+        Promise<ActorEnd> end = test.space().whenStopped(fragile);
+        fragile.fail();
+        test.crank();
+        Promise<Integer> first = fragile.count();
+        Promise<Integer> next = fragile.count();
+        test.advance(TEN_SECONDS);
+        assertThat(values(first, next)).containsExactly(1, 2);
+        fragile.fail();
+        test.advance(TEN_SECONDS);
+        assertThat(end.isDone()).isFalse();
+        fragile.fail();
+        assertThat(test.get(end)).isInstanceOf(ActorEnd.Failed.class);
+        assertThat(instances).isEqualTo(3);
+        assertThat(timers()).isZero();
+        test.takeProblems();
+    }
+
+    // ---- by the type of the error
+
+    /** Throws what it is given. */
+    class Thrower extends Actor {
+        private final int instance = ++instances;
+
+        public void send(RuntimeException error) {
+            throw error;
+        }
+
+        public Promise<Integer> ask(RuntimeException error) {
+            throw error;
+        }
+
+        public void hear(Promise<?> promise, RuntimeException error) {
+            promise.then(value -> {
+                throw error;
+            });
+        }
+
+        public Promise<Integer> instance() {
+            return Promise.of(instance);
+        }
+    }
+
+    private Thrower spawnThrower(Supervision supervision) {
+        var settings = ActorSettings.named("thrower").withSupervision(supervision);
+        return test.spawn(Thrower.class, Thrower::new, settings);
+    }
+
+    private static RuntimeException illegal(String text) {
+        return new IllegalArgumentException(text);
+    }
+
+    private static RuntimeException broken(String text) {
+        return new IllegalStateException(text);
+    }
+
+    @Test
+    void cases_applyToTheirErrors_theFirstThatMatches_andCountSeparately() {
+        Thrower thrower = spawnThrower(Supervision.STOP
+                .on(IllegalArgumentException.class, Supervision.RESUME)
+                .on(IllegalStateException.class, Supervision.restart(1, TEN_SECONDS))
+                .on(RuntimeException.class, Supervision.restart(1, TEN_SECONDS)));
+        thrower.send(illegal("a"));
+        thrower.send(illegal("b"));
+        assertThat(test.get(thrower.instance())).isEqualTo(1);
+        thrower.send(broken("c"));
+        assertThat(test.get(thrower.instance())).isEqualTo(2);
+        thrower.send(new UnsupportedOperationException("d"));
+        assertThat(test.get(thrower.instance())).isEqualTo(3);
+        thrower.send(broken("e"));
+        assertThat(test.get(test.space().whenStopped(thrower)))
+                .isInstanceOfSatisfying(
+                        ActorEnd.Failed.class, end -> assertThat(end.error()).hasMessage("e"));
+        assertThat(takeErrors()).containsExactly("a", "b", "c", "d", "e");
+    }
+
+    // ---- failures of requests and listeners
+
+    @Test
+    void requestsAndListeners_count_ifTheSupervisionSaysSo_andAreReportedOnce() {
+        Thrower thrower = spawnThrower(Supervision.restart(9, TEN_SECONDS).withRequestsAndListeners());
+        assertThat(test.error(thrower.ask(broken("asked")))).hasMessage("asked");
+        assertThat(test.get(thrower.instance())).isEqualTo(2);
+        thrower.hear(Promise.of(1), broken("heard"));
+        assertThat(test.get(thrower.instance())).isEqualTo(3);
+        assertThat(test.takeProblems())
+                .extracting(problem -> problem.where() + ": " + problem.error().getMessage())
+                .containsExactly("Thrower.ask(RuntimeException) of thrower: asked", "a listener of thrower: heard");
+    }
+
+    @Test
+    void requestsAndListeners_countForTheErrorsOfACaseOnly() {
+        Thrower thrower = spawnThrower(Supervision.STOP
+                .on(IllegalArgumentException.class, Supervision.RESUME)
+                .withRequestsAndListeners());
+        assertThat(test.error(thrower.ask(illegal("bad argument")))).hasMessage("bad argument");
+        assertThat(test.get(thrower.instance())).isEqualTo(1);
+        assertThat(test.takeProblems()).isEmpty();
+        assertThat(test.error(thrower.ask(broken("broken")))).hasMessage("broken");
+        assertThat(test.get(test.space().whenStopped(thrower))).isInstanceOf(ActorEnd.Failed.class);
+        assertThat(takeErrors()).containsExactly("broken");
+    }
+
+    // ---- the reason of an end
+
+    @Test
+    void whenStopped_saysWhy_toEarlyAndLateWatchers() {
+        Thrower failing = spawnThrower(Supervision.STOP);
+        Thrower stopping = spawnThrower(Supervision.STOP);
+        Thrower restarted = spawnThrower(Supervision.restart(9, TEN_SECONDS));
+        Promise<ActorEnd> early = test.space().whenStopped(failing);
+        var error = broken("broken");
+        failing.send(error);
+        restarted.send(broken("restarts"));
+        test.crank();
+        stop(stopping);
+        stop(restarted);
+        assertThat(values(early, test.space().whenStopped(failing)))
+                .containsOnly(new ActorEnd.Failed(error))
+                .hasSize(2);
+        assertThat(values(test.space().whenStopped(stopping), test.space().whenStopped(restarted)))
+                .containsOnly(new ActorEnd.Stopped());
+        test.takeProblems();
+    }
+
+    @Test
+    void whenStopped_ofAnActorWhoseFactoryThrows_saysSo() {
+        var error = broken("no instance");
+        Thrower thrower = test.spawn(Thrower.class, () -> {
+            throw error;
+        });
+        assertThat(test.get(test.space().whenStopped(thrower))).isEqualTo(new ActorEnd.Failed(error));
+        test.takeProblems();
+    }
+
+    @Test
+    void pausesThatMakeNoSense_areRejected() {
+        Supervision restart = Supervision.restart(1, TEN_SECONDS);
+        assertThatThrownBy(() -> restart.withPauses(TEN_SECONDS, PAUSE))
+                .hasMessage("firstPause is PT10S, expected between zero and longestPause, which is PT0.01S");
+        assertThatThrownBy(() -> Supervision.STOP.withPauses(PAUSE, PAUSE))
+                .hasMessage("firstPause is PT0.01S, expected zero: nothing is restarted after STOP");
     }
 }

@@ -17,9 +17,9 @@ final class ActorProvider<A> implements Provider {
     /** A running actor of this process. Calls pass references. */
     static final class Running extends RunningActor {
         private final Object proxy;
-        private final Promise<@Nullable Void> ended;
+        private final Promise<?> ended;
 
-        private Running(Address address, Object proxy, Promise<@Nullable Void> ended) {
+        private Running(Address address, Object proxy, Promise<?> ended) {
             super(address);
             this.proxy = proxy;
             this.ended = ended;
@@ -147,12 +147,19 @@ final class ActorProvider<A> implements Provider {
         }
         actors.leave(life);
         space.stop(life.proxy());
-        return space.whenStopped(life.proxy());
+        return ended(space, life);
     }
 
     @Override
     public Promise<@Nullable Void> check() {
         return check(space, running);
+    }
+
+    /** Fulfilled when the actor has stopped, for whatever reason. */
+    static Promise<@Nullable Void> ended(ActorSpace space, Running life) {
+        var ended = new Deferred<@Nullable Void>(space);
+        space.whenStopped(life.proxy()).toCompletableFuture().thenRun(() -> ended.resolve(null));
+        return ended;
     }
 
     /**
@@ -171,6 +178,6 @@ final class ActorProvider<A> implements Provider {
     @Override
     public Promise<@Nullable Void> whenEnded() {
         Running life = running;
-        return life == null ? Promise.done() : space.whenStopped(life.proxy());
+        return life == null ? Promise.done() : ended(space, life);
     }
 }

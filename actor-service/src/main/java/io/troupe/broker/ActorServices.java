@@ -286,7 +286,7 @@ public final class ActorServices {
 
         @Override
         public Promise<@Nullable Void> whenEnded() {
-            return space.whenStopped(life.proxy());
+            return ActorProvider.ended(space, life);
         }
     }
 }

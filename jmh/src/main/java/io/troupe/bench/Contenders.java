@@ -8,9 +8,11 @@ import picocli.CommandLine.ITypeConverter;
 /** All contenders by name. The first is the limit, which the ratios refer to. */
 enum Contenders {
     LIMIT("limit", Limit::new),
+    FLOOR("floor", FloorContender::new),
     TROUPE("troupe", TroupeContender::new),
     EXECUTOR("executor", ExecutorContender::new),
     VIRTUAL_THREAD("virtual-thread", VirtualThreadContender::new),
+    CHANNELS("channels", ChannelContender::new),
     VERTX("vertx", VertxContender::new),
     VERTX_BUS("vertx-bus", VertxBusContender::new),
     PEKKO("pekko", PekkoContender::withDefaults),

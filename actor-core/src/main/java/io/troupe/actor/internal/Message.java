@@ -1,6 +1,7 @@
 package io.troupe.actor.internal;
 
 import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Owner;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
@@ -57,6 +58,11 @@ public abstract class Message extends Node {
     @Override
     protected final boolean isMessage() {
         return true;
+    }
+
+    @Override
+    protected final Owner turnOwner() {
+        return receiver().life();
     }
 
     /** The arguments of a call, or none if the node is no call. */

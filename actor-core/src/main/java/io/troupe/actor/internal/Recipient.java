@@ -50,8 +50,12 @@ public abstract class Recipient {
     /** Reports a failure of a one-way message and applies supervision. */
     protected abstract void failed(String method, Throwable thrown);
 
-    /** Reports an error of the virtual machine that has also rejected a request. */
-    protected abstract void reportError(String method, Throwable thrown);
+    /**
+     * Called when an exception of a request has rejected it: applies supervision if that counts such exceptions.
+     *
+     * @param isReported true if it is reported in any case
+     */
+    protected abstract void requestFailed(String method, Throwable thrown, boolean isReported);
 
     /** The error of a request whose method returned null. */
     protected abstract RuntimeException answeredNull(String method);

@@ -2,7 +2,9 @@ package io.troupe.actor.internal;
 
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.promise.Promise;
+import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
@@ -13,6 +15,7 @@ import org.jspecify.annotations.Nullable;
 public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     private final Recipient receiver;
     private boolean calledInside;
+    private volatile boolean timedOut; // a time limit on this promise has passed, perhaps not that of every listener
 
     protected Request(Recipient receiver) {
         this.receiver = receiver;
@@ -51,13 +54,14 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return receiver.target(this);
     }
 
-    /** An exception of the actor rejects the promise; an error of the virtual machine is reported in addition. */
+    /**
+     * An exception of the actor rejects the promise; an error of the virtual machine is reported in addition, and
+     * supervision may count it as a failure of the actor.
+     */
     @Override
     protected final void threw(Throwable thrown) {
         reject(thrown);
-        if (isOfTheMachine(thrown)) {
-            receiver.reportError(method(), thrown);
-        }
+        receiver.requestFailed(method(), thrown, isOfTheMachine(thrown));
     }
 
     @Override
@@ -66,8 +70,34 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
+    protected final Owner turnOwner() {
+        return receiver().life();
+    }
+
+    @Override
     protected final Home home() {
         return receiver.home();
+    }
+
+    @Override
+    protected final void timedOut() {
+        timedOut = true;
+    }
+
+    /** True if this request may have been given up: {@link #shed} decides. */
+    public final boolean mayBeGivenUp() {
+        return timedOut;
+    }
+
+    /**
+     * Rejects this request, which has not begun, if the time limits of all its listeners have passed; false if it is to
+     * begin. On the space's thread.
+     */
+    public final boolean shed() {
+        return timedOut
+                && isGivenUp()
+                && (isDone()
+                        || reject(new CancellationException(name() + " was not begun: its callers had timed out")));
     }
 
     public final void noteCaller(boolean inside) {
@@ -120,9 +150,16 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return settleError(error);
     }
 
+    /** The call and its actor. */
+    @Override
+    public final String name() {
+        return Message.describe(method(), arguments()) + " of " + receiver;
+    }
+
+    /** The name, and the outcome if it is settled. */
     @Override
     public final String toString() {
-        return Message.describe(method(), arguments()) + " of " + receiver;
+        return withOutcome(name());
     }
 
     // ---- access to any promise, for this library

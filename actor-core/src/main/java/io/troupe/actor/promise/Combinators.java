@@ -1,12 +1,14 @@
 package io.troupe.actor.promise;
 
 import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Nodes;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.List;
 import java.util.NoSuchElementException;
 import java.util.Objects;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -116,6 +118,27 @@ final class Combinators {
         }
         parts.forEach(first::follow);
         return first;
+    }
+
+    /** Rejected with the error after the promise of the action, or with an error of the action. */
+    static <T extends @Nullable Object> Promise<T> finallyFailed(
+            Supplier<? extends Promise<?>> action, Throwable error) {
+        Promise<?> last;
+        try {
+            last = Objects.requireNonNull(action.get(), "the function answered null, not a promise");
+        } catch (Throwable thrown) {
+            throw suppressing(thrown, error);
+        }
+        return last.handle((value, again) -> {
+            throw again == null ? Nodes.rethrow(error) : suppressing(again, error);
+        });
+    }
+
+    private static RuntimeException suppressing(Throwable last, Throwable first) {
+        if (last != first) {
+            last.addSuppressed(first);
+        }
+        return Nodes.rethrow(last);
     }
 
     @SuppressWarnings("unchecked") // an outcome is read-only

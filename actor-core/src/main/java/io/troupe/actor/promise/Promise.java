@@ -16,6 +16,7 @@ import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -233,6 +234,24 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     /**
+     * A {@code finally}: runs an action after the value or the error; the returned promise then has the same outcome.
+     * An exception of the action is the outcome instead, with an error of this promise as a suppressed exception.
+     */
+    public final Promise<T> eventually(Runnable action) {
+        Objects.requireNonNull(action, "action");
+        return whenComplete((value, error) -> action.run());
+    }
+
+    /** Like {@link #eventually(Runnable)}, and waits for the promise that the action returns. */
+    public final Promise<T> eventually(Supplier<? extends Promise<?>> action) {
+        Objects.requireNonNull(action, "action");
+        return listen(new Stage.Compose<T, T>(
+                this,
+                value -> action.get().thenApply(done -> value),
+                error -> Combinators.finallyFailed(action, error)));
+    }
+
+    /**
      * Returns a promise that follows this one, and is rejected with a {@link TimeoutException} if the time is over
      * first.
      *
@@ -240,11 +259,23 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * depend on the thread of this promise's space: it expires in time even if that thread is stalled, unless the space
      * uses a manual clock.
      *
+     * <p>A request that still waits in a mailbox is not begun if the time limits of all its listeners have passed: it
+     * is rejected with a {@link CancellationException} when its turn comes.
+     *
      * <p><b>Errors.</b> A failure after the time-out is reported to the error handler of this promise's space, if no
      * other listener is left.
      */
     public final Promise<T> orTimeout(Duration timeout) {
-        return TimeLimitedPromise.start(this, Objects.requireNonNull(timeout, "timeout"));
+        return TimeLimitedPromise.start(this, Objects.requireNonNull(timeout, "timeout"), null);
+    }
+
+    /**
+     * Returns a promise that follows this one, and is fulfilled with a value if the time is over first; otherwise like
+     * {@link #orTimeout}.
+     */
+    public final Promise<T> completeOnTimeout(T value, Duration timeout) {
+        Objects.requireNonNull(timeout, "timeout");
+        return TimeLimitedPromise.start(this, timeout, new Outcome.Fulfilled<>(value));
     }
 
     /**
@@ -257,7 +288,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * @return whether it was pending
      */
     public final boolean cancel() {
-        boolean done = settleError(new CancellationException(this + " was cancelled"));
+        boolean done = settleError(new CancellationException(name() + " was cancelled"));
         if (done) {
             cancelled();
         }
@@ -327,6 +358,20 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      */
     public static <T extends @Nullable Object> Promise<T> race(Collection<? extends Promise<? extends T>> promises) {
         return Combinators.race(promises);
+    }
+
+    /**
+     * What this promise is called in messages.
+     *
+     * @hidden
+     */
+    protected String name() {
+        return toString();
+    }
+
+    /** @hidden */
+    protected final String withOutcome(String name) {
+        return PromiseText.withOutcome(name, this);
     }
 
     /** The promise for which this one is waiting, or null. */

@@ -63,7 +63,7 @@ final class PromiseText {
 
     private static String nameOf(Promise<?> first) {
         boolean isNameless = first instanceof Stage || first instanceof Deferred || first instanceof Promise.Settled;
-        return isNameless ? "promise" : first.toString();
+        return isNameless ? "promise" : first.name();
     }
 
     /** The result of {@code toString}: the name while pending, afterwards the name with the value or the error. */

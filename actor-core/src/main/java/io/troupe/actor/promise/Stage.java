@@ -10,6 +10,7 @@ import java.util.function.BiConsumer;
 import java.util.function.BiFunction;
 import java.util.function.Consumer;
 import java.util.function.Function;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,6 +38,74 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         Promise<S> from = Objects.requireNonNull(source);
         from.register(this, owner != null && owner.home() == from.home() && !owner.isOutside());
         return this;
+    }
+
+    // ---- functions that run in the context of the registering thread, if its home carries contexts
+
+    private @Nullable Supplier<Runnable> context() {
+        return owner == null ? null : owner.home().captureContext();
+    }
+
+    final <A extends @Nullable Object, R extends @Nullable Object> Function<A, R> inContext(Function<A, R> function) {
+        Objects.requireNonNull(function, "function");
+        var context = context();
+        return context == null
+                ? function
+                : value -> {
+                    Runnable end = context.get();
+                    try {
+                        return function.apply(value);
+                    } finally {
+                        end.run();
+                    }
+                };
+    }
+
+    final <A extends @Nullable Object> Consumer<A> inContext(Consumer<A> listener) {
+        Objects.requireNonNull(listener, "listener");
+        var context = context();
+        return context == null
+                ? listener
+                : value -> {
+                    Runnable end = context.get();
+                    try {
+                        listener.accept(value);
+                    } finally {
+                        end.run();
+                    }
+                };
+    }
+
+    final <A extends @Nullable Object, B extends @Nullable Object, R extends @Nullable Object>
+            BiFunction<A, B, R> inContext(BiFunction<A, B, R> function) {
+        Objects.requireNonNull(function, "function");
+        var context = context();
+        return context == null
+                ? function
+                : (value, error) -> {
+                    Runnable end = context.get();
+                    try {
+                        return function.apply(value, error);
+                    } finally {
+                        end.run();
+                    }
+                };
+    }
+
+    final <A extends @Nullable Object, B extends @Nullable Object> BiConsumer<A, B> inContext(
+            BiConsumer<A, B> listener) {
+        Objects.requireNonNull(listener, "listener");
+        var context = context();
+        return context == null
+                ? listener
+                : (value, error) -> {
+                    Runnable end = context.get();
+                    try {
+                        listener.accept(value, error);
+                    } finally {
+                        end.run();
+                    }
+                };
     }
 
     /** Queues this listener at its home. */
@@ -104,11 +173,16 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         return outcome;
     }
 
-    /** An exception of the listener rejects the promise of its result; an error of the virtual machine goes on. */
+    /**
+     * An exception of the listener rejects the promise of its result, and may be a failure of its owner; an error of
+     * the virtual machine goes on.
+     */
     @Override
     protected final void threw(Throwable thrown) {
         settleError(thrown);
-        if (isOfTheMachine(thrown)) {
+        if (owner != null && owner.listenerFailed(thrown)) {
+            markHandled(); // reported there
+        } else if (isOfTheMachine(thrown)) {
             throw (VirtualMachineError) thrown;
         }
     }
@@ -171,7 +245,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         Transform(Promise<S> source, Function<? super S, ? extends T> function) {
             super(source);
-            this.function = Objects.requireNonNull(function, "function");
+            this.function = inContext(function);
         }
 
         @Override
@@ -194,7 +268,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         Look(Promise<S> source, Consumer<? super S> listener) {
             super(source);
-            this.listener = Objects.requireNonNull(listener, "listener");
+            this.listener = inContext(listener);
         }
 
         @Override
@@ -218,7 +292,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         Handle(Promise<S> source, BiFunction<? super @Nullable S, @Nullable Throwable, ? extends T> function) {
             super(source);
-            this.function = Objects.requireNonNull(function, "function");
+            this.function = inContext(function);
         }
 
         @Override
@@ -244,7 +318,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         Observe(Promise<S> source, BiConsumer<? super @Nullable S, ? super @Nullable Throwable> listener) {
             super(source);
-            this.listener = Objects.requireNonNull(listener, "listener");
+            this.listener = inContext(listener);
         }
 
         @Override
@@ -284,8 +358,8 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
                 Function<? super S, ? extends Promise<? extends T>> function,
                 @Nullable Function<Throwable, ? extends Promise<? extends T>> rescue) {
             super(source);
-            this.function = Objects.requireNonNull(function, "function");
-            this.rescue = rescue;
+            this.function = inContext(function);
+            this.rescue = rescue == null ? null : inContext(rescue);
         }
 
         @Override

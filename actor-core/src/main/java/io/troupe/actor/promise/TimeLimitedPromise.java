@@ -14,28 +14,32 @@ final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
     private final Home home;
     private final Promise<T> source;
     private final Duration timeout;
+    private final Outcome.@Nullable Fulfilled<T> instead; // null: a time-out rejects it
     private final String caller;
     private final boolean madeOutside;
     private volatile Runnable withdraw = NOTHING;
     private volatile boolean expired;
 
-    private TimeLimitedPromise(Home home, Promise<T> source, Duration timeout) {
+    private TimeLimitedPromise(Home home, Promise<T> source, Duration timeout, Outcome.@Nullable Fulfilled<T> instead) {
         this.home = home;
         this.source = source;
         this.timeout = timeout;
+        this.instead = instead;
         this.madeOutside = !home.isCurrent();
         this.caller = caller();
     }
 
-    static <T extends @Nullable Object> Promise<T> start(Promise<T> source, Duration timeout) {
+    /** @param instead the outcome when the limit is over; null = a {@link TimeoutException} */
+    static <T extends @Nullable Object> Promise<T> start(
+            Promise<T> source, Duration timeout, Outcome.@Nullable Fulfilled<T> instead) {
         Objects.requireNonNull(timeout, "timeout");
         Home here = Home.current();
         Home home = here != null ? here : source.home();
         if (home == null) {
             throw new IllegalStateException(
-                    "orTimeout needs a clock: call it in an actor space, or on a promise of one");
+                    "a time limit needs a clock: call it in an actor space, or on a promise of one");
         }
-        var limited = new TimeLimitedPromise<>(home, source, timeout);
+        var limited = new TimeLimitedPromise<>(home, source, timeout, instead);
         limited.withdraw = home.schedule(Home.nanosOf(timeout), limited::expire, limited::abandon);
         source.register(new Ending(limited));
         return limited;
@@ -49,18 +53,22 @@ final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
     }
 
     private void expire() {
-        var error = new TimeoutException(
-                "no answer to " + caller + " within " + timeout + " from " + source + PromiseText.progress(source));
         expired = true; // set before settling: a failure of the source must be reported from the moment this is settled
-        if (settleError(error)) {
+        if (instead != null ? settleValue(instead.value()) : settleError(timedOutError())) {
             source.timedOut();
         } else {
             expired = false;
         }
     }
 
+    private TimeoutException timedOutError() {
+        return new TimeoutException("no answer to " + caller + " within " + timeout + " from " + source.name()
+                + PromiseText.progress(source));
+    }
+
     private void abandon() {
-        settleError(new CancellationException("space " + home + " was closed before " + source + " was settled"));
+        settleError(
+                new CancellationException("space " + home + " was closed before " + source.name() + " was settled"));
     }
 
     @Override

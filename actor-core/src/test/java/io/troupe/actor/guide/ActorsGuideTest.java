@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Backlog;
 import io.troupe.actor.Callback;
 import io.troupe.actor.InTestSpace;
 import io.troupe.actor.Topic;
@@ -183,6 +184,32 @@ class ActorsGuideTest extends InTestSpace {
         assertThat(test.get(image)).isEqualTo(BRIGHT);
     }
 
+    interface Door {
+        Promise<Boolean> open();
+
+        Promise<Boolean> close();
+    }
+
+    interface Rover {
+        Promise<String> drive();
+    }
+
+    @Test
+    void eventually_closesTheDoor() {
+        Probe<Door> probe = test.probe(Door.class);
+        Probe<Rover> driver = test.probe(Rover.class);
+        Door door = probe.actor();
+        Rover robot = driver.actor();
+        Promise<String> end = door.open().thenCompose(open -> robot.drive()).eventually(() -> door.close());
+        probe.expectCall("open()");
+        probe.answer(true);
+        driver.reject(new IllegalStateException("stuck"));
+        probe.expectCall("close()");
+        assertThat(end.isDone()).isFalse();
+        probe.answer(true);
+        assertThat(test.error(end)).hasMessage("stuck");
+    }
+
     @Test
     void combinators_andConversions_answerWhatTheyAreSaidTo() {
         Camera left = test.spawn(Camera.class, () -> () -> Promise.failed(new IllegalStateException("no light")));
@@ -323,6 +350,28 @@ class ActorsGuideTest extends InTestSpace {
         scans.finish();
         test.crank();
         assertThat(log).containsExactly("Scan[nearestMetres=0.4]", "Scan[nearestMetres=0.3]", "done");
+    }
+
+    @Test
+    void slowSubscriber_skipsWhatIsOld() {
+        ActorSpace space = test.space();
+        Topic<Scan> scans = Topic.of(space, "laser");
+        Robot robot = test.spawn(Robot.class, () -> colours -> {
+            for (int colour = 0; colour < 20; colour++) {
+                colours.next(colour);
+            }
+        });
+
+        var newest = scans.subscribe(Backlog.NEWEST, this::avoid); // or Backlog.newest(5)
+        robot.wander(new Callback.Stream<>(Backlog.newest(16), this::show, end -> done()));
+        long skipped = newest.skipped();
+
+        scans.publish(new Scan(0.5));
+        scans.publish(new Scan(0.4));
+        assertThat(skipped).isZero();
+        assertThat(newest.skipped()).isOne();
+        test.crank();
+        assertThat(log).hasSize(17).startsWith("Scan[nearestMetres=0.4]", "4").endsWith("19");
     }
 
     // ---- timers

@@ -5,11 +5,14 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.ActorEnd;
 import io.troupe.actor.ActorException;
+import io.troupe.actor.ActorPool;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.ActorTypeException;
+import io.troupe.actor.Backlog;
 import io.troupe.actor.Callback;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.ErrorHandler;
@@ -23,6 +26,7 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.Stall;
 import io.troupe.actor.Supervision;
 import io.troupe.actor.Topic;
+import io.troupe.actor.TurnContext;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Outcome;
 import io.troupe.actor.promise.Promise;
@@ -35,6 +39,7 @@ import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.Flow;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
@@ -62,6 +67,19 @@ class JavadocSamplesTest extends InTestSpace {
         assertThat(log).containsExactly("Hello, Ada");
     }
 
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void actorPool_choosesAnActorForEachCall() throws Exception {
+        try (ActorPool<Greeter> pool = ActorPool.create(
+                2, SpaceSettings.named("greeter"), Greeter.class, () -> name -> Promise.of("Hello, " + name))) {
+            Greeter next = pool.roundRobin(); // each call goes to the next actor
+            Greeter same = pool.byFirstArgument(); // calls for one name go to one actor
+            String text = next.greet("Ada").get(Duration.ofSeconds(10));
+            assertThat(text).isEqualTo(same.greet("Ada").get(LONG));
+        } // closes the spaces
+    }
+
     static class Heater extends Actor {
         private int degrees = 18;
 
@@ -85,6 +103,41 @@ class JavadocSamplesTest extends InTestSpace {
         heater.set(20); // a message
         test.advance(Duration.ofMinutes(3));
         assertThat(test.get(heater.degrees())).isEqualTo(23);
+    }
+
+    interface Modem {
+        Promise<String> connect();
+    }
+
+    static class Caller extends Actor {
+        private final Modem modem;
+        private String connected = "";
+
+        Caller(Modem modem) {
+            this.modem = modem;
+        }
+
+        @Override
+        protected void started() {
+            hold();
+            modem.connect().then(line -> {
+                connected = line;
+                release(); // now the calls that came meanwhile are served, in their order
+            });
+        }
+
+        public Promise<String> line() {
+            return Promise.of(connected);
+        }
+    }
+
+    @Test
+    void actor_holdsItsCallsBack_untilItIsConnected() {
+        Probe<Modem> modem = test.probe(Modem.class);
+        Caller caller = space.spawn(Caller.class, () -> new Caller(modem.actor()));
+        Promise<String> line = caller.line();
+        modem.answer("line 7");
+        assertThat(test.get(line)).isEqualTo("line 7");
     }
 
     static class Counter extends Actor {
@@ -126,6 +179,37 @@ class JavadocSamplesTest extends InTestSpace {
         counter.add(-1); // the third failure within ten seconds: the actor stops
         assertThat(test.error(counter.count())).isInstanceOf(ActorStoppedException.class);
         assertThat(test.takeProblems()).hasSize(3);
+    }
+
+    @Test
+    void supervision_dependsOnTheError_andPauses() {
+        Supervision reconnecting = Supervision.restart(Integer.MAX_VALUE, Duration.ofMinutes(1))
+                .withPauses(Duration.ofMillis(100), Duration.ofSeconds(30)) // 100 ms, 200 ms, 400 ms and so on
+                .on(IllegalArgumentException.class, Supervision.RESUME)
+                .on(LinkageError.class, Supervision.STOP);
+        var settings = ActorSettings.DEFAULT.withSupervision(reconnecting);
+        Counter counter = space.spawn(Counter.class, Counter::new, settings);
+        counter.add(5);
+        counter.add(-1);
+        assertThat(test.get(counter.count())).isEqualTo(5);
+        test.takeProblems();
+    }
+
+    @Test
+    void actorEnd_saysWhyAnActorHasEnded() {
+        var settings = ActorSettings.DEFAULT.withSupervision(Supervision.STOP);
+        Counter counter = space.spawn(Counter.class, Counter::new, settings);
+        space.whenStopped(counter).then(end -> {
+            switch (end) {
+                case ActorEnd.Stopped stopped -> log.add("stopped");
+                case ActorEnd.Failed failed ->
+                    log.add("failed: " + failed.error().getMessage());
+            }
+        });
+        counter.add(-1);
+        test.crank();
+        assertThat(log).containsExactly("failed: amount is -1");
+        test.takeProblems();
     }
 
     interface Printer {
@@ -173,6 +257,36 @@ class JavadocSamplesTest extends InTestSpace {
         SpaceSettings settings = SpaceSettings.named("shop").withOnError(handler);
         settings.onError().handle("here", new IllegalStateException("why"));
         assertThat(log).containsExactly("here failed: why");
+    }
+
+    private static final ThreadLocal<String> USER = ThreadLocal.withInitial(() -> "nobody");
+
+    @Test
+    void turnContext_carriesTheUserOfACaller() {
+        TurnContext<String> user = new TurnContext<>() {
+            @Override
+            public String capture() {
+                return USER.get();
+            }
+
+            @Override
+            public Runnable restore(String captured) {
+                USER.set(captured);
+                return USER::remove;
+            }
+        };
+        USER.set("ann");
+        try {
+            var captured = user.capture();
+            USER.remove();
+            Runnable end = user.restore(captured);
+            log.add(USER.get());
+            end.run();
+            log.add(USER.get());
+        } finally {
+            USER.remove();
+        }
+        assertThat(log).containsExactly("ann", "nobody");
     }
 
     @Test
@@ -247,6 +361,51 @@ class JavadocSamplesTest extends InTestSpace {
         assertThat(log).containsExactly("saw 16711680", "saw 65280");
         subscription.cancel();
         assertThat(colours.publish(1)).isZero();
+    }
+
+    @Test
+    void backlog_keepsTheNewest() {
+        Topic<Integer> colours = Topic.of(space, "colours");
+        Callback.Stream<Integer> newest = colours.subscribe(Backlog.NEWEST, colour -> log.add("saw " + colour));
+        colours.publish(0xFF0000);
+        colours.publish(0x00FF00); // replaces the first, unless that was received meanwhile
+        long lost = newest.skipped();
+        assertThat(lost).isOne();
+        test.crank();
+        assertThat(log).containsExactly("saw 65280");
+    }
+
+    @Test
+    void publisher_isForOtherLibraries() {
+        Topic<Integer> colours = Topic.of(space, "colours");
+        Camera camera = space.spawn(Camera.class, () -> seen -> seen.fail(new IllegalStateException("dark")));
+        Flow.Publisher<Integer> publisher = space.publisher(Backlog.newest(16), colours::subscribe); // of a topic
+        Flow.Publisher<Integer> watched = space.publisher(Backlog.ALL, camera::watch); // of an actor
+        for (var each : List.of(publisher, watched)) {
+            each.subscribe(new Flow.Subscriber<>() {
+                @Override
+                public void onSubscribe(Flow.Subscription subscription) {
+                    subscription.request(1);
+                }
+
+                @Override
+                public void onNext(Integer colour) {
+                    log.add("saw " + colour);
+                }
+
+                @Override
+                public void onError(Throwable error) {
+                    log.add(error.getMessage());
+                }
+
+                @Override
+                public void onComplete() {}
+            });
+        }
+        test.crank();
+        colours.publish(1);
+        test.crank();
+        assertThat(log).containsExactly("dark", "saw 1");
     }
 
     interface Shop {

@@ -3,6 +3,8 @@ package io.troupe.actor.guide;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.ActorEnd;
+import io.troupe.actor.ActorPool;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.InTestSpace;
@@ -56,7 +58,8 @@ class SpacesGuideTest extends InTestSpace {
         show("drew " + text);
     }
 
-    private void askForAnother() {
+    private void askForAnother(ActorEnd end) {
+        assertThat(end).isInstanceOf(ActorEnd.Failed.class);
         show("another, please");
     }
 
@@ -79,7 +82,7 @@ class SpacesGuideTest extends InTestSpace {
                     .withMailbox(1_000, MailboxBound.Overflow.DROP_OLDEST);
             Camera camera = space.spawn(Camera.class, UsbCamera::new, settings);
 
-            space.whenStopped(camera).thenRun(this::askForAnother);
+            space.whenStopped(camera).then(end -> askForAnother(end));
             space.retry(5, Duration.ofSeconds(1), () -> camera.shoot()).then(this::show);
             space.offload(() -> Files.readString(map)).then(text -> draw(text));
             assertThat(List.of(next(), next())).containsExactlyInAnyOrder("shot on field", "drew walls");
@@ -89,6 +92,24 @@ class SpacesGuideTest extends InTestSpace {
             assertThat(next()).isEqualTo("another, please");
             assertThat(errors).hasValue(4);
         }
+    }
+
+    @Test
+    void pausesAndCases_ofASupervision() {
+        var settings = ActorSettings.named("camera")
+                .withSupervision(Supervision.restart(10, Duration.ofMinutes(1))
+                        .withPauses(Duration.ofMillis(100), Duration.ofSeconds(30)) // 100 ms, 200 ms, 400 ms and so on
+                        .on(IllegalArgumentException.class, Supervision.RESUME)
+                        .withRequestsAndListeners());
+        Camera camera = test.space().spawn(Camera.class, UsbCamera::new, settings);
+        camera.drop();
+        test.crank();
+        Promise<String> shot = camera.shoot();
+        test.advance(Duration.ofMillis(99));
+        assertThat(shot.isDone()).isFalse();
+        test.advance(Duration.ofMillis(1));
+        assertThat(test.get(shot)).startsWith("shot on ");
+        assertThat(takeErrors()).containsExactly("broken");
     }
 
     @Test
@@ -136,6 +157,42 @@ class SpacesGuideTest extends InTestSpace {
             show(pilot.look().get(Duration.ofSeconds(10)));
         }
         assertThat(next()).isEqualTo("shot on eyes, seen on wheels");
+    }
+
+    interface Finder {
+        void learn(String colour);
+
+        Promise<Integer> blobs(String image);
+    }
+
+    private static final class BlobFinder implements Finder {
+        private final List<String> colours = new ArrayList<>();
+
+        @Override
+        public void learn(String colour) {
+            colours.add(colour);
+        }
+
+        @Override
+        public Promise<Integer> blobs(String image) {
+            return Promise.of((int) colours.stream().filter(image::contains).count());
+        }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void pool_spreadsTheWork() throws Exception {
+        String image = "a red wall";
+        try (ActorPool<Finder> pool =
+                ActorPool.create(2, SpaceSettings.named("finder"), Finder.class, BlobFinder::new)) {
+            Finder next = pool.roundRobin(); // each call goes to the next actor
+            Finder own = pool.byFirstArgument(); // calls with equal first arguments go to one actor
+            pool.broadcast().learn("red"); // to all; a request is fulfilled when all have answered
+            Promise<Integer> blobs = next.blobs(image);
+            assertThat(blobs.get(Duration.ofSeconds(30))).isOne();
+            assertThat(own.blobs(image).get(Duration.ofSeconds(30))).isOne();
+        } // closes the spaces finder-0 and finder-1
     }
 
     @Test

@@ -27,6 +27,9 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         SPAWN,
         STOP,
         STOP_SELF,
+        /** Holds the calls of the actor back. */
+        HOLD,
+        RELEASE,
         WATCH,
         TELL,
         /** {@code number}: see {@link Answer}. */
@@ -43,8 +46,9 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         /** Continues with promise {@code number} if there is one. */
         COMPOSE,
         /**
-         * A call with a callback; {@code number} 1 or 3 = one that can be cancelled, 2 or 3 = a request. The script
-         * runs in the actor, except for its {@link #READER}.
+         * A call with a callback; {@code number} modulo 4 is 1 or 3 = one that can be cancelled, 2 or 3 = a request.
+         * One that can be cancelled keeps {@code number} / 4 results, 0 = all. The script runs in the actor, except for
+         * its {@link #READER}.
          */
         OPEN,
         /** In the script of an {@link #OPEN}: what the reader does with each result. */
@@ -140,7 +144,12 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
 
     /** Of an {@link Kind#OPEN}: true if it is a request. */
     boolean isRequest() {
-        return number > 1;
+        return number % 4 > 1;
+    }
+
+    /** Of an {@link Kind#OPEN}: the number of results that may be queued. */
+    int most() {
+        return isCancellable() && number >= 4 ? number / 4 : Integer.MAX_VALUE;
     }
 
     int promised() {

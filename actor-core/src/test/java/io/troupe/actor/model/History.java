@@ -1,5 +1,6 @@
 package io.troupe.actor.model;
 
+import io.troupe.actor.ActorEnd;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
 import java.util.List;
@@ -40,7 +41,13 @@ final class History {
     }
 
     static String outcome(@Nullable Object value, @Nullable Throwable error) {
-        return error == null ? "=" + value : "!" + name(error);
+        return error == null ? "=" + text(value) : "!" + name(error);
+    }
+
+    private static @Nullable Object text(@Nullable Object value) {
+        return value instanceof ActorEnd end
+                ? end instanceof ActorEnd.Failed failed ? "failed with " + name(failed.error()) : "stopped"
+                : value;
     }
 
     static String name(Throwable error) {

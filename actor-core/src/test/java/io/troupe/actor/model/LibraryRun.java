@@ -4,6 +4,7 @@ import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.Backlog;
 import io.troupe.actor.Callback;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.SpaceSettings;
@@ -76,7 +77,7 @@ final class LibraryRun {
             case DEFER -> promises.put(act.id(), new Deferred<>());
             case DELAY -> promises.put(act.id(), open(space.delay(Cast.ticks(act.number()))));
             case STOP, WATCH, TELL, ASK, OPEN, FORWARD -> send(act, self);
-            case STOP_SELF, AFTER, EVERY, CANCEL_TIMER -> {
+            case STOP_SELF, HOLD, RELEASE, AFTER, EVERY, CANCEL_TIMER -> {
                 if (self != null) {
                     self.playAsActor(act);
                 }
@@ -169,6 +170,8 @@ final class LibraryRun {
         private void playAsActor(Act act) {
             switch (act.kind()) {
                 case STOP_SELF -> stop();
+                case HOLD -> hold();
+                case RELEASE -> release();
                 case AFTER -> timers.put(act.id(), after(Cast.ticks(act.number()), () -> tick(act)));
                 case EVERY -> timers.put(act.id(), every(Cast.ticks(act.number()), () -> tick(act)));
                 default -> {
@@ -294,6 +297,7 @@ final class LibraryRun {
             };
         }
         var stream = new Callback.Stream<Integer>(
+                Backlog.newest(act.most()),
                 value -> {
                     history.add(who + " hears =" + value);
                     play(script, self);
@@ -320,7 +324,9 @@ final class LibraryRun {
                 case NEXT -> IntStream.range(0, act.number()).forEach(handle::next);
                 case FINISH -> handle.finish();
                 case FAIL -> handle.fail(new History.Boom(act.id()));
-                default -> history.add("stream " + act.target() + " cancelled: " + handle.isCancelled());
+                default ->
+                    history.add("stream " + act.target() + " cancelled: " + handle.isCancelled() + ", skipped: "
+                            + (reader == null ? 0 : reader.skipped()));
             }
         } catch (IllegalStateException afterTheEnd) {
             history.add("stream " + act.target() + " refuses " + act.id());

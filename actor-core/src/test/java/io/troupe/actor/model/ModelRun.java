@@ -59,7 +59,7 @@ final class ModelRun {
             case DEFER -> defer(act.id());
             case DELAY -> delay(act);
             case STOP, WATCH, TELL, ASK, OPEN, FORWARD -> send(act, self);
-            case STOP_SELF, AFTER, EVERY, CANCEL_TIMER -> {
+            case STOP_SELF, HOLD, RELEASE, AFTER, EVERY, CANCEL_TIMER -> {
                 if (self != null) {
                     playAsActor(act, self);
                 }
@@ -136,6 +136,13 @@ final class ModelRun {
         }
     }
 
+    /**
+     * What an actor holds back.
+     *
+     * @param call null for a stop
+     */
+    private record Held(@Nullable Call call) {}
+
     /** An actor of the model: its mailbox, its instances and its failures. */
     final class ModelActor {
         private final Act born;
@@ -145,6 +152,10 @@ final class ModelRun {
         private final List<Long> failures = new ArrayList<>();
         private final ModelPromise ended = ModelPromise.shared(space, true);
         private @Nullable Instance instance;
+        private @Nullable List<Held> held; // until all have been delivered
+        private boolean holds;
+        private boolean releasing;
+        private @Nullable String endedBy;
         private boolean begun;
         private boolean stopped;
 
@@ -172,6 +183,14 @@ final class ModelRun {
 
         private void deliver(Call queued) {
             begin();
+            if (held == null) {
+                handle(queued);
+            } else {
+                held.add(new Held(queued));
+            }
+        }
+
+        private void handle(Call queued) {
             Call call = dropsOldest() ? mailbox.removeFirst() : queued;
             mailbox.removeIf(each -> each == call);
             Instance now = instance;
@@ -221,7 +240,7 @@ final class ModelRun {
             failures.removeIf(each -> each <= now - cast.windowTicks());
             failures.add(now);
             if (cast.limit() >= 0 && failures.size() > cast.limit() || cast.directive() == Directive.STOP) {
-                space.ends.add(this::stop);
+                space.ends.add(() -> stopAfter(error));
             } else if (cast.directive() == Directive.RESTART) {
                 space.ends.add(this::restart);
             }
@@ -244,7 +263,7 @@ final class ModelRun {
             var fresh = new Instance(this, name + "#" + number);
             if (number == cast.failingInstance()) {
                 failed("Boom" + born.id());
-                stop();
+                stopAfter("Boom" + born.id());
                 return;
             }
             instance = fresh;
@@ -252,12 +271,79 @@ final class ModelRun {
             guarded(fresh, () -> play(born.script(), fresh));
         }
 
+        void hold() {
+            if (instance != null) {
+                held = held == null ? new ArrayList<>() : held;
+                holds = true;
+            }
+        }
+
+        void release() {
+            if (holds) {
+                holds = false;
+                releaseSoon();
+            }
+        }
+
+        private void releaseSoon() {
+            if (!releasing) {
+                releasing = true;
+                space.enqueue(Task.callback(this::deliverHeld));
+            }
+        }
+
+        /** One in each turn, before other messages; then those that come are handled at once again. */
+        private void deliverHeld() {
+            releasing = false;
+            if (held == null || holds || instance == null) {
+                return;
+            }
+            if (!held.isEmpty()) {
+                Call call = held.removeFirst().call;
+                if (call == null) {
+                    stop();
+                } else {
+                    handle(call);
+                }
+            }
+            if (held != null && !holds) {
+                if (held.isEmpty()) {
+                    held = null;
+                } else {
+                    releaseSoon();
+                }
+            }
+        }
+
+        /** The calls that are being delivered come first; those that the actor holds back do not. */
+        void stopBehindCalls() {
+            if (held != null && instance != null && !holds) {
+                held.add(new Held(null));
+            } else {
+                stop();
+            }
+        }
+
+        private void stopAfter(String error) {
+            if (!stopped) {
+                endedBy = error;
+                stop();
+            }
+        }
+
         void stop() {
             if (!stopped) {
                 stopped = true;
                 space.living.remove(this);
                 endInstance();
-                ended.settle("=null");
+                if (held != null) {
+                    for (Held each : held) {
+                        Call call = each.call;
+                        space.enqueue(Task.call(call == null ? () -> {} : () -> deliver(call)));
+                    }
+                    held = null;
+                }
+                ended.settle("=" + (endedBy == null ? "stopped" : "failed with " + endedBy));
             }
         }
 
@@ -268,6 +354,7 @@ final class ModelRun {
                 instance.timers.forEach(Timer::cancel);
                 instance.openRequests.forEach(OpenRequest::reject);
                 instance = null;
+                holds = false;
             }
         }
 
@@ -275,6 +362,9 @@ final class ModelRun {
             if (!stopped) {
                 endInstance();
                 start();
+                if (instance != null && held != null) {
+                    releaseSoon();
+                }
             }
         }
     }
@@ -285,7 +375,7 @@ final class ModelRun {
             return;
         }
         switch (act.kind()) {
-            case STOP -> space.enqueue(Task.entry(actor::stop, actor::stop));
+            case STOP -> space.enqueue(Task.entry(actor::stopBehindCalls, actor::stop));
             case WATCH -> promises.put(act.id(), actor.watch());
             case TELL -> tell(act, actor, "is told", null);
             case ASK -> ask(act, actor, "is asked", null);
@@ -334,6 +424,8 @@ final class ModelRun {
     private void playAsActor(Act act, Instance self) {
         switch (act.kind()) {
             case STOP_SELF -> space.ends.add(self.actor::stop);
+            case HOLD -> self.actor.hold();
+            case RELEASE -> self.actor.release();
             case AFTER -> setTimer(act, self, 0);
             case EVERY -> setTimer(act, self, act.number());
             default -> {
@@ -499,7 +591,7 @@ final class ModelRun {
     private ModelStream reader(Act act, @Nullable Instance self) {
         String who = "stream " + act.id() + " of " + name(self);
         Runnable onNext = () -> play(act.reader().script(), self);
-        var stream = new ModelStream(space, act.isCancellable(), who, onNext);
+        var stream = new ModelStream(space, act.isCancellable(), act.most(), who, onNext);
         if (act.isCancellable()) {
             readers.put(act.id(), stream);
         }
@@ -519,7 +611,9 @@ final class ModelRun {
             return;
         }
         if (act.kind() == Kind.LOOK_AT_STREAM) {
-            space.history.add("stream " + act.target() + " cancelled: " + handle.isCancelled());
+            var reader = readers.get(act.target());
+            space.history.add("stream " + act.target() + " cancelled: " + handle.isCancelled() + ", skipped: "
+                    + (reader == null ? 0 : reader.skipped));
             return;
         }
         int times = act.kind() == Kind.NEXT ? act.number() : 1;

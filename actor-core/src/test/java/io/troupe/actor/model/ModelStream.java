@@ -7,17 +7,21 @@ import org.jspecify.annotations.Nullable;
 final class ModelStream {
     private final ModelSpace space;
     private final boolean cancellable;
+    private final int most;
     private final String who;
     private final ModelRun.@Nullable Instance owner;
     private final Runnable onNext;
     private final ArrayDeque<Runnable> line = new ArrayDeque<>();
+    int skipped;
     boolean ended;
     private boolean over;
     private boolean readerGone;
 
-    ModelStream(ModelSpace space, boolean cancellable, String who, Runnable onNext) {
+    /** @param most the number of results that may be queued; one more replaces the oldest */
+    ModelStream(ModelSpace space, boolean cancellable, int most, String who, Runnable onNext) {
         this.space = space;
         this.cancellable = cancellable;
+        this.most = most;
         this.who = who;
         this.owner = space.current;
         this.onNext = onNext;
@@ -32,12 +36,20 @@ final class ModelStream {
     }
 
     void next(int value) {
-        send(() -> {
-            if (!over) {
-                space.history.add(who + " hears =" + value);
-                onNext.run();
-            }
-        });
+        if (!isCancelled() && line.size() == most) {
+            line.removeFirst();
+            skipped++;
+            line.add(() -> deliver(() -> hear(value))); // for the entry of an earlier one
+        } else {
+            send(() -> hear(value));
+        }
+    }
+
+    private void hear(int value) {
+        if (!over) {
+            space.history.add(who + " hears =" + value);
+            onNext.run();
+        }
     }
 
     void finish() {

@@ -17,7 +17,7 @@ final class Programs {
     private static final Act CLOSE = Act.of(Kind.CLOSE, 0, 0, 0);
     private static final Set<Kind> OUTSIDE_ONLY = EnumSet.of(Kind.CRANK, Kind.ADVANCE);
     private static final Set<Kind> INSIDE_ONLY =
-            EnumSet.of(Kind.THROW, Kind.STOP_SELF, Kind.AFTER, Kind.EVERY, Kind.CANCEL_TIMER);
+            EnumSet.of(Kind.THROW, Kind.STOP_SELF, Kind.HOLD, Kind.RELEASE, Kind.AFTER, Kind.EVERY, Kind.CANCEL_TIMER);
     private static final Set<Kind> STREAMING = EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.SPAWN);
     private static final Set<Kind> MULTIPLYING = EnumSet.of(Kind.EVERY, Kind.SPAWN);
 
@@ -73,6 +73,7 @@ final class Programs {
             case ADVANCE, THROW -> 2 + random.nextInt(3);
             case TELL, ASK -> 6;
             case CLOSE -> often / 4; // nothing follows it
+            case HOLD -> often / 2; // what follows may wait for ever
             case STOP, STOP_SELF -> often / 3; // little happens to a stopped actor
             default -> often;
         };
@@ -132,7 +133,7 @@ final class Programs {
         below.removeAll(INSIDE_ONLY);
         int id = ++lastId;
         return switch (kind) {
-            case CRANK, CLOSE, STOP_SELF, THROW -> Act.of(kind, id, 0, 0);
+            case CRANK, CLOSE, STOP_SELF, HOLD, RELEASE, THROW -> Act.of(kind, id, 0, 0);
             case ADVANCE -> Act.of(kind, 0, 0, oneOf(List.of(1, 2, 3, 10, 10, 10, 200, 2_100)));
             case SPAWN -> spawn(actor(), depth);
             case STOP -> Act.of(kind, id, actor(), 0);
@@ -191,7 +192,7 @@ final class Programs {
         var reader = new Act(Kind.READER, 0, 0, 0, script(depth + 2, union(below, STREAMING)));
         var script = new ArrayList<>(script(depth + 1, below));
         script.addFirst(reader);
-        return new Act(Kind.OPEN, id, actor(), random.nextInt(4), List.copyOf(script));
+        return new Act(Kind.OPEN, id, actor(), random.nextInt(4 * 4), List.copyOf(script));
     }
 
     private int actor() {

@@ -4,7 +4,10 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Backlog;
+import io.troupe.actor.Callback;
 import io.troupe.actor.InTestSpace;
+import io.troupe.actor.Topic;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -16,7 +19,9 @@ import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeoutException;
 import java.util.function.BiConsumer;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 
 /** Promises outside every space, where listeners run on the settling thread; and long chains of promises. */
@@ -38,6 +43,105 @@ class PromiseTest extends InTestSpace {
         assertThat(Promise.failed(new IllegalStateException("broken")))
                 .hasToString("promise, rejected with java.lang.IllegalStateException: broken");
         assertThat(Promise.of("x".repeat(100))).hasToString("promise, fulfilled with " + "x".repeat(77) + "...");
+    }
+
+    interface Echo {
+        Promise<String> say(String word);
+    }
+
+    @Test
+    void requestTimerAndStream_asText_sayHowTheyAre() {
+        Echo echo = test.spawn(
+                Echo.class,
+                () -> word -> word.isEmpty() ? Promise.failed(new IOException("no word")) : Promise.of(word));
+        Promise<String> request = echo.say("hello");
+        Promise<String> failing = echo.say("");
+        failing.exceptionally(error -> "");
+        assertThat(request).hasToString("Echo.say(hello) of Echo#1");
+        test.crank();
+        assertThat(request).hasToString("Echo.say(hello) of Echo#1, fulfilled with hello");
+        assertThat(failing).hasToString("Echo.say() of Echo#1, rejected with java.io.IOException: no word");
+        Promise<String> cancelled = echo.say("late");
+        cancelled.cancel();
+        test.crank();
+        assertThat(cancelled)
+                .asString()
+                .startsWith("Echo.say(late) of Echo#1, rejected with java.util.concurrent.CancellationException: ");
+        var stream = new Callback.Stream<String>(Backlog.NEWEST, value -> {}, end -> {});
+        assertThat(stream).hasToString("stream");
+        Topic<String> topic = Topic.of(test.space(), "words");
+        topic.subscribe(stream);
+        topic.publish("a");
+        topic.publish("b");
+        topic.finish();
+        test.crank();
+        assertThat(stream).hasToString("stream, ended, skipped 1");
+    }
+
+    // ---- time limits and the last action
+
+    @Test
+    void completeOnTimeout_fulfilsWithTheValue_onlyIfItTakesLonger() {
+        test.run(() -> {
+            deferred.completeOnTimeout("instead", SECOND).then(value -> log.add("late " + value));
+            var quick = new Deferred<@Nullable String>();
+            quick.completeOnTimeout("instead", SECOND).then(value -> log.add("quick " + value));
+            quick.resolve(null);
+            var failing = new Deferred<String>();
+            failing.completeOnTimeout("instead", SECOND).exceptionally(error -> {
+                log.add("failed " + error.getMessage());
+                return "";
+            });
+            failing.reject(new IOException("broken"));
+        });
+        assertThat(log).containsExactly("quick null", "failed broken");
+        test.advance(SECOND);
+        assertThat(log).endsWith("late instead");
+        deferred.reject(new IOException("too late"));
+        test.crank();
+    }
+
+    @Test
+    void eventually_runsAfterEitherOutcome_andKeepsIt() {
+        var end = Promise.of("value").eventually(() -> {
+            log.add("done");
+        });
+        assertThat(test.get(end)).isEqualTo("value");
+        var failed = Promise.<String>failed(new IOException("broken")).eventually(() -> {
+            log.add("done too");
+        });
+        assertThat(test.error(failed)).hasMessage("broken");
+        assertThat(log).containsExactly("done", "done too");
+    }
+
+    @Test
+    void eventually_waitsForThePromiseOfTheAction() {
+        var closing = new Deferred<@Nullable Void>();
+        var end = deferred.eventually(() -> closing);
+        var error = new Deferred<String>();
+        var failed = error.eventually(() -> closing);
+        deferred.resolve("value");
+        error.reject(new IOException("broken"));
+        test.crank();
+        assertThat(List.of(end.isDone(), failed.isDone())).containsOnly(false);
+        closing.resolve(null);
+        assertThat(test.get(end)).isEqualTo("value");
+        assertThat(test.error(failed)).hasMessage("broken");
+    }
+
+    @Test
+    void eventually_whoseActionFails_endsWithThatError_andTheFirstSuppressed() {
+        var value = Promise.of("value").eventually(() -> Promise.failed(new IOException("not closed")));
+        assertThat(test.error(value)).hasMessage("not closed").hasNoSuppressedExceptions();
+        for (Supplier<Promise<?>> action :
+                List.<Supplier<Promise<?>>>of(() -> Promise.failed(new IOException("not closed")), () -> {
+                    throw new IllegalStateException("not closed");
+                })) {
+            var failed = Promise.<String>failed(new IOException("broken")).eventually(action);
+            Throwable error = test.error(failed);
+            assertThat(error).hasMessage("not closed");
+            assertThat(error.getSuppressed()).extracting(Throwable::getMessage).containsExactly("broken");
+        }
     }
 
     @Test

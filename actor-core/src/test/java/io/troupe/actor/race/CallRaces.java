@@ -3,6 +3,7 @@ package io.troupe.actor.race;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.ActorEnd;
 import io.troupe.actor.ActorException;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
@@ -216,7 +217,7 @@ final class CallRaces {
             Round.get(space.whenStopped(target));
         }
         round.end();
-        assertThat(Round.get(space.whenStopped(target))).isNull();
+        assertThat(Round.get(space.whenStopped(target))).isInstanceOf(ActorEnd.class);
         check(1_000);
     }
 

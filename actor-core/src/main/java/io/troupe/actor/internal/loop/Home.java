@@ -1,6 +1,7 @@
 package io.troupe.actor.internal.loop;
 
 import java.time.Duration;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -17,6 +18,7 @@ public abstract class Home {
     private final Owner outsider;
     private final Owner self;
     private CurrentOwner turn;
+    private boolean ownerIsKept;
 
     @SuppressWarnings("this-escape") // owners only store the reference, and do not use it before the first node runs
     protected Home() {
@@ -84,6 +86,15 @@ public abstract class Home {
     // ---- services for promises
 
     /**
+     * Captures the context of the calling thread, for a listener that will run in this home.
+     *
+     * @return restores the context, and returns what ends it; null if there is nothing to carry
+     */
+    public @Nullable Supplier<Runnable> captureContext() {
+        return null;
+    }
+
+    /**
      * Runs a task after a delay, or the other one if the home is closed first. If called on this home's thread, the
      * task runs there. Otherwise it runs on a separate thread that does not depend on the home, unless the home uses a
      * manual clock.
@@ -121,6 +132,15 @@ public abstract class Home {
         if (now.owner != owner) {
             now.owner = owner;
         }
+        ownerIsKept = false;
+    }
+
+    /**
+     * Makes the {@link #keptOwner} the one on whose behalf this home's thread now runs. Storing no reference saves the
+     * collector's barriers, for most messages.
+     */
+    public final void beginForKept() {
+        ownerIsKept = true;
     }
 
     /** Sets this home itself as the owner on whose behalf its thread now runs. */
@@ -130,7 +150,12 @@ public abstract class Home {
 
     /** The owner on whose behalf this home's thread is running. */
     public final Owner owner() {
-        return turn.owner;
+        return ownerIsKept ? keptOwner() : turn.owner;
+    }
+
+    /** The owner of the message that the home keeps while it runs. */
+    protected Owner keptOwner() {
+        return self;
     }
 
     /** The owner for work of the home itself. */

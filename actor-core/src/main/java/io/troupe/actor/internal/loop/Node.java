@@ -35,6 +35,16 @@ public abstract class Node {
         return false;
     }
 
+    /** The owner on whose behalf this message runs; null if it decides that by itself. */
+    protected @Nullable Owner turnOwner() {
+        return null;
+    }
+
+    /** True if this is that call, or the entry for it. */
+    protected boolean carries(Node wanted) {
+        return this == wanted;
+    }
+
     /** True if this listener no longer needs the outcome, so that the promise may drop it. */
     protected boolean isIdle() {
         return false;

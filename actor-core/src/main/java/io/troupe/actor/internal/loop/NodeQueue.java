@@ -127,7 +127,7 @@ public final class NodeQueue extends QueueTail {
     public int indexOf(Node wanted, int limit) {
         var node = (Node) NEXT.getAcquire(head);
         for (int index = 0; node != null && index < limit; index++) {
-            if (node == wanted) {
+            if (node.carries(wanted)) {
                 return index;
             }
             node = (Node) NEXT.getAcquire(node);

@@ -34,6 +34,16 @@ public final class Nodes {
         return node.isMessage();
     }
 
+    /** See {@link Node#turnOwner}. */
+    public static @Nullable Owner turnOwner(Node message) {
+        return message.turnOwner();
+    }
+
+    /** See {@link Node#carries}. */
+    public static boolean carries(Node entry, Node wanted) {
+        return entry.carries(wanted);
+    }
+
     /** See {@link Node#isIdle}. */
     public static boolean isIdle(Node listener) {
         return listener.isIdle();

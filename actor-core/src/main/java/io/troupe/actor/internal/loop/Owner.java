@@ -99,6 +99,11 @@ public class Owner {
         throw Nodes.rethrow(error);
     }
 
+    /** Called when a listener of this owner has thrown; true if that was reported as a failure of the owner. */
+    public boolean listenerFailed(Throwable error) {
+        return false;
+    }
+
     @Override
     public String toString() {
         return home.toString();

@@ -3,6 +3,7 @@ package io.troupe.actor.internal.loop;
 import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
@@ -402,6 +403,15 @@ public final class TimerWheel {
         @Override
         public boolean isWaiting() {
             return waiting;
+        }
+
+        @Override
+        public String toString() {
+            if (!waiting) {
+                return "timer that has run or was cancelled";
+            }
+            String period = periodNanos > 0 ? ", then every " + Duration.ofNanos(periodNanos) + ", " + schedule : "";
+            return "timer due in " + Duration.ofNanos(deadlineNanos - wheel.clock.nanos()) + period;
         }
     }
 

@@ -1,0 +1,305 @@
+package io.troupe.actor;
+
+import static io.troupe.actor.Concurrently.LONG;
+import static io.troupe.actor.Concurrently.await;
+import static io.troupe.actor.Concurrently.onThreads;
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import io.troupe.actor.testkit.CallbackProbe;
+import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicInteger;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** Which actors of a pool receive a call, and that they run at the same time. */
+class ActorPoolTest extends InTestSpace {
+    private static final int SIZE = 3;
+
+    private final AtomicInteger made = new AtomicInteger();
+    private final List<ActorSpace> spaces = IntStream.range(0, SIZE)
+            .mapToObj(number ->
+                    ActorSpace.create(SpaceSettings.named("space-" + number).withHandCrank()))
+            .toList();
+    private final ActorPool<Worker> pool =
+            ActorPool.on(spaces, Worker.class, () -> new Working(made.getAndIncrement()), ActorSettings.DEFAULT);
+
+    /** Has a generic parent, overloads and arguments of two slots. */
+    interface Parent<K> {
+        Promise<Integer> key(K key);
+    }
+
+    interface Worker extends Parent<String> {
+        void note(String text);
+
+        void note(long first, double second, String third);
+
+        Promise<Integer> number();
+
+        Promise<Integer> fail(int number);
+
+        Promise<Integer> later(Promise<Integer> answer);
+
+        void count(Callback<Integer> numbers);
+
+        default String local() {
+            return "local";
+        }
+    }
+
+    private class Working implements Worker {
+        private final int number;
+
+        Working(int number) {
+            this.number = number;
+        }
+
+        @Override
+        public Promise<Integer> key(String key) {
+            return number();
+        }
+
+        @Override
+        public void note(String text) {
+            log.add(number + " " + text);
+        }
+
+        @Override
+        public void note(long first, double second, String third) {
+            note(first + " " + second + " " + third);
+        }
+
+        @Override
+        public Promise<Integer> number() {
+            return Promise.of(number);
+        }
+
+        @Override
+        public Promise<Integer> fail(int which) {
+            return which == number ? Promise.failed(new IllegalStateException("failed " + number)) : number();
+        }
+
+        @Override
+        public Promise<Integer> later(Promise<Integer> answer) {
+            return answer;
+        }
+
+        @Override
+        public void count(Callback<Integer> numbers) {
+            numbers.next(number);
+        }
+    }
+
+    private void crank() {
+        for (int round = 0; round < 3; round++) {
+            test.crank();
+            spaces.forEach(ActorSpace::crank);
+        }
+        test.crank();
+    }
+
+    private <T> @Nullable T get(Promise<T> promise) {
+        crank();
+        return promise.getNow();
+    }
+
+    @AfterEach
+    void closeSpaces() {
+        spaces.forEach(ActorSpace::close);
+    }
+
+    @Test
+    void roundRobin_givesEachActorItsTurn() {
+        crank();
+        List<Integer> numbers = new ArrayList<>();
+        for (int call = 0; call < 2 * SIZE; call++) {
+            numbers.add(get(pool.roundRobin().number()));
+        }
+        assertThat(numbers).containsExactly(0, 1, 2, 0, 1, 2);
+    }
+
+    @Test
+    void byFirstArgument_sendsEqualKeysToOneActor_andUsesAllOfThem() {
+        Map<String, Integer> actors = new HashMap<>();
+        for (int key = 0; key < 300; key++) {
+            String name = "robot " + key % 100;
+            Integer actor = get(pool.byFirstArgument().key(name));
+            assertThat(actors.merge(name, actor, (before, now) -> before)).isEqualTo(actor);
+            assertThat(get(pool.actor(name).number())).isEqualTo(actor);
+        }
+        for (int actor = 0; actor < SIZE; actor++) {
+            int mine = actor;
+            assertThat(actors.values()).filteredOn(each -> each == mine).hasSizeBetween(15, 55);
+        }
+    }
+
+    @Test
+    void byFirstArgument_takesPrimitivesAndNull_andRefusesACallWithoutArguments() {
+        pool.byFirstArgument().note(7, 0.5, "x");
+        pool.byFirstArgument().note(7, 0.25, "y");
+        pool.byFirstArgument().note(null);
+        crank();
+        assertThat(log).extracting(line -> line.substring(2)).containsExactlyInAnyOrder("7 0.5 x", "7 0.25 y", "null");
+        assertThat(log.stream()
+                        .filter(line -> line.contains(" 7 "))
+                        .map(line -> line.charAt(0))
+                        .distinct())
+                .hasSize(1);
+        assertThatThrownBy(() -> pool.byFirstArgument().number())
+                .isInstanceOf(UnsupportedOperationException.class)
+                .hasMessageStartingWith("Worker.number() has no argument by which one of the actors");
+    }
+
+    @Test
+    void broadcast_reachesAll_andAnswersWhenAllHave_orWithTheFirstError() {
+        pool.broadcast().note("all");
+        crank();
+        assertThat(log).containsExactlyInAnyOrder("0 all", "1 all", "2 all");
+        assertThat(get(pool.broadcast().number())).isZero();
+        var answer = new Deferred<Integer>();
+        Promise<Integer> whole = pool.broadcast().later(answer);
+        assertThat(get(whole)).isNull();
+        answer.resolve(5);
+        assertThat(get(whole)).isEqualTo(5);
+        Promise<Integer> failing = pool.broadcast().fail(1);
+        failing.handle((value, error) -> error);
+        crank();
+        assertThat(failing.error()).hasMessage("failed 1");
+    }
+
+    @Test
+    void callback_receivesTheResultsOfAll_onTheCallersSpace() {
+        CallbackProbe<Integer> numbers = test.callback();
+        test.run(() -> pool.broadcast().count(numbers));
+        crank();
+        assertThat(numbers.results()).containsExactlyInAnyOrder(0, 1, 2);
+    }
+
+    @Test
+    void proxies_haveWhatOtherProxiesHave() {
+        assertThat(pool.roundRobin().local()).isEqualTo("local");
+        Parent<String> asParent = pool.roundRobin();
+        assertThat(get(asParent.key("x"))).isNotNull();
+        assertThat(pool.roundRobin()).hasToString("round robin of [Worker#1, Worker#1, Worker#1]");
+        assertThat(pool).hasToString("pool of [Worker#1, Worker#1, Worker#1]");
+        assertThat(pool.roundRobin()).isEqualTo(pool.roundRobin()).isNotEqualTo(pool.broadcast());
+        assertThatThrownBy(() -> spaces.getFirst().stop(pool.roundRobin())).hasMessageContaining("not a proxy");
+    }
+
+    static class ClassActor extends Actor {
+        private final List<String> texts = new ArrayList<>();
+
+        public void put(String text) {
+            texts.add(text);
+        }
+
+        public Promise<List<String>> texts() {
+            return Promise.of(texts);
+        }
+
+        void hidden() {}
+    }
+
+    @Test
+    void classActors_canBePooled_andTheirProxiesRefuseWhatIsNoMessage() {
+        try (var classes = ActorPool.on(spaces, ClassActor.class, ClassActor::new, ActorSettings.DEFAULT)) {
+            classes.roundRobin().put("a");
+            classes.roundRobin().put("b");
+            List<Promise<List<String>>> texts =
+                    classes.actors().stream().map(ClassActor::texts).toList();
+            crank();
+            assertThat(texts).extracting(Promise::getNow).containsExactly(List.of("a"), List.of("b"), List.of());
+            assertThatThrownBy(() -> classes.roundRobin().hidden()).isInstanceOf(IllegalStateException.class);
+            assertThatThrownBy(() -> classes.roundRobin().started()).isInstanceOf(IllegalStateException.class);
+        }
+        crank();
+        assertThat(pool.spaces())
+                .allSatisfy(space -> assertThat(space.metrics().actors()).isOne());
+    }
+
+    @Test
+    void poolWithoutSpaces_orOfNoActorType_isRejected() {
+        assertThatThrownBy(() -> ActorPool.create(0, SpaceSettings.named("none"), Worker.class, () -> new Working(0)))
+                .hasMessage("size is 0, expected 1 or more");
+        assertThatThrownBy(() -> ActorPool.on(List.of(), Worker.class, () -> new Working(0), ActorSettings.DEFAULT))
+                .hasMessage("spaces is empty, expected one or more");
+        assertThatThrownBy(() -> ActorPool.create(1, SpaceSettings.named("none"), Comparable.class, () -> "a"))
+                .isInstanceOf(ActorTypeException.class);
+    }
+
+    interface Meeting {
+        Promise<String> meet();
+    }
+
+    /** Each waits within its turn for all others, so they can only return if they run at the same time. */
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void actors_runAtTheSameTime_eachOnItsThread_untilThePoolIsClosed() throws Exception {
+        var all = new CountDownLatch(SIZE);
+        Meeting last;
+        try (var meetings = ActorPool.create(SIZE, SpaceSettings.named("room"), Meeting.class, () -> () -> {
+            all.countDown();
+            await(all);
+            return Promise.of(Thread.currentThread().getName());
+        })) {
+            List<Promise<String>> names = IntStream.range(0, SIZE)
+                    .mapToObj(call -> meetings.roundRobin().meet())
+                    .toList();
+            assertThat(Promise.all(names).get(LONG)).containsExactly("room-0", "room-1", "room-2");
+            last = meetings.roundRobin();
+        }
+        assertThat(last.meet().error()).isInstanceOf(ActorStoppedException.class);
+    }
+
+    interface Counter {
+        void add(Integer sender, int number);
+
+        Promise<Map<Integer, Integer>> inOrder();
+    }
+
+    /** Notes the last number of each sender, or -1 once one came out of order. */
+    private static final class Counting implements Counter {
+        private final Map<Integer, Integer> last = new HashMap<>();
+
+        @Override
+        public void add(Integer sender, int number) {
+            last.merge(sender, number, (before, next) -> next == before + 1 ? next : -1);
+        }
+
+        @Override
+        public Promise<Map<Integer, Integer>> inOrder() {
+            return Promise.of(Map.copyOf(last));
+        }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void callsOfOneKey_keepTheirOrder_andAllArrive() throws Exception {
+        try (var pooled = ActorPool.create(2, SpaceSettings.named("keys"), Counter.class, Counting::new)) {
+            onThreads(
+                    4,
+                    sender -> IntStream.range(0, 20_000)
+                            .forEach(number -> pooled.byFirstArgument().add(sender, number)));
+            Map<Integer, Integer> last = new ConcurrentHashMap<>();
+            for (Counter counter : pooled.actors()) {
+                last.putAll(counter.inOrder().get(LONG));
+            }
+            assertThat(last)
+                    .hasSize(4)
+                    .allSatisfy((sender, number) -> assertThat(number).isEqualTo(19_999));
+        }
+    }
+}
