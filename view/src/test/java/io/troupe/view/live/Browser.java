@@ -22,7 +22,7 @@ import java.util.stream.Stream;
 final class Browser implements AutoCloseable {
     private static final Pattern PORT = Pattern.compile("on port (\\d+)");
     private static final Pattern SESSION = Pattern.compile("\"sessionId\":\"([^\"]+)\"");
-    private static final Pattern TEXT = Pattern.compile("\\{\"value\":\"((?:[^\"\\\\]|\\\\.)*)\"}");
+    private static final Pattern TEXT = Pattern.compile("\\{\"value\":\"((?:[^\"\\\\]++|\\\\.)*+)\"}");
     private static final Pattern ESCAPE = Pattern.compile("\\\\(u[0-9a-fA-F]{4}|.)");
     private static final Duration PATIENCE = Duration.ofMinutes(2);
 
