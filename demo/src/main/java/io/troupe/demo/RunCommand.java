@@ -140,7 +140,7 @@ final class RunCommand implements Callable<Integer> {
                 if (address == null) {
                     run(team, interruption);
                 } else {
-                    new HostedRunJob(spec, busOptions, out).run(settings(address, team), interruption);
+                    new HostedRunJob(spec, busOptions, viewOptions, out).run(settings(address, team), interruption);
                 }
                 return interruption.isRequested() ? Interruption.STATUS : 0;
             }
@@ -166,7 +166,7 @@ final class RunCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--mode is sync, expected callback or promise for services on other hosts");
         }
-        for (String option : List.of("--seed", "--reconnect", "--realtime")) {
+        for (String option : List.of("--seed", "--reconnect", "--realtime", "--html", "--repeat", "--view-speed")) {
             if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
                 throw new ParameterException(
                         spec.commandLine(),

@@ -38,8 +38,9 @@ import org.jspecify.annotations.Nullable;
  * }
  * }
  *
- * <p><b>Threads.</b> Each viewer has a virtual thread, which looks for a newer frame at most {@value #MOST_FRAMES_PER_S}
- * times a second and skips those in between. The thread that shows frames never waits for a viewer.
+ * <p><b>Threads.</b> Each viewer has a virtual thread, which looks for a newer frame at most
+ * {@value #MOST_FRAMES_PER_S} times a second and skips those in between. The thread that shows frames never waits for a
+ * viewer.
  *
  * <p><b>Errors.</b> A port that is taken is a {@link BindException}. A request from another site, under another name,
  * without the token, or for anything but the page and its data is refused.
@@ -126,7 +127,8 @@ public final class LiveView implements AutoCloseable {
 
     /** The address of the page. */
     public String address() {
-        String host = bound.isAnyLocalAddress() ? "localhost" : bound.isLoopbackAddress() ? "localhost" : literal(bound);
+        String host =
+                bound.isAnyLocalAddress() ? "localhost" : bound.isLoopbackAddress() ? "localhost" : literal(bound);
         return "http://" + host + ":" + port() + "/" + (token == null ? "" : "?t=" + token);
     }
 
@@ -272,7 +274,8 @@ public final class LiveView implements AutoCloseable {
             String[] words = body(exchange).strip().split(" +");
             Viewer viewer = viewers.get(words[0]);
             if (viewer == null) {
-                throw new IllegalArgumentException("there is no such viewer, expected the word that the stream began with");
+                throw new IllegalArgumentException(
+                        "there is no such viewer, expected the word that the stream began with");
             }
             viewer.chosen = Arrays.stream(words)
                     .skip(1)
@@ -318,7 +321,10 @@ public final class LiveView implements AutoCloseable {
         private boolean wrote;
 
         void serve(String name, OutputStream out) throws IOException {
-            write(out, ViewMessages.text(ViewMessages.HELLO, new Json().put("viewer", name).toString()));
+            write(
+                    out,
+                    ViewMessages.text(
+                            ViewMessages.HELLO, new Json().put("viewer", name).toString()));
             out.flush();
             long sentNanos = Clock.system().nanos();
             while (true) {
@@ -327,7 +333,10 @@ public final class LiveView implements AutoCloseable {
                 writeNews(out);
                 long now = Clock.system().nanos();
                 if (end != null) {
-                    write(out, ViewMessages.text(ViewMessages.END, new Json().put("why", end).toString()));
+                    write(
+                            out,
+                            ViewMessages.text(
+                                    ViewMessages.END, new Json().put("why", end).toString()));
                     return;
                 }
                 if (!wrote && now - sentNanos > ALIVE_NANOS) {
@@ -365,7 +374,9 @@ public final class LiveView implements AutoCloseable {
             }
             writeFrame(out, now);
             String actors = board.actors();
-            if (actors != null && !actors.equals(sentActors) && Clock.system().nanos() - sentActorsNanos > ACTORS_NANOS) {
+            if (actors != null
+                    && !actors.equals(sentActors)
+                    && Clock.system().nanos() - sentActorsNanos > ACTORS_NANOS) {
                 sentActors = actors;
                 sentActorsNanos = Clock.system().nanos();
                 write(out, ViewMessages.text(ViewMessages.ACTORS, actors));

@@ -1,20 +1,15 @@
 package io.troupe.view.live;
 
 import io.troupe.actor.time.Clock;
-import io.troupe.view.live.ViewCommand.Drive;
 import io.troupe.view.live.ViewCommand.Intervention;
-import io.troupe.view.live.ViewCommand.Release;
 import java.io.IOException;
 import java.math.BigDecimal;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
-import java.util.Map;
-import java.util.TreeMap;
 import java.util.function.BooleanSupplier;
 import java.util.regex.Pattern;
 
@@ -31,12 +26,9 @@ public final class RunControl implements ViewControl {
     private static final long POLL_MILLIS = 50;
     /** A run that is later than this does not catch up. */
     private static final long LATE_NANOS = 250_000_000;
-    /** A robot returns to its service when its driver has been silent for this time. */
-    private static final long SILENT_DRIVER_NANOS = Duration.ofSeconds(1).toNanos();
 
     private static final List<String> TIME = List.of("pause", "resume", "step", "speed");
-    static final List<String> ALL =
-            List.of("pause", "resume", "step", "speed", "reset", "place", "drive", "release");
+    static final List<String> ALL = List.of("pause", "resume", "step", "speed", "reset", "place", "drive", "release");
 
     private static final Pattern RECORDED =
             Pattern.compile("\\{\"t\":([0-9.]{1,20}),\"type\":\"intervention\",\"what\":\"([^\"]*)\"}");
@@ -48,7 +40,7 @@ public final class RunControl implements ViewControl {
     private final boolean canIntervene;
     private final List<Intervention> pending = new ArrayList<>();
     private final Deque<Scheduled> scheduled = new ArrayDeque<>();
-    private final Map<Integer, Long> drivenNanos = new TreeMap<>(); // by robot: time of the newest command
+    private final HandDriving driving;
     private boolean paused;
     private int stepsWanted;
     private double speed;
@@ -67,6 +59,7 @@ public final class RunControl implements ViewControl {
 
     RunControl(Clock wall, double speed, boolean canIntervene) {
         this.wall = wall;
+        this.driving = new HandDriving(wall);
         this.speed = speed;
         this.canIntervene = canIntervene;
     }
@@ -102,11 +95,7 @@ public final class RunControl implements ViewControl {
         if (!canIntervene) {
             throw new IllegalArgumentException("this run can be paused, but nothing in it can be changed");
         }
-        if (intervention instanceof Drive drive) {
-            drivenNanos.put(drive.robot(), wall.nanos());
-        } else if (intervention instanceof Release release) {
-            drivenNanos.remove(release.robot());
-        }
+        driving.note(intervention);
         pending.removeIf(intervention::replaces);
         pending.add(intervention);
     }
@@ -162,7 +151,7 @@ public final class RunControl implements ViewControl {
         while (!stop.getAsBoolean() && !mayPass(timeMicros)) {
             wait(waitMillis(timeMicros));
         }
-        releaseSilent();
+        driving.takeSilent().forEach(robot -> pending.add(new ViewCommand.Release(robot)));
         List<Intervention> taken = new ArrayList<>();
         while (!scheduled.isEmpty() && scheduled.getFirst().timeMicros <= timeMicros) {
             taken.add(scheduled.removeFirst().intervention);
@@ -200,16 +189,5 @@ public final class RunControl implements ViewControl {
             return now;
         }
         return due;
-    }
-
-    private void releaseSilent() {
-        long now = wall.nanos();
-        drivenNanos.entrySet().removeIf(each -> {
-            boolean silent = now - each.getValue() > SILENT_DRIVER_NANOS;
-            if (silent) {
-                pending.add(new Release(each.getKey()));
-            }
-            return silent;
-        });
     }
 }

@@ -1,22 +1,38 @@
 package io.troupe.view.live;
 
+import io.troupe.actor.time.Clock;
 import io.troupe.sim.Pace;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.SimulationRunner;
 import io.troupe.view.live.ViewCommand.Intervention;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
-/** Carries out the commands of viewers on a simulation whose ticks a {@link SimulationRunner} makes. */
+/**
+ * Carries out the commands of viewers on a simulation whose ticks a {@link SimulationRunner} makes.
+ *
+ * <p><b>Threads.</b> Any thread.
+ */
 public final class SimulationControl implements ViewControl {
     private final Simulation simulation;
-    private final SimulationRunner runner;
+    private final HandDriving driving = new HandDriving(Clock.system());
     private volatile double speed;
+    private volatile @Nullable SimulationRunner runner;
 
-    /** @param speed at which the runner runs; 0 = as fast as possible */
-    public SimulationControl(Simulation simulation, SimulationRunner runner, double speed) {
+    /** @param speed at which the runner runs; 0 = as fast as the clients answer */
+    public SimulationControl(Simulation simulation, double speed) {
         this.simulation = simulation;
-        this.runner = runner;
         this.speed = speed;
+    }
+
+    /** Changes of speed go to this runner from now on. */
+    public void runner(SimulationRunner newRunner) {
+        runner = newRunner;
+    }
+
+    /** To be called after each tick: ends what viewers that have left were doing. */
+    public synchronized void ticked() {
+        driving.takeSilent().forEach(simulation::endOverride);
     }
 
     @Override
@@ -25,7 +41,7 @@ public final class SimulationControl implements ViewControl {
     }
 
     @Override
-    public void submit(ViewCommand command) {
+    public synchronized void submit(ViewCommand command) {
         switch (command) {
             case ViewCommand.Pause() -> simulation.pause();
             case ViewCommand.Resume() -> simulation.resume();
@@ -34,10 +50,17 @@ public final class SimulationControl implements ViewControl {
                 simulation.step();
             }
             case ViewCommand.Speed(double factor) -> {
-                runner.pace(factor == 0 ? new Pace.Unlimited() : new Pace.RealTime(factor));
+                SimulationRunner running = runner;
+                if (running == null) {
+                    throw new IllegalArgumentException("the world has not begun to run");
+                }
+                running.pace(factor == 0 ? new Pace.OfAnswers() : new Pace.RealTime(factor));
                 speed = factor;
             }
-            case Intervention intervention -> carryOut(intervention, simulation);
+            case Intervention intervention -> {
+                carryOut(intervention, simulation);
+                driving.note(intervention);
+            }
         }
     }
 

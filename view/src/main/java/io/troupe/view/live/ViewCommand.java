@@ -5,9 +5,9 @@ import java.util.List;
 import java.util.Locale;
 
 /**
- * What a viewer can ask for. Each command has a form as a line of words, in which robots count from 1:
- * {@code pause}, {@code resume}, {@code step}, {@code speed 2}, {@code reset}, {@code place 1 0.5 -1.2 0.3},
- * {@code drive 1 0.3 -0.5}, {@code release 1}.
+ * What a viewer can ask for. Each command has a form as a line of words, in which robots count from 1: {@code pause},
+ * {@code resume}, {@code step}, {@code speed 2}, {@code reset}, {@code place 1 0.5 -1.2 0.3}, {@code drive 1 0.3 -0.5},
+ * {@code release 1}.
  */
 public sealed interface ViewCommand {
     /** Time stands still. */
@@ -103,13 +103,12 @@ public sealed interface ViewCommand {
             case "drive" -> 4;
             case "place" -> 5;
             default ->
-                throw new IllegalArgumentException(
-                        "'" + shortened(what)
-                                + "' is no command, expected pause, resume, step, speed, reset, place, drive or release");
+                throw new IllegalArgumentException("'" + shortened(what)
+                        + "' is no command, expected pause, resume, step, speed, reset, place, drive or release");
         };
         if (words.size() != expected) {
-            throw new IllegalArgumentException("'" + what + "' has " + (words.size() - 1) + " words after it, expected "
-                    + (expected - 1));
+            throw new IllegalArgumentException(
+                    "'" + what + "' has " + (words.size() - 1) + " words after it, expected " + (expected - 1));
         }
         return switch (what) {
             case "pause" -> new Pause();
@@ -151,8 +150,8 @@ public sealed interface ViewCommand {
                 return value;
             }
         }
-        throw new IllegalArgumentException("'" + shortened(word) + "', expected a number of at most "
-                + String.format(Locale.ROOT, "%.0f", MOST));
+        throw new IllegalArgumentException(
+                "'" + shortened(word) + "', expected a number of at most " + String.format(Locale.ROOT, "%.0f", MOST));
     }
 
     private static String shortened(String word) {

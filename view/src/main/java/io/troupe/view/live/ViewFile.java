@@ -12,7 +12,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Collects a whole run for a page in a file, which plays it and loads nothing: the messages of a live page, with every
- * frame. Of a run with more than {@value #MOST_ROBOTS_IN_FULL} robots it keeps a frame for each second, and no readings.
+ * frame. Of a run with more than {@value #MOST_ROBOTS_IN_FULL} robots it keeps a frame for each second, and no
+ * readings.
  *
  * {@snippet :
  * var file = new ViewFile();
@@ -83,6 +84,7 @@ public final class ViewFile implements ViewSink {
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }
-        return ViewPage.playing(Base64.getEncoder().encodeToString(content.toByteArray())).html();
+        return ViewPage.playing(Base64.getEncoder().encodeToString(content.toByteArray()))
+                .html();
     }
 }

@@ -89,7 +89,9 @@ final class ViewMessages {
     }
 
     private static int bytes(RobotReading reading) {
-        return READING_BYTES + 2 * (sonars(reading).size() + rays(reading)) + BLOB_BYTES * blobs(reading).size();
+        return READING_BYTES
+                + 2 * (sonars(reading).size() + rays(reading))
+                + BLOB_BYTES * blobs(reading).size();
     }
 
     private static List<Double> sonars(RobotReading reading) {

@@ -9,6 +9,7 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.Json;
+import io.troupe.view.RecordedHostedRun;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RobotRecord;
 import io.troupe.view.RunRecorder;
@@ -61,8 +62,7 @@ public final class ViewedRun {
         this(world, List.of(), null, control);
     }
 
-    private ViewedRun(
-            WorldSpec world, List<String> services, @Nullable SubsumptionTable table, RunControl control) {
+    private ViewedRun(WorldSpec world, List<String> services, @Nullable SubsumptionTable table, RunControl control) {
         this.world = world;
         this.services = services;
         this.table = table;
@@ -127,6 +127,37 @@ public final class ViewedRun {
         };
     }
 
+    /** Shows a run over hosts. */
+    public RecordedHostedRun.Listener hostedListener(RecordedHostedRun.Listener inner) {
+        return new RecordedHostedRun.Listener() {
+            @Override
+            public void stateStarted(String line) {
+                inner.stateStarted(line);
+            }
+
+            @Override
+            public void driverChanged(String line) {
+                inner.driverChanged(line);
+            }
+
+            @Override
+            public void ticked(long timeMicros) {
+                inner.ticked(timeMicros);
+            }
+
+            @Override
+            public boolean isStopRequested() {
+                return inner.isStopRequested();
+            }
+
+            @Override
+            public void recorded(Snapshot snapshot, RunRecorder recorder) {
+                inner.recorded(snapshot, recorder);
+                show(snapshot, recorder);
+            }
+        };
+    }
+
     private void show(Snapshot snapshot, RunRecorder recorder) {
         List<StateChange> changes = recorder.states();
         for (; statesShown < changes.size(); statesShown++) {
@@ -140,14 +171,17 @@ public final class ViewedRun {
     }
 
     private void showState(StateChange change) {
-        var event = event(change.timeMicros(), "state").put("state", change.state().number());
+        var event =
+                event(change.timeMicros(), "state").put("state", change.state().number());
         if (change.seenBy() != null) {
             event.put("robot", change.seenBy() + 1);
         }
         if (table != null) {
-            event.put("text", change.cause(table)).put("colourName", table.colourName(change.state().colour()));
+            event.put("text", change.cause(table))
+                    .put("colourName", table.colourName(change.state().colour()));
         }
-        send(event.put("colour", change.state().colour()).put("services", Json.texts(change.state().services())));
+        send(event.put("colour", change.state().colour())
+                .put("services", Json.texts(change.state().services())));
     }
 
     private void showDrivers(RobotRecord robot) {

@@ -57,9 +57,8 @@ final class ViewedWorld {
 
     private static List<Point> corners(WorldSpec spec) {
         Stream<Point> obstacles = spec.obstacles().stream()
-                .flatMap(each -> each.shape().outlines().stream()
-                        .flatMap(List::stream)
-                        .map(each.pose()::place));
+                .flatMap(each ->
+                        each.shape().outlines().stream().flatMap(List::stream).map(each.pose()::place));
         Stream<Point> robots = spec.robots().stream()
                 .map(each -> new Point(each.pose().x(), each.pose().y()));
         List<Point> all = Stream.concat(obstacles, robots).toList();
@@ -105,14 +104,19 @@ final class ViewedWorld {
                 .put("left", leftM)
                 .put("bottom", bottomM)
                 .put("step", stepM)
-                .put("services", Json.objects(services.stream()
-                        .map(each -> new Json().put("name", each).put("colour", colours.colour(each)))
-                        .toList()))
+                .put(
+                        "services",
+                        Json.objects(services.stream()
+                                .map(each -> new Json().put("name", each).put("colour", colours.colour(each)))
+                                .toList()))
                 .put("controls", Json.texts(controls))
                 .put("kinds", new Json.Fragment("[" + String.join(",", kinds.keySet()) + "]"))
                 .put("robots", Json.objects(robots))
-                .put("obstacles", Json.objects(
-                        spec.obstacles().stream().map(ViewedWorld::obstacle).toList()))
+                .put(
+                        "obstacles",
+                        Json.objects(spec.obstacles().stream()
+                                .map(ViewedWorld::obstacle)
+                                .toList()))
                 .toString();
     }
 
@@ -125,24 +129,30 @@ final class ViewedWorld {
 
     private static String kind(RobotSpec robot) {
         var kind = new Json().put("outlines", outlines(robot.shape(), Pose.ORIGIN));
-        kind.put("cargo", Json.objects(robot.cargo().stream()
-                .map(each -> new Json()
-                        .put("colour", each.colour())
-                        .put("outlines", outlines(each.shape(), Pose.ORIGIN)))
-                .toList()));
+        kind.put(
+                "cargo",
+                Json.objects(robot.cargo().stream()
+                        .map(each -> new Json()
+                                .put("colour", each.colour())
+                                .put("outlines", outlines(each.shape(), Pose.ORIGIN)))
+                        .toList()));
         if (robot.sonar() != null) {
-            kind.put("sonar", new Json()
-                    .put("most", robot.sonar().maxRangeM())
-                    .put("mounts", list(robot.sonar().mounts().stream().map(ViewedWorld::mount))));
+            kind.put(
+                    "sonar",
+                    new Json()
+                            .put("most", robot.sonar().maxRangeM())
+                            .put("mounts", list(robot.sonar().mounts().stream().map(ViewedWorld::mount))));
         }
         kind.put("sensors", list(robot.rangers().stream().flatMap(ViewedWorld::sensors)));
         BlobfinderSpec camera = robot.blobfinder();
         if (camera != null) {
-            kind.put("camera", new Json()
-                    .put("mount", new Json.Fragment(mount(camera.mount())))
-                    .put("width", camera.widthPx())
-                    .put("range", camera.rangeM())
-                    .put("fov", camera.fovRad()));
+            kind.put(
+                    "camera",
+                    new Json()
+                            .put("mount", new Json.Fragment(mount(camera.mount())))
+                            .put("width", camera.widthPx())
+                            .put("range", camera.rangeM())
+                            .put("fov", camera.fovRad()));
         }
         return kind.toString();
     }
@@ -150,7 +160,8 @@ final class ViewedWorld {
     /** The sensors of a laser or ranger, in the frame of the robot. */
     private static Stream<String> sensors(RangerSpec ranger) {
         return ranger.sensors().stream().map(each -> {
-            Point at = ranger.mount().place(new Point(each.mount().x(), each.mount().y()));
+            Point at = ranger.mount()
+                    .place(new Point(each.mount().x(), each.mount().y()));
             var mount = new Pose(
                     at.x(), at.y(), ranger.mount().headingRad() + each.mount().headingRad());
             return new Json()

@@ -90,11 +90,12 @@ class WorldCanvas {
     const [left, bottom, right, top] = this.bounds;
     const margin = WorldCanvas.MARGIN_M;
     const ratio = window.devicePixelRatio || 1;
-    const tools = 44; // the buttons above the world
+    const tools = 48; // the buttons above the world, and the legend below
+    const legend = 40;
     this.x = (left + right) / 2;
-    const height = this.canvas.height / ratio - tools;
+    const height = this.canvas.height / ratio - tools - legend;
     this.scale = Math.min(this.canvas.width / ratio / (right - left + 2 * margin), height / (top - bottom + 2 * margin));
-    this.y = (bottom + top) / 2 + tools / 2 / this.scale;
+    this.y = (bottom + top) / 2 + (tools - legend) / 2 / this.scale;
     this.fitted = true;
   }
 
@@ -219,7 +220,7 @@ class WorldCanvas {
     const to = this.context;
     to.strokeStyle = this.colours.wall;
     to.lineWidth = this.pixel;
-    for (const [colour, path] of this.obstacles) {
+    for (const [colour, path] of this.obstacles ?? []) {
       to.fillStyle = Model.colour(colour);
       to.fill(path, "evenodd");
       to.stroke(path);
@@ -247,7 +248,7 @@ class WorldCanvas {
       }
     }
     to.lineWidth = 1.6 * this.pixel;
-    to.globalAlpha = 0.55;
+    to.globalAlpha = 0.75;
     for (const [service, path] of paths) {
       to.strokeStyle = this.model.serviceColour(service);
       to.stroke(path);

@@ -104,7 +104,7 @@ class Page {
     }
     const state = this.source.state();
     element("state").textContent = state ? `state ${state.state}${state.colourName ? ` (${state.colourName})` : ""}` : "";
-    this.timeline.draw(this.view.colours, this.source.time(), this.source.end());
+    this.timeline.draw(this.view.colours, this.source.time(), this.source.end(), this.source.canSeek);
     this.listEvents();
     this.showRobots(frame);
     this.showDetails(frame);
@@ -250,7 +250,7 @@ class Page {
   }
 
   showTime(speed) {
-    element("play").textContent = this.paused ? "Go on" : "Pause";
+    element("play").textContent = this.paused ? this.source.canSeek ? "Play" : "Go on" : "Pause";
     const select = element("speed");
     if (![...select.options].some(each => Number(each.value) === speed)) {
       select.append(new Option(`${speed} x`, speed));

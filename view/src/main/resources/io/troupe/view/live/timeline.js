@@ -11,7 +11,7 @@ class Timeline {
     this.model = model;
   }
 
-  draw(colours, time, end) {
+  draw(colours, time, end, isWhole) {
     const ratio = window.devicePixelRatio || 1;
     const width = this.canvas.clientWidth;
     const height = this.canvas.clientHeight;
@@ -24,7 +24,7 @@ class Timeline {
     const top = Timeline.LIGHT_PX;
     to.fillStyle = colours.grid;
     to.fillRect(0, top, width, Timeline.BAND_PX);
-    this.drawStates(x, time, top);
+    this.drawStates(x, isWhole ? end : time, top);
     this.drawMarks(x, time, colours);
     to.fillStyle = colours.text;
     to.fillRect(Math.min(width - 2, Math.max(0, x(time) - 1)), 0, 2, top + Timeline.BAND_PX + 3);

@@ -34,8 +34,9 @@ final class Browser implements AutoCloseable {
         this.driver = driver;
         String options = "{\"args\":[\"--headless=new\",\"--no-sandbox\",\"--disable-gpu\",\"--disable-dev-shm-usage\","
                 + "\"--hide-scrollbars\",\"--no-proxy-server\"]}";
-        String wanted = "{\"capabilities\":{\"alwaysMatch\":{\"browserName\":\"chrome\",\"goog:chromeOptions\":" + options
-                + ",\"goog:loggingPrefs\":{\"browser\":\"ALL\"},\"timeouts\":{\"script\":" + PATIENCE.toMillis() + "}}}}";
+        String wanted = "{\"capabilities\":{\"alwaysMatch\":{\"browserName\":\"chrome\",\"goog:chromeOptions\":"
+                + options + ",\"goog:loggingPrefs\":{\"browser\":\"ALL\"},\"timeouts\":{\"script\":"
+                + PATIENCE.toMillis() + "}}}}";
         String drivers = "http://localhost:" + port + "/session";
         Matcher id = SESSION.matcher(post(drivers, wanted));
         if (!id.find()) {
@@ -110,8 +111,10 @@ final class Browser implements AutoCloseable {
 
     /** Returns when a condition of the page holds, which it is asked for at every frame that it draws. */
     void await(String condition) {
-        run("execute/async", "const done = arguments[0]; const look = () => { let holds = false; try { holds = " + condition
-                + "; } catch (error) {} if (holds) done('true'); else setTimeout(look, 15); }; look();");
+        run(
+                "execute/async",
+                "const done = arguments[0]; const look = () => { let holds = false; try { holds = " + condition
+                        + "; } catch (error) {} if (holds) done('true'); else setTimeout(look, 15); }; look();");
     }
 
     private String run(String command, String script) {
@@ -150,7 +153,9 @@ final class Browser implements AutoCloseable {
                     .append(point == points.getFirst() ? ",{\"type\":\"pointerDown\",\"button\":0}" : "");
         }
         actions.append(",{\"type\":\"pointerUp\",\"button\":0}");
-        post(session + "/actions", "{\"actions\":[{\"type\":\"pointer\",\"id\":\"mouse\",\"actions\":[" + actions + "]}]}");
+        post(
+                session + "/actions",
+                "{\"actions\":[{\"type\":\"pointer\",\"id\":\"mouse\",\"actions\":[" + actions + "]}]}");
     }
 
     /** Presses or releases a key, named by its WebDriver code. */
@@ -158,8 +163,8 @@ final class Browser implements AutoCloseable {
         String code = String.format("\\u%04x", (int) key);
         post(
                 session + "/actions",
-                "{\"actions\":[{\"type\":\"key\",\"id\":\"keys\",\"actions\":[{\"type\":\"" + type + "\",\"value\":\"" + code
-                        + "\"}]}]}");
+                "{\"actions\":[{\"type\":\"key\",\"id\":\"keys\",\"actions\":[{\"type\":\"" + type + "\",\"value\":\""
+                        + code + "\"}]}]}");
     }
 
     void press(char key) {
