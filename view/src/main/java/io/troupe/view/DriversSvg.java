@@ -52,7 +52,7 @@ final class DriversSvg {
         this.result = result;
         this.fault = fault;
         this.gaps = fault == null ? List.of() : fault.gaps(result);
-        this.services = new ServiceColours(result.table());
+        this.services = ServiceColours.of(result.table());
         this.endMicros = Math.max(1, result.endMicros());
         result.robots().stream()
                 .flatMap(robot -> robot.drivers().stream())
@@ -173,7 +173,7 @@ final class DriversSvg {
                         x(span.from),
                         x(span.to),
                         SERVICE_BAR_PX,
-                        services.of(service),
+                        services.colour(service),
                         "1",
                         service + " from " + seconds(span.from) + " to " + seconds(span.to)));
         y = top;
@@ -295,7 +295,7 @@ final class DriversSvg {
         }
         x = newLine(x);
         for (Service service : result.table().services()) {
-            x = entry(x, services.of(service.name()), "1", "service " + service);
+            x = entry(x, services.colour(service.name()), "1", "service " + service);
         }
         x = newLine(x);
         for (State state : result.table().states()) {

@@ -7,7 +7,7 @@ import java.util.List;
 import java.util.Map;
 
 /** The colours of services, alike in all pictures. */
-final class ServiceColours {
+public final class ServiceColours {
     private static final String UNKNOWN = "#888888";
 
     private static final Map<String, String> KNOWN = Map.of(
@@ -18,14 +18,25 @@ final class ServiceColours {
 
     private final Map<String, String> colours = new HashMap<>(KNOWN);
 
-    ServiceColours(SubsumptionTable table) {
-        for (Service service : table.services()) {
+    private ServiceColours(List<String> services) {
+        for (String service : services) {
             int more = colours.size() - KNOWN.size();
-            colours.putIfAbsent(service.name(), MORE.get(more % MORE.size()));
+            colours.putIfAbsent(service, MORE.get(more % MORE.size()));
         }
     }
 
-    String of(String service) {
+    /** The colours of a table's services. */
+    public static ServiceColours of(SubsumptionTable table) {
+        return of(table.services().stream().map(Service::name).toList());
+    }
+
+    /** The colours of services with these names. */
+    public static ServiceColours of(List<String> services) {
+        return new ServiceColours(services);
+    }
+
+    /** A colour as in SVG and CSS; grey for any other name. */
+    public String colour(String service) {
         return colours.getOrDefault(service, UNKNOWN);
     }
 }

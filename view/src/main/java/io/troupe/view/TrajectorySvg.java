@@ -47,7 +47,7 @@ final class TrajectorySvg {
     TrajectorySvg(WorldSpec world, RunResult result) {
         this.world = world;
         this.result = result;
-        this.services = new ServiceColours(result.table());
+        this.services = ServiceColours.of(result.table());
         List<Point> corners = world.obstacles().stream()
                 .flatMap(obstacle -> obstacle.shape().polygons().stream()
                         .flatMap(List::stream)
@@ -141,7 +141,7 @@ final class TrajectorySvg {
     }
 
     private String colourOf(RobotRecord.Sample sample) {
-        return services.of(sample.service());
+        return services.colour(sample.service());
     }
 
     /** Draws arrow heads along the path at equal distances. */
@@ -242,7 +242,7 @@ final class TrajectorySvg {
     private void drawLegend() {
         legendX += map.scaleBar(legend, legendX + 1, legendY - 5, FONT_PX) + LINE_PX;
         for (Service service : result.table().services()) {
-            entry(service.name(), "stroke=\"" + services.of(service.name()) + "\" stroke-width=\"3\"");
+            entry(service.name(), "stroke=\"" + services.colour(service.name()) + "\" stroke-width=\"3\"");
         }
         if (!crowd) {
             for (int robot = 0; robot < result.robots().size(); robot++) {
