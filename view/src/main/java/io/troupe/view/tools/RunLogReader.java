@@ -25,6 +25,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -68,7 +69,7 @@ final class RunLogReader {
         }
     }
 
-    private record PoseLine(Pose pose, String service) {}
+    private record PoseLine(Pose pose, double gapM, String service) {}
 
     RunLogReader(Path file, WorldSpec world, RunListener listener) {
         this.file = file;
@@ -267,15 +268,20 @@ final class RunLogReader {
         var pose = new Pose(line.number("x"), line.number("y"), line.number("heading"));
         int robot = poses.size();
         scene.place(robot, pose);
-        poses.add(new PoseLine(pose, line.text("service")));
         double gapM = scene.wallGapM(robot);
         double recordedM = line.has("gap") ? line.number("gap") : Double.POSITIVE_INFINITY;
         if (gapM != recordedM && !(StrictMath.abs(gapM - recordedM) <= SAME_GAP_M)) {
             throw error(
                     1,
-                    "robot " + (robot + 1) + " is " + recordedM + " m from the nearest obstacle, but in " + world.file()
-                            + " that is " + gapM + " m: expected the world of the run, unchanged");
+                    String.format(
+                            Locale.ROOT,
+                            "robot %d is %.3f m from the nearest obstacle, but in %s that is %.3f m: expected the world of the run, unchanged",
+                            robot + 1,
+                            recordedM,
+                            world.file(),
+                            gapM));
         }
+        poses.add(new PoseLine(pose, recordedM, line.text("service")));
         if (poses.size() == sensors.size()) {
             listener.read(reading());
             poses.clear();
@@ -296,7 +302,7 @@ final class RunLogReader {
                     its.rangers.stream()
                             .map(ranger -> ranger.read(scene, index))
                             .toList(),
-                    scene.wallGapM(robot)));
+                    poses.get(robot).gapM()));
         }
         var snapshot = new Snapshot(ticks++, timeMicros, readings, List.of());
         return new Reading(snapshot, poses.stream().map(PoseLine::service).toList(), false);
