@@ -9,17 +9,23 @@ import io.troupe.bus.Loss;
 import io.troupe.demo.hosts.BusOptions;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.services.subsumption.RobotNode;
 import io.troupe.view.Pictures;
 import io.troupe.view.RecordedHostedRun;
 import io.troupe.view.RunLog;
 import io.troupe.view.RunResult;
+import io.troupe.view.live.LiveView;
+import io.troupe.view.live.RunControl;
+import io.troupe.view.live.ViewControl;
+import io.troupe.view.live.ViewedRun;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.lang.System.Logger.Level;
 import java.nio.file.Path;
 import java.util.Locale;
 import java.util.concurrent.atomic.LongAdder;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Model.CommandSpec;
 
 /** The part of {@code troupe run} that is over hosts: the arbitrator and the record. */
@@ -28,11 +34,13 @@ final class HostedRunJob {
     private static final String NODE = "arbitrator";
 
     private final BusOptions busOptions;
+    private final ViewOptions viewOptions;
     private final Path out;
     private final PrintWriter terminal;
     private final LongAdder losses = new LongAdder();
 
-    HostedRunJob(CommandSpec spec, BusOptions busOptions, Path out) {
+    HostedRunJob(CommandSpec spec, BusOptions busOptions, ViewOptions viewOptions, Path out) {
+        this.viewOptions = viewOptions;
         this.busOptions = busOptions;
         this.out = out;
         this.terminal = spec.commandLine().getOut();
@@ -46,15 +54,27 @@ final class HostedRunJob {
 
     private RunResult record(RecordedHostedRun.Settings settings, Path file, Interruption interruption)
             throws IOException, InterruptedException {
-        try (var progress = ProgressBar.onTerminal(settings.seconds());
+        try (var page = viewOptions.open();
+                var progress = ProgressBar.onTerminal(settings.seconds());
                 var space = ActorSpace.create(SpaceSettings.named("broker"));
                 var bus = busOptions.open(NODE, BusSettings.on(space).withObserver(observer(progress)));
                 var node = RobotNode.open(bus, space, HostedRunJob::log, 0);
                 var log = new RunLog(file)) {
             var run = new RecordedHostedRun(settings);
             interruption.onRequest(run::stop);
-            return run.run(node, log, progress.hostedListener(line -> print(progress, line), interruption));
+            var listener = progress.hostedListener(line -> print(progress, line), interruption);
+            return run.run(node, log, viewed(page, settings, listener));
         }
+    }
+
+    /** The listener of a run that is also shown on a page, if there is one; viewers can only look at it. */
+    static RecordedHostedRun.Listener viewed(
+            @Nullable LiveView page, RecordedHostedRun.Settings settings, RecordedHostedRun.Listener listener) {
+        return page == null
+                ? listener
+                : new ViewedRun(settings.world(), settings.table(), new RunControl(0, false))
+                        .onto(page, ViewControl.NONE)
+                        .hostedListener(listener);
     }
 
     private void report(RecordedHostedRun.Settings settings, RunResult result, Path file, Interruption interruption)

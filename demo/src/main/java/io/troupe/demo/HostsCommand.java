@@ -14,6 +14,7 @@ import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.subsumption.DriverReport;
 import io.troupe.services.subsumption.Mode;
@@ -83,6 +84,9 @@ final class HostsCommand implements Callable<Integer> {
 
     @Mixin
     private WorldLoader loader;
+
+    @Mixin
+    private ViewOptions view;
 
     @Option(names = "--seconds", paramLabel = "N", description = "time to run, in real time")
     private double seconds = 60;
@@ -190,12 +194,13 @@ final class HostsCommand implements Callable<Integer> {
                             "arbitrator", server, BusSettings.on(space).withObserver(events));
                     var node = RobotNode.open(bus, space, event -> {}, 0);
                     var log = new RunLog(out.resolve("run.jsonl"));
+                    var page = view.open();
                     var progress = ProgressBar.onTerminal(seconds)) {
                 events.watch(bus);
                 var run = new RecordedHostedRun(settings);
                 interruption.onRequest(run::stop);
                 events.shown = progress.hostedListener(line -> progress.interrupt(() -> print(line)), interruption);
-                return run.run(node, log, events);
+                return run.run(node, log, HostedRunJob.viewed(page, settings, events));
             }
         }
 

@@ -2,9 +2,11 @@ package io.troupe.demo;
 
 import io.troupe.demo.hosts.BusOptions;
 import io.troupe.demo.hosts.RobotAddress;
+import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.model.Scenario;
@@ -15,6 +17,10 @@ import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
 import io.troupe.view.RunRecorder;
 import io.troupe.view.RunResult;
+import io.troupe.view.live.LiveView;
+import io.troupe.view.live.RunControl;
+import io.troupe.view.live.ViewFile;
+import io.troupe.view.live.ViewedRun;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -23,6 +29,7 @@ import java.util.Locale;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Visibility;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
@@ -44,6 +51,29 @@ final class RunCommand implements Callable<Integer> {
 
     @Mixin
     private BusOptions busOptions;
+
+    @Mixin
+    private ViewOptions viewOptions;
+
+    @Option(
+            names = "--view-speed",
+            paramLabel = "N",
+            description = "with --view: how many times as fast as real time at first; 0 = as fast as possible")
+    private double viewSpeed = 1;
+
+    @Option(
+            names = "--html",
+            paramLabel = "FILE",
+            description = "write a page with the whole run, which any browser plays",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Path html;
+
+    @Option(
+            names = "--repeat",
+            paramLabel = "FILE",
+            description = "repeat what was done by hand in the run that wrote this run.jsonl",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Path repeat;
 
     @Option(names = "--seconds", paramLabel = "N", description = "simulated time to run")
     private double seconds = 300;
@@ -85,6 +115,16 @@ final class RunCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
+        if (!(viewSpeed >= 0) || viewSpeed > 1e6) {
+            throw new ParameterException(
+                    spec.commandLine(), "--view-speed is " + viewSpeed + ", expected a number from 0 to 1000000");
+        }
+        if (html != null) {
+            FileProblems.checkOutput(spec, "--html", html);
+        }
+        if (repeat != null) {
+            FileProblems.checkInput(spec, repeat, "the run.jsonl of a run");
+        }
         if (mode == Mode.SYNC && reconnect) {
             throw new ParameterException(
                     spec.commandLine(),
@@ -100,7 +140,7 @@ final class RunCommand implements Callable<Integer> {
                 if (address == null) {
                     run(team, interruption);
                 } else {
-                    new HostedRunJob(spec, busOptions, out).run(settings(address, team), interruption);
+                    new HostedRunJob(spec, busOptions, viewOptions, out).run(settings(address, team), interruption);
                 }
                 return interruption.isRequested() ? Interruption.STATUS : 0;
             }
@@ -126,7 +166,7 @@ final class RunCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--mode is sync, expected callback or promise for services on other hosts");
         }
-        for (String option : List.of("--seed", "--reconnect", "--realtime")) {
+        for (String option : List.of("--seed", "--reconnect", "--realtime", "--html", "--repeat", "--view-speed")) {
             if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
                 throw new ParameterException(
                         spec.commandLine(),
@@ -157,17 +197,22 @@ final class RunCommand implements Callable<Integer> {
                 .withMode(mode)
                 .withSeed(seed)
                 .withSeconds(seconds)
-                .withRealTime(realtime)
+                .withRealTime(realtime && !viewOptions.isGiven())
                 .withReconnection(reconnect);
         var run = new RecordedRun(scenario, team.table(), settings);
         long begin = System.nanoTime();
         RunResult result;
         Path file = out.resolve("run.jsonl");
-        try (var log = new RunLog(file)) {
+        ViewFile film = html == null ? null : new ViewFile();
+        try (var page = viewOptions.open();
+                var log = new RunLog(file)) {
             try (var progress = ProgressBar.onTerminal(seconds)) {
-                result = run.run(
-                        log,
-                        progress.listener(change -> progress.interrupt(() -> terminal.println(change)), interruption));
+                var listener =
+                        progress.listener(change -> progress.interrupt(() -> terminal.println(change)), interruption);
+                result = run.run(log, viewed(team, page, film, listener));
+            }
+            if (page != null) {
+                page.close("the run has ended");
             }
             double wallSeconds = (System.nanoTime() - begin) / 1e9;
             terminal.printf(
@@ -188,8 +233,37 @@ final class RunCommand implements Callable<Integer> {
         if (interruption.isRequested() && result.endMicros() < StrictMath.round(seconds * 1e6)) {
             terminal.println("interrupted: this is what was done until then; the last line of run.jsonl says so");
         }
-        terminal.println("wrote " + picture + " and " + file);
+        if (film != null && html != null) {
+            OutputFiles.write(html, film.html());
+        }
+        terminal.println("wrote " + picture + (html == null ? "" : ", " + html) + " and " + file);
         terminal.flush();
+    }
+
+    /** The listener of a run, which also shows it if that is wanted, and repeats interventions. */
+    private RecordedRun.Listener viewed(
+            TeamOptions.Team team, @Nullable LiveView page, @Nullable ViewFile film, RecordedRun.Listener listener)
+            throws IOException {
+        if (page == null && film == null && repeat == null) {
+            return listener;
+        }
+        var control = new RunControl(page == null ? 0 : viewSpeed, page != null);
+        WorldSpec world = team.scenario().world();
+        if (repeat != null) {
+            try {
+                control.repeat(repeat, world.robots().size());
+            } catch (IllegalArgumentException e) {
+                throw new ParameterException(spec.commandLine(), "--repeat: " + e.getMessage(), e);
+            }
+        }
+        var viewed = new ViewedRun(world, team.table(), control);
+        if (page != null) {
+            viewed.onto(page);
+        }
+        if (film != null) {
+            viewed.onto(film);
+        }
+        return viewed.listener(listener);
     }
 
     /** Estimated sizes of the output files, for the warning before a long run. */

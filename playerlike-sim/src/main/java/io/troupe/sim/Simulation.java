@@ -18,6 +18,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -56,7 +57,11 @@ public final class Simulation implements AutoCloseable {
     private int connected;
     private boolean lockStep = true;
     private boolean disconnectsSilent;
+    private final Map<Integer, SpeedOverride> overrides = new TreeMap<>(); // by robot
     private boolean closed;
+
+    /** A speed that counts instead of what clients command. */
+    private record SpeedOverride(double forwardMps, double turnRadps) {}
 
     private Simulation(World world) {
         this.world = world;
@@ -190,6 +195,7 @@ public final class Simulation implements AutoCloseable {
         // for the next tick.
         withLock(() -> {
             clients.forEach(client -> client.takeCommands().forEach(Runnable::run));
+            overrides.forEach((robot, speed) -> world.command(robot, speed.forwardMps(), speed.turnRadps()));
             return now;
         });
         return world.advance();
@@ -259,6 +265,22 @@ public final class Simulation implements AutoCloseable {
      */
     public void teleport(int robot, Pose pose) {
         world.teleport(robot, pose);
+    }
+
+    /**
+     * Drives a robot from the end of this tick on, whatever clients command, until {@link #endOverride}.
+     *
+     * @throws IllegalArgumentException if there is no such robot, or a speed is not finite
+     */
+    public void override(int robot, double forwardMps, double turnRadps) {
+        world.command(robot, forwardMps, turnRadps); // checks them
+        withLockNoNotify(() -> overrides.put(robot, new SpeedOverride(forwardMps, turnRadps)));
+    }
+
+    /** Stops a robot at the end of this tick, and lets clients drive it again. */
+    public void endOverride(int robot) {
+        withLockNoNotify(() -> overrides.remove(robot));
+        world.stop(robot);
     }
 
     /** Resets the world at the end of this tick, as {@link World#reset} does. */

@@ -96,6 +96,7 @@ public final class RecordedHostedRun {
         events.record();
         if (snapshot != null) {
             recorder.start(snapshot);
+            listener.recorded(snapshot, recorder);
         }
         while (snapshot != null
                 && snapshot.timeMicros() < settings.endMicros()
@@ -106,6 +107,7 @@ public final class RecordedHostedRun {
             events.record();
             if (snapshot != null) {
                 recorder.record(snapshot);
+                listener.recorded(snapshot, recorder);
                 listener.ticked(snapshot.timeMicros());
             }
         }

@@ -107,6 +107,12 @@ public final class RecordedRun {
         /** A state began; {@code line} describes it. */
         default void stateStarted(String line) {}
 
+        /** The next interval begins now; may wait, and may change the world. */
+        default void beforeTick(Simulation simulation, RunRecorder recorder) throws InterruptedException {}
+
+        /** The world at the start or after a tick is recorded. */
+        default void recorded(Snapshot snapshot, RunRecorder recorder) {}
+
         /** A reading of the sensors was handled. */
         default void ticked(long timeMicros) {}
 
@@ -202,11 +208,14 @@ public final class RecordedRun {
                     .withRound(settings.round());
             try (var running = SubsumptionRun.start(services)) {
                 recorder.start(simulation.latest());
+                listener.recorded(simulation.latest(), recorder);
                 var pacer = new WallClockPacer();
                 while (simulation.timeMicros() < endMicros && !listener.isStopRequested()) {
+                    listener.beforeTick(simulation, recorder);
                     Snapshot snapshot = simulation.tick();
                     running.check();
                     recorder.record(snapshot);
+                    listener.recorded(snapshot, recorder);
                     listener.ticked(snapshot.timeMicros());
                     if (settings.realTime()) {
                         pacer.await(snapshot.timeMicros());

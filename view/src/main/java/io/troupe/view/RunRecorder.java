@@ -13,6 +13,7 @@ import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.RunResult.Messages;
 import io.troupe.view.RunResult.StateChange;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.Consumer;
@@ -158,6 +159,21 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
     }
 
     // ---- called by the run loop
+
+    /** Records that the world was changed from outside before the interval that now begins. */
+    public void intervened(String words) {
+        log.write(Json.line(timeMicros(), "intervention").put("what", words));
+    }
+
+    /** The states that have begun, in their order. */
+    public List<StateChange> states() {
+        return Collections.unmodifiableList(states);
+    }
+
+    /** By index. */
+    public List<RobotRecord> robots() {
+        return robots;
+    }
 
     /** Records the world before the first tick. */
     public void start(Snapshot snapshot) {

@@ -6,6 +6,7 @@ import io.troupe.demo.hosts.RobotAddress;
 import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.component.application.ApplicationPlan;
 import io.troupe.services.component.application.ApplicationReader;
@@ -78,6 +79,9 @@ public final class AppCommand implements Callable<Integer> {
     @Mixin
     private BusOptions bus;
 
+    @Mixin
+    private ViewOptions view;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
@@ -105,14 +109,16 @@ public final class AppCommand implements Callable<Integer> {
         try (var opened = jars;
                 var interruption = Interruption.open()) {
             var kinds = ComponentKinds.standard(opened.catalogue(file));
-            new AppRun(file, kinds, scenario, new AppReport(terminal))
-                    .run(seconds, realtime, interruption::isRequested);
+            try (var page = view.open()) {
+                new AppRun(file, kinds, scenario, new AppReport(terminal), page)
+                        .run(seconds, realtime, interruption::isRequested);
+            }
             return interruption.isRequested() ? Interruption.STATUS : 0;
         }
     }
 
     private int overBus(Path declaration, PrintWriter terminal) throws IOException, InterruptedException {
-        for (String option : List.of("--world", "--realtime")) {
+        for (String option : List.of("--world", "--realtime", "--view")) {
             if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
                 throw wrong(
                         option + " is given with --bus, expected only --robots: over a bus the world runs elsewhere,"

@@ -12,11 +12,15 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Scenario;
 import io.troupe.view.WallClockPacer;
+import io.troupe.view.live.LiveView;
+import io.troupe.view.live.RunControl;
+import io.troupe.view.live.ViewedRun;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.LinkedHashMap;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Runs an application on a simulated world, in lock step.
@@ -37,8 +41,11 @@ final class AppRun {
     private final ComponentKinds kinds;
     private final Scenario scenario;
     private final AppReport report;
+    private final @Nullable LiveView page;
 
-    AppRun(Path file, ComponentKinds kinds, Scenario scenario, AppReport report) {
+    /** @param page that shows the world; null = none */
+    AppRun(Path file, ComponentKinds kinds, Scenario scenario, AppReport report, @Nullable LiveView page) {
+        this.page = page;
         this.file = file;
         this.kinds = kinds;
         this.scenario = scenario;
@@ -85,12 +92,19 @@ final class AppRun {
         return TcpServer.open(PlayerPorts.find(port).orElseThrow(), 0);
     }
 
-    private void move(Simulation simulation, long endMicros, boolean realtime, BooleanSupplier stop) {
+    private void move(Simulation simulation, long endMicros, boolean realtime, BooleanSupplier stop)
+            throws InterruptedException {
+        var viewed = new ViewedRun(scenario.world(), new RunControl(page == null ? 0 : 1, page != null));
+        if (page != null) {
+            viewed.onto(page).moved(simulation.latest());
+        }
         var pacer = new WallClockPacer();
         while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
+            viewed.beforeTick(simulation, stop);
             var snapshot = simulation.tick();
             report.moved(snapshot);
-            if (realtime) {
+            viewed.moved(snapshot);
+            if (realtime && page == null) {
                 pacer.await(snapshot.timeMicros());
             }
         }

@@ -7,14 +7,18 @@ import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.sim.worldfile.CrowdWorld;
+import io.troupe.view.live.LiveView;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -59,6 +63,9 @@ public final class CrowdCommand implements Callable<Integer> {
     @Option(names = "--out", paramLabel = "DIR", description = "where crowd.csv, crowd.svg and crowd.png go")
     private Path out = Path.of("out");
 
+    @Mixin
+    private ViewOptions view;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         check();
@@ -69,9 +76,10 @@ public final class CrowdCommand implements Callable<Integer> {
                 + Plural.of(cores, "core") + (cores == 1 ? "" : ", of which two take turns"));
         terminal.flush();
         List<CrowdTrial.Result> trials = new ArrayList<>();
-        try (var interruption = Interruption.open()) {
+        try (var interruption = Interruption.open();
+                var page = view.open()) {
             try {
-                measure(trials, interruption);
+                measure(trials, page, interruption);
             } catch (InterruptedCommand interrupted) {
                 terminal.println("interrupted: " + Plural.of(trials.size(), "measurement") + " of "
                         + repeat * sizes.size() + (trials.isEmpty() ? "; no files were written" : ""));
@@ -107,14 +115,21 @@ public final class CrowdCommand implements Callable<Integer> {
      * Measures all sizes in each round, so that changes in the machine's speed affect all of them. The first round is a
      * warm-up and is not counted.
      */
-    private void measure(List<CrowdTrial.Result> trials, Interruption interruption) throws InterruptedException {
+    private void measure(List<CrowdTrial.Result> trials, @Nullable LiveView page, Interruption interruption)
+            throws InterruptedException {
         try (var line = ProgressLine.open()) {
             for (int round = 0; round <= repeat; round++) {
                 for (int robots : sizes) {
                     String what = Plural.of(robots, "robot") + ", "
                             + (round == 0 ? "warming up" : "round " + round + " of " + repeat);
-                    var trial = new CrowdTrial(new CrowdTrial.Settings(
-                                    robots, colours, services, round == 0 ? Math.min(seconds, 2) : seconds, seed))
+                    var trial = new CrowdTrial(
+                                    new CrowdTrial.Settings(
+                                            robots,
+                                            colours,
+                                            services,
+                                            round == 0 ? Math.min(seconds, 2) : seconds,
+                                            seed),
+                                    page)
                             .run(done -> {
                                 interruption.check();
                                 line.show(what, ProgressLine.bar(Math.min(1, done)) + " " + what);

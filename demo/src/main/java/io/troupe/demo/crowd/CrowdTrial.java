@@ -5,15 +5,23 @@ import io.troupe.common.measure.UsedHeap;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.CrowdWorld;
+import io.troupe.view.live.LiveView;
+import io.troupe.view.live.RunControl;
+import io.troupe.view.live.ViewControl;
+import io.troupe.view.live.ViewedRun;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
+import java.util.concurrent.atomic.AtomicReferenceArray;
+import java.util.function.Consumer;
 import java.util.function.DoubleConsumer;
 import org.jspecify.annotations.Nullable;
 
@@ -103,10 +111,42 @@ final class CrowdTrial {
         }
     }
 
+    /** Knows which service drives each robot. */
+    private static final class Drivers implements ServiceObserver {
+        private final AtomicReferenceArray<String> services;
+
+        Drivers(int robots) {
+            services = new AtomicReferenceArray<>(robots);
+        }
+
+        @Override
+        public void serviceStarted(int robot, Service service) {
+            services.set(robot, service.name());
+        }
+
+        @Override
+        public void cycleEnded(int robot, Service service) {}
+
+        @Override
+        public void serviceEnded(int robot, Service service) {}
+
+        String of(int robot) {
+            String name = services.get(robot);
+            return name == null ? "none" : name;
+        }
+    }
+
     private final Settings settings;
     private final SubsumptionTable table;
+    private final @Nullable LiveView page;
 
     CrowdTrial(Settings settings) {
+        this(settings, null);
+    }
+
+    /** @param page that shows the crowd; null = none */
+    CrowdTrial(Settings settings, @Nullable LiveView page) {
+        this.page = page;
         this.settings = settings;
         this.table = CrowdTable.of(
                 settings.robots(),
@@ -119,23 +159,41 @@ final class CrowdTrial {
     /** @param progress called with the completed share, from 0 to 1 */
     Result run(DoubleConsumer progress) throws InterruptedException {
         long before = UsedHeap.bytes();
+        Consumer<Snapshot> show = snapshot -> {};
         var scenario = CrowdWorld.scenario(settings.robots(), settings.colours());
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(settings.seed()))) {
             var watch = new Watch();
+            var drivers = new Drivers(settings.robots());
             int port = scenario.devices().getFirst().port();
             var services = new SubsumptionRun.Settings(
-                    Mode.PROMISE, "localhost", port, table, simulation.clock(), ServiceObserver.NONE, watch);
+                    Mode.PROMISE,
+                    "localhost",
+                    port,
+                    table,
+                    simulation.clock(),
+                    page == null ? ServiceObserver.NONE : drivers,
+                    watch);
+            if (page != null) {
+                var viewed =
+                        new ViewedRun(scenario.world(), table, new RunControl(0, false)).onto(page, ViewControl.NONE);
+                show = snapshot -> viewed.moved(snapshot, drivers::of);
+            }
             try (var running = SubsumptionRun.start(services)) {
                 for (int tick = 0; tick < WARM_UP_TICKS; tick++) {
-                    simulation.tick();
+                    show.accept(simulation.tick());
                 }
-                Result timed = measure(simulation, running, watch, progress);
+                Result timed = measure(simulation, running, watch, show, progress);
                 return withRetained(timed, UsedHeap.bytes() - before);
             }
         }
     }
 
-    private Result measure(Simulation simulation, SubsumptionRun running, Watch watch, DoubleConsumer progress) {
+    private Result measure(
+            Simulation simulation,
+            SubsumptionRun running,
+            Watch watch,
+            Consumer<Snapshot> show,
+            DoubleConsumer progress) {
         long intervalMicros = simulation.world().spec().intervalMillis() * 1000L;
         long leastTicks = StrictMath.max(1, StrictMath.round(settings.seconds() * 1e6 / intervalMicros));
         long services = THREADS.getThreadCpuTime(watch.servicesThread);
@@ -146,7 +204,7 @@ final class CrowdTrial {
         long wallNanos = 0;
         long ticks = 0;
         while (ticks < leastTicks || wallNanos < LEAST_WALL_NANOS) {
-            simulation.tick();
+            show.accept(simulation.tick());
             running.check();
             ticks++;
             wallNanos = System.nanoTime() - begin;

@@ -5,11 +5,17 @@ import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
+import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.Replay;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
+import io.troupe.view.live.LiveView;
+import io.troupe.view.live.RunControl;
+import io.troupe.view.live.ViewFile;
+import io.troupe.view.live.ViewedRun;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.charset.CharacterCodingException;
@@ -18,9 +24,12 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Parameters;
 import picocli.CommandLine.Spec;
@@ -43,16 +52,30 @@ public final class ReplayCommand implements Callable<Integer> {
     @Mixin
     private WorldOptions worlds;
 
+    @Mixin
+    private ViewOptions view;
+
+    @Option(
+            names = "--html",
+            paramLabel = "FILE",
+            description = "write a page with the recording, which any browser plays")
+    private @Nullable Path html;
+
     @Override
     public Integer call() throws IOException {
         FileProblems.checkInput(spec, recording, "what serve --record has written");
         WorldSpec world = worlds.scenario().world();
+        if (html != null) {
+            FileProblems.checkOutput(spec, "--html", html);
+        }
         Replay replay = read();
         var travelled = new Travelled(world.robots().size());
         PrintWriter terminal = spec.commandLine().getOut();
-        try (var interruption = Interruption.open()) {
+        ViewFile film = html == null ? null : new ViewFile();
+        try (var interruption = Interruption.open();
+                var page = view.open()) {
             try {
-                long checksum = play(replay, world, travelled, interruption);
+                long checksum = play(replay, world, viewer(world, page, film, interruption), travelled, interruption);
                 terminal.printf(
                         Locale.ROOT,
                         "%s of world %s, the same bit for bit; checksum %08x%n",
@@ -63,16 +86,45 @@ public final class ReplayCommand implements Callable<Integer> {
                 terminal.println("interrupted: " + travelled.ticks + " of " + Plural.of(replay.ticks(), "tick")
                         + " of world " + world.name() + " were played");
             }
+            if (film != null && html != null) {
+                OutputFiles.write(html, film.html());
+            }
             print(travelled, world.robots(), terminal);
             return interruption.isRequested() ? Interruption.STATUS : 0;
         }
     }
 
-    private static long play(Replay replay, WorldSpec world, Travelled travelled, Interruption interruption) {
+    /** Shows the recording at the pace that viewers want, if there are to be any. */
+    private static Consumer<Snapshot> viewer(
+            WorldSpec world, @Nullable LiveView page, @Nullable ViewFile film, Interruption interruption) {
+        if (page == null && film == null) {
+            return snapshot -> {};
+        }
+        var viewed = new ViewedRun(world, new RunControl(page == null ? 0 : 1, false));
+        if (page != null) {
+            viewed.onto(page);
+        }
+        if (film != null) {
+            viewed.onto(film);
+        }
+        return snapshot -> {
+            try {
+                viewed.awaitTurn(snapshot.timeMicros(), interruption::isRequested);
+            } catch (InterruptedException e) {
+                Thread.currentThread().interrupt();
+                throw new IllegalStateException("interrupted while showing the recording", e);
+            }
+            viewed.moved(snapshot);
+        };
+    }
+
+    private static long play(
+            Replay replay, WorldSpec world, Consumer<Snapshot> viewer, Travelled travelled, Interruption interruption) {
         try (var line = ProgressLine.open()) {
             return replay.play(world, snapshot -> {
                 interruption.check();
                 travelled.add(snapshot);
+                viewer.accept(snapshot);
                 if (snapshot.tick() % TICKS_PER_REPORT == 0) {
                     line.show("", snapshot.tick() + " of " + replay.ticks() + " ticks");
                 }

@@ -2,6 +2,7 @@ package io.troupe.demo.serve;
 
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.sim.Pace;
 import io.troupe.sim.WorldSettings;
 import java.io.IOException;
@@ -88,6 +89,9 @@ public final class ServeCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", description = "of everything random in the world")
     private long seed = 1;
 
+    @Mixin
+    private ViewOptions view;
+
     @Option(names = "--record", paramLabel = "FILE", description = "write down what happens, for an exact replay")
     private @Nullable Path record;
 
@@ -116,13 +120,14 @@ public final class ServeCommand implements Callable<Integer> {
         PrintWriter terminal = spec.commandLine().getOut();
         try {
             try (serving;
+                    var page = view.open();
                     var line = ProgressLine.open()) {
                 if (recording != null) {
                     serving.record(recording);
                 }
                 terminal.println(serving.greeting());
                 terminal.flush();
-                serving.run(pace, clients, endMicros, line);
+                serving.run(pace, clients, endMicros, line, page);
             }
             terminal.println(serving.farewell());
             terminal.flush();

@@ -10,6 +10,10 @@ import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Scenario;
+import io.troupe.view.live.LiveView;
+import io.troupe.view.live.RunControl;
+import io.troupe.view.live.SimulationControl;
+import io.troupe.view.live.ViewedRun;
 import java.io.FilterWriter;
 import java.io.IOException;
 import java.io.Writer;
@@ -21,7 +25,9 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.TreeMap;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Consumer;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A world and the TCP servers that offer it.
@@ -193,8 +199,27 @@ final class Serving implements AutoCloseable {
      * @throws RuntimeException the failure that ended the simulation
      */
     void run(Pace pace, int clients, long endMicros, ProgressLine line) throws InterruptedException {
-        try (var runner =
-                SimulationRunner.start(simulation, clients, snapshot -> report(snapshot, endMicros, line), pace)) {
+        run(pace, clients, endMicros, line, null);
+    }
+
+    /** As above, and shows the world on a page. */
+    void run(Pace pace, int clients, long endMicros, ProgressLine line, @Nullable LiveView page)
+            throws InterruptedException {
+        double speed = pace instanceof Pace.RealTime real ? real.factor() : 0;
+        var control = new SimulationControl(simulation, speed);
+        var viewed = new ViewedRun(scenario.world(), new RunControl(0, false));
+        if (page != null) {
+            viewed.onto(page, control).moved(simulation.latest());
+        }
+        Consumer<Snapshot> observer = snapshot -> {
+            report(snapshot, endMicros, line);
+            if (page != null) {
+                control.ticked();
+                viewed.moved(snapshot);
+            }
+        };
+        try (var runner = SimulationRunner.start(simulation, clients, observer, pace)) {
+            control.runner(runner);
             runner.ended().whenComplete((end, failure) -> stop()); // a failure is rethrown when the runner is closed
             stopped.await();
             line.close();

@@ -1,0 +1,135 @@
+package io.troupe.view.live;
+
+import java.util.ArrayDeque;
+import java.util.ArrayList;
+import java.util.Deque;
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * What a live page shows at the moment.
+ *
+ * <p><b>Threads.</b> One thread writes, which never waits for a reader; any number of threads read.
+ *
+ * <p><b>Order.</b> A newer frame replaces an older one. Events are kept, the newest {@value #MOST_EVENTS} of them.
+ */
+final class ViewBoard implements ViewSink {
+    static final int MOST_EVENTS = 20_000;
+
+    /** Spacing of the frames that are kept for the trails of viewers that come later. */
+    private static final long PAST_MICROS = 500_000;
+
+    private static final int MOST_PAST_FRAMES = 600;
+    private static final long MOST_PAST_BYTES = 1_000_000;
+
+    /** A frame with its message, which is made when the first viewer needs it. */
+    static final class Shown {
+        final ViewedWorld world;
+        final ViewFrame frame;
+        private volatile byte @Nullable [] message;
+
+        Shown(ViewedWorld world, ViewFrame frame) {
+            this.world = world;
+            this.frame = frame;
+        }
+
+        byte[] message() {
+            byte[] made = message;
+            if (made == null) {
+                made = ViewMessages.frame(world, frame, false);
+                message = made; // viewers may make the same message twice
+            }
+            return made;
+        }
+    }
+
+    private volatile @Nullable ViewedWorld world;
+    private volatile @Nullable Shown newest;
+    private volatile @Nullable String actors;
+    private final Deque<Shown> past = new ArrayDeque<>(); // guarded by this, as are the events
+    private final List<String> events = new ArrayList<>();
+    private long firstEvent;
+    private long pastMicros = Long.MIN_VALUE;
+
+    @Override
+    public synchronized void world(ViewedWorld begun) {
+        past.clear();
+        firstEvent += events.size();
+        events.clear();
+        pastMicros = Long.MIN_VALUE;
+        newest = null;
+        world = begun;
+    }
+
+    @Override
+    public void frame(ViewFrame frame) {
+        ViewedWorld of = world;
+        if (of == null) {
+            throw new IllegalStateException("there is no world yet");
+        }
+        var shown = new Shown(of, frame);
+        newest = shown;
+        long micros = frame.snapshot().timeMicros();
+        if (micros >= pastMicros + PAST_MICROS || micros < pastMicros) {
+            pastMicros = micros;
+            keep(shown);
+        }
+    }
+
+    private synchronized void keep(Shown shown) {
+        past.addLast(shown);
+        long bytes = 8L * shown.frame.states().length;
+        while (past.size() > MOST_PAST_FRAMES || past.size() > 2 && past.size() * bytes > MOST_PAST_BYTES) {
+            past.removeFirst();
+        }
+    }
+
+    @Override
+    public synchronized void event(String json) {
+        events.add(json);
+        if (events.size() > MOST_EVENTS) {
+            events.removeFirst();
+            firstEvent++;
+        }
+    }
+
+    /** Shows who calls whom; a JSON object. */
+    void actors(String json) {
+        actors = json;
+    }
+
+    @Nullable
+    ViewedWorld world() {
+        return world;
+    }
+
+    @Nullable
+    Shown newest() {
+        return newest;
+    }
+
+    @Nullable
+    String actors() {
+        return actors;
+    }
+
+    /** Frames for the trails, oldest first. */
+    synchronized List<Shown> past() {
+        return List.copyOf(past);
+    }
+
+    /**
+     * Events from a number on.
+     *
+     * @param first number of the first event
+     * @param last number of the event after the last one
+     */
+    record Events(long first, long last, List<String> json) {}
+
+    synchronized Events eventsFrom(long number) {
+        long from = Math.max(number, firstEvent);
+        long end = firstEvent + events.size();
+        int begin = (int) Math.min(from - firstEvent, events.size());
+        return new Events(from, end, List.copyOf(events.subList(begin, events.size())));
+    }
+}

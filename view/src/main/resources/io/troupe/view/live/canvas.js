@@ -1,0 +1,521 @@
+"use strict";
+
+/** Draws a model on a canvas; has the part of the world that is seen, its scale, and what is selected. */
+class WorldCanvas {
+  static MARGIN_M = 0.4;
+  static MOST_NAMES = 80;
+  static HANDLE_M = 0.6;
+  static SMALL_PX = 6;
+
+  constructor(canvas, model) {
+    this.canvas = canvas;
+    this.context = canvas.getContext("2d");
+    this.model = model;
+    this.selected = new Set();
+    this.follow = false;
+    this.rays = true;
+    this.trails = true;
+    this.names = true;
+    this.ghost = null;
+    this.fitted = true;
+    this.x = 0;
+    this.y = 0;
+    this.scale = 50;
+    this.drawn = 0;
+    this.drawMillis = 0;
+  }
+
+  /** Colours of the page, which depend on its theme. */
+  readColours() {
+    const style = getComputedStyle(document.documentElement);
+    const read = name => style.getPropertyValue("--" + name).trim();
+    this.colours = Object.fromEntries(
+      ["floor", "grid", "wall", "text", "quiet", "alarm", "ray", "accent", "panel", "line"].map(each => [each, read(each)]));
+  }
+
+  setWorld(world) {
+    this.obstacles = new Map();
+    this.bounds = [Infinity, Infinity, -Infinity, -Infinity];
+    const extend = (x, y) => {
+      const b = this.bounds;
+      this.bounds = [Math.min(b[0], x), Math.min(b[1], y), Math.max(b[2], x), Math.max(b[3], y)];
+    };
+    for (const obstacle of world.obstacles) {
+      const path = this.obstacles.get(obstacle.colour) ?? new Path2D();
+      this.obstacles.set(obstacle.colour, path);
+      for (const line of obstacle.outlines) {
+        WorldCanvas.trace(path, line, extend);
+      }
+    }
+    this.radius = world.kinds.map(kind => Math.max(0.1, ...kind.outlines.flat().map(Math.abs)));
+    if (!world.obstacles.length) {
+      extend(-5, -5);
+      extend(5, 5);
+    }
+    this.fitted = true;
+    this.fit();
+  }
+
+  static trace(path, line, extend = () => {}) {
+    for (let i = 0; i < line.length; i += 2) {
+      extend(line[i], line[i + 1]);
+      if (i === 0) {
+        path.moveTo(line[i], line[i + 1]);
+      } else {
+        path.lineTo(line[i], line[i + 1]);
+      }
+    }
+    path.closePath();
+  }
+
+  resize() {
+    const box = this.canvas.getBoundingClientRect();
+    const ratio = window.devicePixelRatio || 1;
+    const width = Math.max(1, Math.round(box.width * ratio));
+    const height = Math.max(1, Math.round(box.height * ratio));
+    if (this.canvas.width !== width || this.canvas.height !== height) {
+      this.canvas.width = width;
+      this.canvas.height = height;
+      if (this.fitted) {
+        this.fit();
+      }
+    }
+    this.ratio = ratio;
+  }
+
+  fit() {
+    if (!this.bounds) {
+      return;
+    }
+    const [left, bottom, right, top] = this.bounds;
+    const margin = WorldCanvas.MARGIN_M;
+    const ratio = window.devicePixelRatio || 1;
+    const tools = 48; // the buttons above the world, and the legend below
+    const legend = 40;
+    this.x = (left + right) / 2;
+    const height = this.canvas.height / ratio - tools - legend;
+    this.scale = Math.min(this.canvas.width / ratio / (right - left + 2 * margin), height / (top - bottom + 2 * margin));
+    this.y = (bottom + top) / 2 + (tools - legend) / 2 / this.scale;
+    this.fitted = true;
+  }
+
+  zoom(factor, pageX = this.canvas.clientWidth / 2, pageY = this.canvas.clientHeight / 2) {
+    const [x, y] = this.toWorld(pageX, pageY);
+    this.scale = Math.min(2000, Math.max(0.5, this.scale * factor));
+    const [newX, newY] = this.toWorld(pageX, pageY);
+    this.x += x - newX;
+    this.y += y - newY;
+    this.fitted = false;
+  }
+
+  pan(pageX, pageY) {
+    this.x -= pageX / this.scale;
+    this.y += pageY / this.scale;
+    this.fitted = false;
+    this.follow = false;
+  }
+
+  toWorld(pageX, pageY) {
+    return [this.x + (pageX - this.canvas.clientWidth / 2) / this.scale,
+      this.y - (pageY - this.canvas.clientHeight / 2) / this.scale];
+  }
+
+  toPage(x, y) {
+    return [this.canvas.clientWidth / 2 + (x - this.x) * this.scale, this.canvas.clientHeight / 2 - (y - this.y) * this.scale];
+  }
+
+  /** Index of the robot at a point of the page, or -1. */
+  robotAt(pageX, pageY) {
+    const frame = this.model.frame;
+    const [x, y] = this.toWorld(pageX, pageY);
+    let best = -1;
+    let least = Infinity;
+    for (let i = 0; frame && i < frame.count; i++) {
+      const distance = Math.hypot(frame.x[i] - x, frame.y[i] - y);
+      const reach = Math.max(this.radius[this.model.world.robots[i].kind], 12 / this.scale);
+      if (distance < reach && distance < least) {
+        least = distance;
+        best = i;
+      }
+    }
+    return best;
+  }
+
+  /** Index of the selected robot whose handle for turning is at a point of the page, or -1. */
+  handleAt(pageX, pageY) {
+    const frame = this.model.frame;
+    for (const i of this.selected) {
+      const [x, y] = this.handle(frame, i);
+      const [handleX, handleY] = this.toPage(x, y);
+      if (Math.hypot(handleX - pageX, handleY - pageY) < 12) {
+        return i;
+      }
+    }
+    return -1;
+  }
+
+  handle(frame, i) {
+    const reach = Math.max(WorldCanvas.HANDLE_M, 30 / this.scale);
+    return [frame.x[i] + Math.cos(frame.heading[i]) * reach, frame.y[i] + Math.sin(frame.heading[i]) * reach];
+  }
+
+  /** Draws a frame of the model. */
+  draw(frame, trailEnd = Infinity) {
+    const begin = performance.now();
+    const to = this.context;
+    this.resize();
+    const centre = [...this.selected][0];
+    if (this.follow && frame && centre !== undefined && centre < frame.count) {
+      this.x = frame.x[centre];
+      this.y = frame.y[centre];
+    }
+    to.setTransform(1, 0, 0, 1, 0, 0);
+    to.fillStyle = this.colours.floor;
+    to.fillRect(0, 0, this.canvas.width, this.canvas.height);
+    const k = this.scale * this.ratio;
+    to.setTransform(k, 0, 0, -k, this.canvas.width / 2 - this.x * k, this.canvas.height / 2 + this.y * k);
+    this.pixel = 1 / this.scale;
+    this.drawGrid();
+    this.drawObstacles();
+    if (!frame) {
+      return;
+    }
+    if (this.trails) {
+      this.drawTrails(trailEnd);
+    }
+    if (this.rays) {
+      for (const robot of this.selected) {
+        this.drawReadings(frame, robot);
+      }
+    }
+    this.drawRobots(frame);
+    this.drawSelection(frame);
+    to.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
+    this.drawNames(frame);
+    this.drawScale();
+    this.drawn++;
+    this.drawMillis = performance.now() - begin;
+  }
+
+  drawGrid() {
+    const to = this.context;
+    const step = this.scale < 4 ? 10 : 1;
+    const [left, top] = this.toWorld(0, 0);
+    const [right, bottom] = this.toWorld(this.canvas.clientWidth, this.canvas.clientHeight);
+    to.beginPath();
+    for (let x = Math.ceil(left / step) * step; x < right; x += step) {
+      to.moveTo(x, bottom);
+      to.lineTo(x, top);
+    }
+    for (let y = Math.ceil(bottom / step) * step; y < top; y += step) {
+      to.moveTo(left, y);
+      to.lineTo(right, y);
+    }
+    to.strokeStyle = this.colours.grid;
+    to.lineWidth = this.pixel;
+    to.stroke();
+  }
+
+  drawObstacles() {
+    const to = this.context;
+    to.strokeStyle = this.colours.wall;
+    to.lineWidth = this.pixel;
+    for (const [colour, path] of this.obstacles ?? []) {
+      to.fillStyle = Model.colour(colour);
+      to.fill(path, "evenodd");
+      to.stroke(path);
+    }
+  }
+
+  drawTrails(end) {
+    const to = this.context;
+    const paths = new Map();
+    for (const trail of this.model.trails) {
+      let last = null;
+      for (const point of trail) {
+        if (point && point.t > end) {
+          break;
+        }
+        if (last && point) {
+          let path = paths.get(point.service);
+          if (!path) {
+            paths.set(point.service, path = new Path2D());
+          }
+          path.moveTo(last.x, last.y);
+          path.lineTo(point.x, point.y);
+        }
+        last = point;
+      }
+    }
+    to.lineWidth = 1.6 * this.pixel;
+    to.globalAlpha = 0.75;
+    for (const [service, path] of paths) {
+      to.strokeStyle = this.model.serviceColour(service);
+      to.stroke(path);
+    }
+    to.globalAlpha = 1;
+  }
+
+  /** The ends of the rays of a robot's sonars, in the world; for tests, too. */
+  sonarEnds(frame, robot) {
+    const reading = this.model.readings.get(robot);
+    const sonar = this.model.world.kinds[this.model.world.robots[robot].kind].sonar;
+    if (!reading || !sonar) {
+      return [];
+    }
+    const place = WorldCanvas.placer(frame, robot);
+    return reading.sonar.map((range, i) => {
+      const [x, y, heading] = sonar.mounts[i];
+      const from = place(x, y);
+      const to = place(x + Math.cos(heading) * range, y + Math.sin(heading) * range);
+      return {from, to, hit: range < sonar.most};
+    });
+  }
+
+  static placer(frame, robot) {
+    const cos = Math.cos(frame.heading[robot]);
+    const sin = Math.sin(frame.heading[robot]);
+    return (x, y) => [frame.x[robot] + cos * x - sin * y, frame.y[robot] + sin * x + cos * y];
+  }
+
+  drawReadings(frame, robot) {
+    const reading = this.model.readings.get(robot);
+    if (!reading || robot >= frame.count) {
+      return;
+    }
+    const to = this.context;
+    const kind = this.model.world.kinds[this.model.world.robots[robot].kind];
+    this.drawCamera(frame, robot, kind.camera, reading);
+    this.drawFans(frame, robot, kind.sensors, reading);
+    const rays = new Path2D();
+    const hits = new Path2D();
+    for (const ray of this.sonarEnds(frame, robot)) {
+      rays.moveTo(...ray.from);
+      rays.lineTo(...ray.to);
+      if (ray.hit) {
+        hits.moveTo(ray.to[0] + 3 * this.pixel, ray.to[1]);
+        hits.arc(...ray.to, 3 * this.pixel, 0, 7);
+      }
+    }
+    to.strokeStyle = this.colours.ray;
+    to.fillStyle = this.colours.ray;
+    to.lineWidth = this.pixel;
+    to.globalAlpha = 0.5;
+    to.stroke(rays);
+    to.globalAlpha = 1;
+    to.fill(hits);
+  }
+
+  drawFans(frame, robot, sensors, reading) {
+    const to = this.context;
+    const place = WorldCanvas.placer(frame, robot);
+    let next = 0;
+    for (const sensor of sensors) {
+      const [x, y, heading] = sensor.mount;
+      const fan = new Path2D();
+      fan.moveTo(...place(x, y));
+      for (let i = 0; i < sensor.samples; i++) {
+        const angle = heading + (sensor.samples < 2 ? 0 : sensor.fov * (i / (sensor.samples - 1) - 0.5));
+        const range = Math.min(reading.rays[next++] ?? 0, sensor.most);
+        fan.lineTo(...place(x + Math.cos(angle) * range, y + Math.sin(angle) * range));
+      }
+      fan.closePath();
+      to.fillStyle = this.colours.ray;
+      to.strokeStyle = this.colours.ray;
+      to.lineWidth = this.pixel;
+      to.globalAlpha = 0.12;
+      to.fill(fan);
+      to.globalAlpha = 0.5;
+      to.stroke(fan);
+      to.globalAlpha = 1;
+    }
+  }
+
+  drawCamera(frame, robot, camera, reading) {
+    if (!camera) {
+      return;
+    }
+    const to = this.context;
+    const place = WorldCanvas.placer(frame, robot);
+    const [x, y, heading] = camera.mount;
+    const sector = (from, until, range) => {
+      const path = new Path2D();
+      path.moveTo(...place(x, y));
+      for (let i = 0; i <= 12; i++) {
+        const angle = heading + camera.fov * (0.5 - (from + (until - from) * i / 12) / camera.width);
+        path.lineTo(...place(x + Math.cos(angle) * range, y + Math.sin(angle) * range));
+      }
+      path.closePath();
+      return path;
+    };
+    to.fillStyle = this.colours.quiet;
+    to.globalAlpha = 0.1;
+    to.fill(sector(0, camera.width, camera.range));
+    to.globalAlpha = 0.45;
+    for (const blob of reading.blobs) {
+      to.fillStyle = Model.colour(blob.colour);
+      to.fill(sector(blob.left, blob.right + 1, Math.min(blob.range, camera.range)));
+    }
+    to.globalAlpha = 1;
+  }
+
+  drawRobots(frame) {
+    const to = this.context;
+    const world = this.model.world;
+    const bodies = new Map();
+    const noses = new Path2D();
+    const alarms = new Path2D();
+    const hands = new Path2D();
+    for (let i = 0; i < frame.count; i++) {
+      const place = WorldCanvas.placer(frame, i);
+      const kindNumber = world.robots[i].kind;
+      const radius = this.radius[kindNumber];
+      const key = world.services.length ? frame.state[i] & 0xFF : -1 - world.robots[i].colour;
+      let path = bodies.get(key);
+      if (!path) {
+        bodies.set(key, path = new Path2D());
+      }
+      this.body(path, place, world.kinds[kindNumber], radius);
+      noses.moveTo(...place(0, 0));
+      noses.lineTo(...place(radius, 0));
+      const alarm = frame.state[i] & (Model.STALLED | Model.TOUCHED);
+      const ring = alarm ? alarms : frame.state[i] & Model.BY_HAND ? hands : null;
+      if (ring) {
+        ring.moveTo(frame.x[i] + radius * 1.35, frame.y[i]);
+        ring.arc(frame.x[i], frame.y[i], radius * 1.35, 0, 7);
+      }
+    }
+    to.lineWidth = this.pixel;
+    for (const [key, path] of bodies) {
+      to.fillStyle = key < 0 ? Model.colour(-1 - key) : this.model.serviceColour(key);
+      to.fill(path);
+      to.strokeStyle = this.colours.text;
+      to.stroke(path);
+    }
+    this.drawCargo(frame);
+    to.lineWidth = 2 * this.pixel;
+    to.strokeStyle = "#ffffff";
+    to.stroke(noses);
+    to.lineWidth = 3 * this.pixel;
+    to.strokeStyle = this.colours.alarm;
+    to.stroke(alarms);
+    to.strokeStyle = this.colours.accent;
+    to.setLineDash([6 * this.pixel, 4 * this.pixel]);
+    to.stroke(hands);
+    to.setLineDash([]);
+  }
+
+  body(path, place, kind, radius) {
+    if (radius * this.scale < WorldCanvas.SMALL_PX) {
+      const size = Math.max(radius, 3 * this.pixel);
+      for (const [x, y] of [[size, 0], [-size, size * 0.8], [-size, -size * 0.8]]) {
+        if (x > 0) {
+          path.moveTo(...place(x, y));
+        } else {
+          path.lineTo(...place(x, y));
+        }
+      }
+      path.closePath();
+      return;
+    }
+    for (const line of kind.outlines) {
+      const placed = [];
+      for (let i = 0; i < line.length; i += 2) {
+        placed.push(...place(line[i], line[i + 1]));
+      }
+      WorldCanvas.trace(path, placed);
+    }
+  }
+
+  drawCargo(frame) {
+    const world = this.model.world;
+    for (let i = 0; i < frame.count; i++) {
+      const kind = world.kinds[world.robots[i].kind];
+      if (kind.cargo.length && this.radius[world.robots[i].kind] * this.scale >= WorldCanvas.SMALL_PX) {
+        const place = WorldCanvas.placer(frame, i);
+        for (const piece of kind.cargo) {
+          const path = new Path2D();
+          this.body(path, place, piece, 1e9);
+          this.context.fillStyle = Model.colour(piece.colour);
+          this.context.fill(path);
+        }
+      }
+    }
+  }
+
+  drawSelection(frame) {
+    const to = this.context;
+    to.strokeStyle = this.colours.accent;
+    to.lineWidth = 2 * this.pixel;
+    for (const i of this.selected) {
+      if (i >= frame.count) {
+        continue;
+      }
+      const radius = Math.max(this.radius[this.model.world.robots[i].kind] * 1.2, 9 * this.pixel);
+      to.beginPath();
+      to.arc(frame.x[i], frame.y[i], radius, 0, 7);
+      to.stroke();
+      if (this.model.world.controls.includes("place")) {
+        const [x, y] = this.handle(frame, i);
+        to.beginPath();
+        to.arc(x, y, 6 * this.pixel, 0, 7);
+        to.fillStyle = this.colours.panel;
+        to.fill();
+        to.stroke();
+      }
+    }
+    if (this.ghost) {
+      to.globalAlpha = 0.5;
+      const shown = {x: [this.ghost.x], y: [this.ghost.y], heading: [this.ghost.heading]};
+      const kindNumber = this.model.world.robots[this.ghost.robot].kind;
+      const path = new Path2D();
+      const place = WorldCanvas.placer(shown, 0);
+      this.body(path, place, this.model.world.kinds[kindNumber], this.radius[kindNumber]);
+      path.moveTo(...place(0, 0));
+      path.lineTo(...place(this.radius[kindNumber], 0));
+      to.stroke(path);
+      to.globalAlpha = 1;
+    }
+  }
+
+  drawNames(frame) {
+    const to = this.context;
+    to.font = "12px system-ui, 'DejaVu Sans', sans-serif";
+    to.textAlign = "center";
+    to.lineWidth = 3;
+    to.strokeStyle = this.colours.floor;
+    to.fillStyle = this.colours.text;
+    const all = this.names && frame.count <= WorldCanvas.MOST_NAMES;
+    for (let i = 0; i < frame.count; i++) {
+      if (!all && !this.selected.has(i)) {
+        continue;
+      }
+      const [x, y] = this.toPage(frame.x[i], frame.y[i]);
+      const below = y + this.radius[this.model.world.robots[i].kind] * this.scale + 16;
+      const stuck = frame.state[i] & Model.STALLED ? " (stuck)" : "";
+      to.strokeText(this.model.world.robots[i].name + stuck, x, below);
+      to.fillText(this.model.world.robots[i].name + stuck, x, below);
+    }
+  }
+
+  drawScale() {
+    const to = this.context;
+    const wanted = 80 / this.scale;
+    const power = 10 ** Math.floor(Math.log10(wanted));
+    const metres = [5, 2, 1].map(each => each * power).find(each => each <= wanted) ?? power;
+    const length = metres * this.scale;
+    const right = this.canvas.clientWidth - 14;
+    const y = this.canvas.clientHeight - 14;
+    to.strokeStyle = this.colours.text;
+    to.lineWidth = 2;
+    to.beginPath();
+    to.moveTo(right - length, y - 4);
+    to.lineTo(right - length, y);
+    to.lineTo(right, y);
+    to.lineTo(right, y - 4);
+    to.stroke();
+    to.textAlign = "right";
+    to.fillStyle = this.colours.text;
+    to.fillText(`${Number(metres.toPrecision(1))} m`, right, y - 8);
+  }
+}

@@ -1,0 +1,99 @@
+"use strict";
+
+/** Reads the messages of a stream: docs/live-view-format.md. */
+const Messages = {
+  ALIVE: 0, WORLD: 1, FRAME: 2, SENSORS: 3, EVENTS: 4, ACTORS: 5, HELLO: 6, END: 7, TIME: 8,
+  MOST_BYTES: 1 << 26,
+
+  /** Returns a function that takes bytes as they come, and calls `handle(type, value)` for each whole message. */
+  reader(handle) {
+    let rest = new Uint8Array(0);
+    return bytes => {
+      let all = bytes;
+      if (rest.length > 0) {
+        all = new Uint8Array(rest.length + bytes.length);
+        all.set(rest);
+        all.set(bytes, rest.length);
+      }
+      let at = 0;
+      while (all.length - at >= 5) {
+        const head = new DataView(all.buffer, all.byteOffset + at, 5);
+        const length = head.getUint32(1, true);
+        if (length > Messages.MOST_BYTES) {
+          throw new Error(`a message of ${length} bytes, expected at most ${Messages.MOST_BYTES}`);
+        }
+        if (all.length - at - 5 < length) {
+          break;
+        }
+        const content = new DataView(all.buffer, all.byteOffset + at + 5, length);
+        const value = Messages.value(head.getUint8(0), content);
+        if (value !== undefined) {
+          handle(head.getUint8(0), value);
+        }
+        at += 5 + length;
+      }
+      rest = all.slice(at);
+    };
+  },
+
+  /** The content of a message; undefined for a type that this page does not know. */
+  value(type, content) {
+    switch (type) {
+      case Messages.ALIVE:
+        return null;
+      case Messages.FRAME:
+        return Messages.frame(content);
+      case Messages.SENSORS:
+        return Messages.sensors(content);
+      case Messages.WORLD: case Messages.EVENTS: case Messages.ACTORS: case Messages.HELLO: case Messages.END:
+      case Messages.TIME:
+        return JSON.parse(new TextDecoder().decode(content));
+      default:
+        return undefined;
+    }
+  },
+
+  frame(content) {
+    const count = content.getUint16(18, true);
+    const frame = {
+      time: content.getFloat64(0, true), number: content.getUint32(8, true), speed: content.getFloat32(12, true),
+      past: (content.getUint16(16, true) & 1) !== 0, count,
+      x: new Uint16Array(count), y: new Uint16Array(count), heading: new Float32Array(count), state: new Uint16Array(count),
+    };
+    for (let i = 0, at = 20; i < count; i++, at += 8) {
+      frame.x[i] = content.getUint16(at, true);
+      frame.y[i] = content.getUint16(at + 2, true);
+      frame.heading[i] = content.getInt16(at + 4, true) / 1e4;
+      frame.state[i] = content.getUint16(at + 6, true);
+    }
+    return frame;
+  },
+
+  sensors(content) {
+    const readings = new Map();
+    let at = 0;
+    const u16 = () => { const value = content.getUint16(at, true); at += 2; return value; };
+    const i16 = () => { const value = content.getInt16(at, true); at += 2; return value; };
+    const metres = () => { const value = u16(); return value === 0xFFFF ? Infinity : value / 1000; };
+    const list = (count, read) => Array.from({length: count}, read);
+    const number = content.getUint32(0, true);
+    at = 4;
+    const robots = u16();
+    for (let i = 0; i < robots; i++) {
+      const robot = u16();
+      const sonars = u16();
+      const rays = u16();
+      const blobs = u16();
+      const reading = {gap: metres(), forward: i16() / 1000, turn: i16() / 1000};
+      reading.sonar = list(sonars, metres);
+      reading.rays = list(rays, metres);
+      reading.blobs = list(blobs, () => {
+        const colour = content.getUint32(at, true);
+        at += 4;
+        return {colour, left: u16(), right: u16(), height: u16(), range: metres()};
+      });
+      readings.set(robot, reading);
+    }
+    return {number, readings};
+  },
+};

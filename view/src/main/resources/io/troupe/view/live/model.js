@@ -1,0 +1,162 @@
+"use strict";
+
+/** What is known of a world: its description, the newest frame, readings, events and trails. */
+class Model {
+  static STALLED = 0x100;
+  static TOUCHED = 0x200;
+  static BY_HAND = 0x400;
+  static TRAIL_STEP_M = 0.03;
+  /** A robot that is so much farther away in the next frame has not driven there. */
+  static JUMP_M = 0.6;
+
+  constructor() {
+    this.clear();
+  }
+
+  clear() {
+    this.world = null;
+    this.frame = null;
+    this.before = null;
+    this.readings = new Map();
+    this.events = [];
+    this.trails = [];
+    this.drivers = new Map();
+    this.state = null;
+    this.actors = null;
+    this.frames = 0;
+  }
+
+  setWorld(world) {
+    this.clear();
+    this.world = world;
+    this.trails = world.robots.map(() => []);
+  }
+
+  /** Positions in metres. */
+  place(frame) {
+    const world = this.world;
+    const x = new Float32Array(frame.count);
+    const y = new Float32Array(frame.count);
+    for (let i = 0; i < frame.count; i++) {
+      x[i] = world.left + frame.x[i] * world.step;
+      y[i] = world.bottom + frame.y[i] * world.step;
+    }
+    frame.x = x;
+    frame.y = y;
+    return frame;
+  }
+
+  setFrame(frame, arrived) {
+    this.place(frame);
+    frame.arrived = arrived;
+    this.lengthenTrails(frame);
+    if (frame.past) {
+      return;
+    }
+    this.before = this.frame && this.frame.time <= frame.time ? this.frame : null;
+    this.frame = frame;
+    this.frames++;
+  }
+
+  lengthenTrails(frame) {
+    const most = frame.count > 100 ? 60 : 4000;
+    for (let i = 0; i < frame.count; i++) {
+      const trail = this.trails[i];
+      const last = trail[trail.length - 1];
+      const service = frame.state[i] & 0xFF;
+      if (last && last.t > frame.time) {
+        trail.length = 0; // time began again
+      } else if (last) {
+        const way = Math.hypot(frame.x[i] - last.x, frame.y[i] - last.y);
+        if (last.service === service && way < Model.TRAIL_STEP_M) {
+          continue;
+        }
+        if (way > Model.JUMP_M && frame.time - last.t < 0.35) {
+          trail.push(null);
+        }
+      }
+      trail.push({x: frame.x[i], y: frame.y[i], t: frame.time, service});
+      if (trail.length > most) {
+        trail.splice(0, trail.length - most);
+      }
+    }
+  }
+
+  addEvents(events) {
+    for (const event of events) {
+      this.events.push(event);
+      if (event.kind === "state") {
+        this.state = event;
+      } else if (event.kind === "driver") {
+        this.drivers.set(event.robot - 1, event.node);
+      }
+    }
+  }
+
+  /** Where the robots are drawn: between the last two frames, so that they move smoothly. */
+  shown(now) {
+    const frame = this.frame;
+    const before = this.before;
+    if (!frame || !before || before.count !== frame.count) {
+      return frame;
+    }
+    const gap = Math.min(frame.arrived - before.arrived, 400);
+    const share = gap < 25 ? 1 : (now - frame.arrived) / gap;
+    return share >= 1 ? frame : this.between(before, frame, Math.max(0, share));
+  }
+
+  between(one, other, share) {
+    const frame = {...other, x: new Float32Array(one.count), y: new Float32Array(one.count),
+      heading: new Float32Array(one.count), time: one.time + (other.time - one.time) * share, moving: true};
+    for (let i = 0; i < one.count; i++) {
+      const dx = other.x[i] - one.x[i];
+      const dy = other.y[i] - one.y[i];
+      const part = Math.abs(dx) + Math.abs(dy) > Model.JUMP_M * 2 ? 1 : share;
+      let turn = other.heading[i] - one.heading[i];
+      turn -= 2 * Math.PI * Math.round(turn / (2 * Math.PI));
+      frame.x[i] = one.x[i] + dx * part;
+      frame.y[i] = one.y[i] + dy * part;
+      frame.heading[i] = one.heading[i] + turn * part;
+    }
+    return frame;
+  }
+
+  serviceName(state) {
+    const number = state & 0xFF;
+    if (this.world.services.length === 0) {
+      return "";
+    }
+    const service = this.world.services[number - 1];
+    return number === 0 ? "no service" : service ? service.name : "several services";
+  }
+
+  serviceColour(state) {
+    const service = this.world.services[(state & 0xFF) - 1];
+    return service ? service.colour : "#888888";
+  }
+
+  /** Changes of state, and what else happened to be shown, as text. */
+  describe(event) {
+    const robot = event.robot ? this.world.robots[event.robot - 1]?.name ?? `robot ${event.robot}` : "";
+    switch (event.kind) {
+      case "state":
+        return `state ${event.state}: ${event.text ?? ""}`;
+      case "contact":
+        return `${robot} touches ${event.otherRobot ? this.world.robots[event.otherRobot - 1]?.name : event.obstacle}`;
+      case "stall":
+        return `${robot} is stuck`;
+      case "driver":
+        return event.node ? `${robot} is driven by ${event.node}` : `${robot} has no driver`;
+      case "intervention":
+        return `by hand: ${event.text}`;
+      case "refused":
+        return `not possible: ${event.text}`;
+      default:
+        return event.text ?? event.kind;
+    }
+  }
+
+  static colour(number) {
+    return "#" + (number & 0xFFFFFF).toString(16).padStart(6, "0");
+  }
+}
