@@ -190,6 +190,9 @@ final class FoxgloveChannels {
 
     /** Sends walls and boxes. They stay until they are sent again. */
     void sendWorld(long timeMicros, Sink sink) throws IOException {
+        if (!sink.isWanted(obstacles)) {
+            return;
+        }
         json.begin().array("deletions").endArray().array("entities");
         for (int i = 0; i < world.obstacles().size(); i++) {
             ObstacleSpec obstacle = world.obstacles().get(i);
@@ -210,6 +213,9 @@ final class FoxgloveChannels {
      * move, until they are sent again.
      */
     void sendBodies(long timeMicros, List<String> services, Sink sink) throws IOException {
+        if (!sink.isWanted(bodies)) {
+            return;
+        }
         json.begin().array("deletions").endArray().array("entities");
         for (int i = 0; i < frames.size(); i++) {
             RobotSpec robot = world.robots().get(i);

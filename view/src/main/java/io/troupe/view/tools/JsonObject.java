@@ -91,16 +91,54 @@ final class JsonObject {
 
     List<String> textList(String name) throws Problem {
         List<String> texts = new ArrayList<>();
-        if (members.get(name) instanceof List<?> list) {
-            for (Object each : list) {
-                if (!(each instanceof String text)) {
-                    throw wrong(name, "a list of texts");
-                }
-                texts.add(text);
+        for (Object each : list(name, "a list of texts")) {
+            if (!(each instanceof String text)) {
+                throw wrong(name, "a list of texts");
             }
-            return texts;
+            texts.add(text);
         }
-        throw wrong(name, "a list of texts");
+        return texts;
+    }
+
+    /** A whole number from 0 on. */
+    long id(String name, long most) throws Problem {
+        return id(members.get(name), name, most);
+    }
+
+    private long id(@Nullable Object value, String name, long most) throws Problem {
+        if (value instanceof Double number && number >= 0 && number <= most && number == StrictMath.rint(number)) {
+            return number.longValue();
+        }
+        throw wrong(name, "whole numbers from 0 to " + most);
+    }
+
+    /** A list of whole numbers from 0 on. */
+    List<Long> ids(String name, long most) throws Problem {
+        List<Long> ids = new ArrayList<>();
+        for (Object each : list(name, "a list of numbers")) {
+            ids.add(id(each, name, most));
+        }
+        return ids;
+    }
+
+    List<JsonObject> objects(String name) throws Problem {
+        List<JsonObject> objects = new ArrayList<>();
+        for (Object each : list(name, "a list of objects")) {
+            if (!(each instanceof Map<?, ?> map)) {
+                throw wrong(name, "a list of objects");
+            }
+            Map<String, @Nullable Object> of = new LinkedHashMap<>();
+            map.forEach((key, value) -> of.put(String.valueOf(key), value));
+            objects.add(new JsonObject(of));
+        }
+        return objects;
+    }
+
+    private List<?> list(String name, String expected) throws Problem {
+        if (members.get(name) instanceof List<?> list) {
+            return list;
+        }
+        throw wrong(name, expected);
     }
 
     private Problem wrong(String name, String expected) {
