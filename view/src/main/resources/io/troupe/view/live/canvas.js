@@ -199,7 +199,7 @@ class WorldCanvas {
 
   drawGrid() {
     const to = this.context;
-    const step = this.scale < 4 ? 10 : 1;
+    const step = this.scale < 20 ? 10 : 1;
     const [left, top] = this.toWorld(0, 0);
     const [right, bottom] = this.toWorld(this.canvas.clientWidth, this.canvas.clientHeight);
     to.beginPath();
@@ -247,7 +247,7 @@ class WorldCanvas {
         last = point;
       }
     }
-    to.lineWidth = 1.6 * this.pixel;
+    to.lineWidth = (this.scale < 20 ? 1 : 1.6) * this.pixel;
     to.globalAlpha = 0.75;
     for (const [service, path] of paths) {
       to.strokeStyle = this.model.serviceColour(service);
@@ -366,6 +366,7 @@ class WorldCanvas {
     const noses = new Path2D();
     const alarms = new Path2D();
     const hands = new Path2D();
+    let small = true; // too small for outlines
     for (let i = 0; i < frame.count; i++) {
       const place = WorldCanvas.placer(frame, i);
       const kindNumber = world.robots[i].kind;
@@ -376,8 +377,11 @@ class WorldCanvas {
         bodies.set(key, path = new Path2D());
       }
       this.body(path, place, world.kinds[kindNumber], radius);
-      noses.moveTo(...place(0, 0));
-      noses.lineTo(...place(radius, 0));
+      if (radius * this.scale >= WorldCanvas.SMALL_PX) {
+        small = false;
+        noses.moveTo(...place(0, 0));
+        noses.lineTo(...place(radius, 0));
+      }
       const alarm = frame.state[i] & (Model.STALLED | Model.TOUCHED);
       const ring = alarm ? alarms : frame.state[i] & Model.BY_HAND ? hands : null;
       if (ring) {
@@ -389,14 +393,16 @@ class WorldCanvas {
     for (const [key, path] of bodies) {
       to.fillStyle = key < 0 ? Model.colour(-1 - key) : this.model.serviceColour(key);
       to.fill(path);
-      to.strokeStyle = this.colours.text;
-      to.stroke(path);
+      if (!small) {
+        to.strokeStyle = this.colours.text;
+        to.stroke(path);
+      }
     }
     this.drawCargo(frame);
     to.lineWidth = 2 * this.pixel;
     to.strokeStyle = "#ffffff";
     to.stroke(noses);
-    to.lineWidth = 3 * this.pixel;
+    to.lineWidth = (small ? 1.5 : 3) * this.pixel;
     to.strokeStyle = this.colours.alarm;
     to.stroke(alarms);
     to.strokeStyle = this.colours.accent;
@@ -516,6 +522,10 @@ class WorldCanvas {
     to.stroke();
     to.textAlign = "right";
     to.fillStyle = this.colours.text;
-    to.fillText(`${Number(metres.toPrecision(1))} m`, right, y - 8);
+    to.lineWidth = 3;
+    to.strokeStyle = this.colours.floor;
+    const label = `${Number(metres.toPrecision(1))} m`;
+    to.strokeText(label, right, y - 8);
+    to.fillText(label, right, y - 8);
   }
 }

@@ -6,6 +6,7 @@ class Model {
   static TOUCHED = 0x200;
   static BY_HAND = 0x400;
   static TRAIL_STEP_M = 0.03;
+  static CROWD_TRAIL_STEP_M = 0.15;
   /** A robot that is so much farther away in the next frame has not driven there. */
   static JUMP_M = 0.6;
 
@@ -59,7 +60,9 @@ class Model {
   }
 
   lengthenTrails(frame) {
-    const most = frame.count > 100 ? 60 : 4000;
+    const crowd = frame.count > 100;
+    const most = crowd ? 15 : 4000;
+    const step = crowd ? Model.CROWD_TRAIL_STEP_M : Model.TRAIL_STEP_M;
     for (let i = 0; i < frame.count; i++) {
       const trail = this.trails[i];
       const last = trail[trail.length - 1];
@@ -68,7 +71,7 @@ class Model {
         trail.length = 0; // time began again
       } else if (last) {
         const way = Math.hypot(frame.x[i] - last.x, frame.y[i] - last.y);
-        if (last.service === service && way < Model.TRAIL_STEP_M) {
+        if (last.service === service && way < step) {
           continue;
         }
         if (way > Model.JUMP_M && frame.time - last.t < 0.35) {
@@ -133,6 +136,11 @@ class Model {
   serviceColour(state) {
     const service = this.world.services[(state & 0xFF) - 1];
     return service ? service.colour : "#888888";
+  }
+
+  /** Events for lists: in a crowd robots touch each other all the time. */
+  isListed(event) {
+    return this.world.robots.length <= 20 || event.kind !== "contact" && event.kind !== "stall";
   }
 
   /** Changes of state, and what else happened to be shown, as text. */

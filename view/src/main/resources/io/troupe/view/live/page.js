@@ -210,6 +210,9 @@ class Page {
     const list = element("events");
     for (; this.listed < this.model.events.length; this.listed++) {
       const event = this.model.events[this.listed];
+      if (!this.model.isListed(event)) {
+        continue;
+      }
       const item = document.createElement("li");
       item.dataset.kind = event.kind;
       item.dataset.time = event.t;

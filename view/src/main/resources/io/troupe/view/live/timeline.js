@@ -58,7 +58,7 @@ class Timeline {
     for (const [kind, colour] of Object.entries(kinds)) {
       to.fillStyle = colour;
       for (const event of this.model.events) {
-        if (event.kind === kind) {
+        if (event.kind === kind && this.model.isListed(event)) {
           to.fillRect(x(event.t) - 1, 2, 2, 9);
         }
       }

@@ -1,0 +1,404 @@
+package io.troupe.view.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
+
+import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.worldfile.CrowdWorld;
+import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.RecordedRun;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.regex.Pattern;
+import org.jspecify.annotations.Nullable;
+import org.junit.jupiter.api.AfterAll;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.BeforeAll;
+import org.junit.jupiter.api.BeforeEach;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/**
+ * The page in Chromium; skipped where there is none. With {@code -Dpictures=DIR} it writes the pictures of the guide.
+ */
+@Timeout(600)
+class BrowserTest {
+    private static final char ARROW_UP = '\uE013';
+    private static final char ESCAPE = '\uE00C';
+
+    private static @Nullable Browser browser;
+
+    @TempDir
+    private Path folder;
+
+    @BeforeAll
+    static void open() throws IOException {
+        assumeTrue(Browser.isInstalled(), "chromium and chromedriver are not installed: the live page is not tested");
+        browser = Browser.open();
+    }
+
+    @AfterAll
+    static void close() {
+        if (browser != null) {
+            browser.close();
+        }
+    }
+
+    @BeforeEach
+    void leaveThePageOfTheTestBefore() {
+        page().open("about:blank");
+        page().console();
+    }
+
+    /** The browser itself reports each request that a server which has been closed does not answer. */
+    @AfterEach
+    void consoleHasNoErrors() {
+        String console = page().console().replaceAll("\\{[^{}]*(ERR_CONNECTION|ERR_INCOMPLETE|ERR_EMPTY)[^{}]*}", "");
+        assertThat(console).doesNotContain("SEVERE", "WARNING");
+    }
+
+    private static Browser page() {
+        if (browser == null) {
+            throw new IllegalStateException("no browser");
+        }
+        return browser;
+    }
+
+    private LiveRuns.Endless run(double speed) throws IOException {
+        return new LiveRuns.Endless(folder.resolve("run.jsonl"), 0, speed);
+    }
+
+    private static void open(LiveView of) {
+        page().size(1280, 800);
+        page().open(of.address());
+        page().await("troupe.model.frame !== null && troupe.source.viewer !== undefined");
+    }
+
+    private static void picture(String name) throws IOException {
+        String pictures = System.getProperty("pictures");
+        if (pictures != null) {
+            page().await("(window.drawn ??= troupe.view.drawn) + 20 < troupe.view.drawn");
+            Files.write(Path.of(pictures, name), page().screenshot());
+        }
+    }
+
+    @Test
+    void page_showsTwoMovingRobots_withNamesServicesAndRaysThatEndAtWalls() throws Exception {
+        try (var run = run(5)) {
+            open(run.page);
+            page().await("document.querySelectorAll('#robots button').length === 2");
+            assertThat(page().get("document.querySelector('#robots').textContent"))
+                    .contains("robot1", "robot2");
+            page().await("document.querySelector('#robots').textContent.includes('wallFollower')");
+            String start = page().get("troupe.model.frame.x[0] + ' ' + troupe.model.frame.y[0]");
+            page().await("Math.hypot(troupe.model.frame.x[0] - " + start.replace(" ", ", troupe.model.frame.y[0] - ")
+                    + ") > 0.3");
+            page().await("troupe.model.trails[0].length > 5 && troupe.model.readings.size === 2");
+            run.control.submit(new ViewCommand.Pause());
+            page().await("troupe.paused && document.querySelector('#play').textContent === 'Go on'");
+            page().await("troupe.view.sonarEnds(troupe.model.frame, 0).some(ray => ray.hit)");
+            assertThat(page().get("troupe.view.sonarEnds(troupe.model.frame, 0).filter(ray => ray.hit)"
+                            + ".every(ray => Math.abs(ray.to[0]) < 6.05 && Math.abs(ray.to[1]) < 4.55)"))
+                    .as("hits are inside of the outer walls, whose faces are 6 m and 4.5 m from the middle")
+                    .isEqualTo("true");
+            picture("watching-arena.png");
+        }
+    }
+
+    @Test
+    void pauseStopsTime_aStepIsOneInterval_andSpeedIsChosen() throws Exception {
+        try (var run = run(1)) {
+            open(run.page);
+            page().get("document.querySelector('#play').click()");
+            page().await("troupe.paused");
+            assertThat(run.control.isPaused()).isTrue();
+            page().await("(window.still = troupe.model.frame.number === window.last ? (window.still ?? 0) + 1 : 0,"
+                    + " window.last = troupe.model.frame.number, window.still) > 20");
+            double before = page().number("troupe.model.frame.time");
+            page().get("document.querySelector('#step').click()");
+            page().await("troupe.model.frame.time > " + before);
+            assertThat(page().number("troupe.model.frame.time")).isCloseTo(before + 0.1, within(1e-9));
+            page().get("(document.querySelector('#speed').value = '5',"
+                    + " document.querySelector('#speed').dispatchEvent(new Event('change')))");
+            page().get("document.querySelector('#play').click()");
+            page().await("!troupe.paused");
+            assertThat(run.control.speed()).isEqualTo(5);
+        }
+    }
+
+    @Test
+    void draggedRobot_isWhereItWasDropped_onTheServerToo_andIsTurnedByItsRing() throws Exception {
+        try (var run = run(1)) {
+            open(run.page);
+            run.control.submit(new ViewCommand.Pause());
+            page().await("troupe.paused");
+            drag("[troupe.model.frame.x[0], troupe.model.frame.y[0]]", "[3.5, 1]");
+            page().await("document.querySelector('#problem').hidden");
+            run.control.submit(new ViewCommand.Step());
+            page().await("Math.hypot(troupe.model.frame.x[0] - 3.5, troupe.model.frame.y[0] - 1) < 0.1");
+            drag("troupe.view.handle(troupe.model.frame, 0)", "[3.5, 3]");
+            run.control.submit(new ViewCommand.Step());
+            page().await("Math.abs(troupe.model.frame.heading[0] - Math.PI / 2) < 0.2");
+        }
+        List<String> lines = Files.readAllLines(folder.resolve("run.jsonl"));
+        assertThat(lines).anyMatch(line -> line.contains("\"what\":\"place 1 3."));
+        double nearestM = lines.stream()
+                .filter(line -> line.contains("\"type\":\"pose\",\"robot\":1,"))
+                .mapToDouble(line -> Math.hypot(number(line, "x") - 3.5, number(line, "y") - 1))
+                .min()
+                .orElseThrow();
+        assertThat(nearestM)
+                .as("from where it was dropped, in the log of the run")
+                .isLessThan(0.1);
+    }
+
+    private static double number(String line, String key) {
+        var found = Pattern.compile("\"" + key + "\":([-0-9.E]+)").matcher(line);
+        assertThat(found.find()).isTrue();
+        return Double.parseDouble(found.group(1));
+    }
+
+    /** Drags from one place of the world to another, given as expressions of the page. */
+    private static void drag(String from, String to) {
+        page().drag(List.of(point(from), point("[(" + from + ")[0] + 0.5, (" + from + ")[1]]"), point(to), point(to)));
+    }
+
+    private static int[] point(String place) {
+        String box = "document.querySelector('#world').getBoundingClientRect()";
+        String[] point = page().get("troupe.view.toPage(...(" + place + ")).map((each, i) => Math.round(each + (i ? "
+                        + box + ".top : " + box + ".left))).join(' ')")
+                .split(" ");
+        return new int[] {Integer.parseInt(point[0]), Integer.parseInt(point[1])};
+    }
+
+    @Test
+    void arrowKeys_driveTheSelectedRobot_untilTheyAreReleased() throws Exception {
+        try (var run = run(1)) {
+            open(run.page);
+            run.control.submit(new ViewCommand.Place(0, new Pose(-4, -1, 0)));
+            page().get("troupe.select(0)");
+            page().key("keyDown", ARROW_UP);
+            page().await("(troupe.model.frame.state[0] & Model.BY_HAND) !== 0");
+            page().await("troupe.model.readings.get(0)?.forward === 0.4");
+            page().key("keyUp", ARROW_UP);
+            page().await("(troupe.model.frame.state[0] & Model.BY_HAND) === 0");
+            page().await("troupe.model.readings.get(0)?.forward < 0.4");
+        }
+        assertThat(folder.resolve("run.jsonl"))
+                .content()
+                .contains("\"what\":\"drive 1 0.4 0.0\"", "\"what\":\"release 1\"");
+    }
+
+    @Test
+    void timeLine_listsTheSwitchesOfTheLog() throws Exception {
+        Path log = folder.resolve("short.jsonl");
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, true)).onto(view);
+            LiveRuns.run(log, 300, viewed.listener(RecordedRun.Listener.NONE));
+            open(view);
+            List<String> switches = Files.readAllLines(log).stream()
+                    .filter(line -> line.contains("\"type\":\"state\""))
+                    .map(line -> number(line, "t") + " " + (int) number(line, "state"))
+                    .toList();
+            assertThat(switches).hasSizeGreaterThan(5);
+            page().await("document.querySelectorAll('#events li[data-kind=state]').length === " + switches.size());
+            assertThat(page().get("[...document.querySelectorAll('#events li[data-kind=state]')].reverse()"
+                            + ".map(each => Number(each.dataset.time).toFixed(1) + ' '"
+                            + " + /state (\\d+)/.exec(each.textContent)[1]).join('|')"))
+                    .isEqualTo(String.join("|", switches));
+        }
+    }
+
+    @Test
+    void page_reconnects_afterTheServerHasStartedAgain() throws Exception {
+        int port;
+        try (var run = run(1)) {
+            port = run.page.port();
+            open(run.page);
+            page().await("document.querySelector('#status').textContent === 'live'");
+        }
+        page().await("document.querySelector('#status').textContent.includes('trying again')");
+        try (var again = new LiveRuns.Endless(folder.resolve("again.jsonl"), port, 1)) {
+            page().await("document.querySelector('#status').textContent === 'live' && troupe.model.frame.time < 100");
+            assertThat(again.page.viewers()).isEqualTo(1);
+        }
+        page().await("document.querySelector('#status').textContent.includes('trying again')");
+    }
+
+    @Test
+    void thousandRobots_areDrawn() throws Exception {
+        var scenario = CrowdWorld.scenario(1000, 8);
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(scenario.world(), new RunControl(0, false)).onto(view);
+            viewed.moved(simulation.latest());
+            open(view);
+            page().await("troupe.model.frame.count === 1000 && troupe.view.drawn > 5");
+            assertThat(page().get("troupe.model.frame.x.every(Number.isFinite)"))
+                    .isEqualTo("true");
+            assertThat(page().get("document.body.classList.contains('many')")).isEqualTo("true");
+            for (int i = 0; i < 1000; i++) {
+                simulation.world().command(i, 0.3, 0.2);
+            }
+            for (int i = 0; i < 20; i++) {
+                viewed.moved(simulation.tick());
+            }
+            page().await("troupe.model.frame.time >= 2");
+            page().get("troupe.select(30)");
+            page().await("troupe.model.readings.has(30)");
+            picture("watching-crowd.png");
+        }
+    }
+
+    @Test
+    void file_playsScrubsAndJumpsToASwitch_withoutAServer() throws Exception {
+        Path html = folder.resolve("run.html");
+        var file = new ViewFile();
+        var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false)).onto(file);
+        LiveRuns.run(folder.resolve("run.jsonl"), 300, viewed.listener(RecordedRun.Listener.NONE));
+        Files.writeString(html, file.html());
+        page().size(1280, 800);
+        page().open(html.toUri().toString());
+        page().await("troupe.source.frames.length === 3001");
+        assertThat(page().number("troupe.source.end()")).isEqualTo(300);
+        page().get("document.querySelector('#play').click()");
+        page().await("troupe.source.now > 0.3");
+        page().get("document.querySelector('#play').click()");
+        page().await("document.querySelectorAll('#events li[data-kind=state] button').length > 5");
+        page().get("[...document.querySelectorAll('#events li[data-kind=state] button')].at(-2).click()");
+        double at = page().number(
+                        "Number([...document.querySelectorAll('#events li[data-kind=state]')].at(-2).dataset.time)");
+        assertThat(page().number("troupe.source.now")).isEqualTo(at);
+        page().await("troupe.model.frame.time > " + (at - 0.11) + " && troupe.model.frame.time <= " + (at + 1e-9));
+        page().get("(document.querySelector('#scrub').value = 120,"
+                + " document.querySelector('#scrub').dispatchEvent(new Event('input')))");
+        page().await("document.querySelector('#clock').textContent === '120.0 s'");
+        page().get("troupe.chooseTheme(true)");
+        picture("watching-file.png");
+    }
+
+    @Test
+    void reader_acceptsAnyCutting_andAnyBytes_withoutMoreThanAnError() throws Exception {
+        List<byte[]> messages = new ArrayList<>();
+        var world = new ViewedWorld(LiveRuns.ARENA.world(), List.of("a"), List.of());
+        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.DEFAULT)) {
+            Snapshot snapshot = simulation.tick();
+            var frame = new ViewFrame(7, snapshot, new short[] {1, (short) 255}, 1.5);
+            messages.add(ViewMessages.text(ViewMessages.WORLD, world.json()));
+            messages.add(ViewMessages.frame(world, frame, false));
+            messages.add(ViewMessages.sensors(frame, List.of(0, 1, 9)));
+            messages.add(ViewMessages.text(99, "of a later version"));
+            messages.add(ViewMessages.text(ViewMessages.EVENTS, "[{\"kind\":\"é\\u0000\"}]"));
+        }
+        StringBuilder bytes = new StringBuilder("[");
+        messages.forEach(message -> {
+            for (byte each : message) {
+                bytes.append(each & 0xFF).append(',');
+            }
+        });
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            page().open(view.address());
+            page().await("typeof Messages === 'object'");
+            page().get("window.bytes = new Uint8Array(" + bytes + "])");
+            page().get(
+                            "window.read = cut => { const got = []; const push = Messages.reader((type, value) =>"
+                                    + " got.push([type, JSON.stringify(value, (k, v) => v instanceof Map ? [...v] : v)]));"
+                                    + " for (let i = 0; i < bytes.length; i += cut) push(bytes.slice(i, i + cut)); return JSON.stringify(got); }");
+            String whole = page().get("read(1 << 20)");
+            assertThat(whole).contains("paper arena", "[2,", "[3,", "[4,").doesNotContain("later version");
+            for (int cut : new int[] {1, 2, 3, 5, 7, 64, 1000}) {
+                assertThat(page().get("read(" + cut + ") === read(1 << 20)"))
+                        .as("pieces of %d bytes", cut)
+                        .isEqualTo("true");
+            }
+            page().get(
+                            "window.random = (seed => () => (seed = seed * 1103515245 + 12345 & 0x7fffffff) / 0x7fffffff)(20260)");
+            page().get("window.fuzz = () => { let errors = 0; for (let round = 0; round < 3000; round++) {"
+                    + " const copy = bytes.slice(); for (let i = 0; i < 1 + random() * 8; i++)"
+                    + " copy[Math.floor(random() * copy.length)] = Math.floor(random() * 256);"
+                    + " try { Messages.reader(() => {})(copy.slice(0, Math.floor(random() * copy.length))); }"
+                    + " catch (error) { if (!(error instanceof Error)) throw error; errors++; } } return errors; }");
+            assertThat(page().number("fuzz()"))
+                    .as("broken streams that ended with an error")
+                    .isPositive();
+        }
+    }
+
+    @Test
+    void everyControl_hasALabel_canBeReachedByKeys_andHasEnoughContrast() throws Exception {
+        try (var run = run(1)) {
+            open(run.page);
+            page().await("document.querySelectorAll('#robots button').length === 2");
+            assertThat(page().get("[...document.querySelectorAll('button, select, input, canvas')]"
+                            + ".filter(each => each.offsetParent !== null)"
+                            + ".filter(each => !(each.getAttribute('aria-label') || each.textContent.trim()"
+                            + " || each.labels?.length)).map(each => each.id || each.outerHTML).join()"))
+                    .as("controls without a label")
+                    .isEmpty();
+            assertThat(page().get("document.documentElement.lang")).isEqualTo("en");
+            assertThat(page().get("document.querySelectorAll('[tabindex]:not([tabindex=\"0\"])').length"))
+                    .isEqualTo("0");
+            for (String theme : List.of("false", "true")) {
+                page().get("troupe.chooseTheme(" + theme + ")");
+                assertThat(page().get(LOW_CONTRASTS))
+                        .as("texts with a contrast below 4.5, dark: %s", theme)
+                        .isEmpty();
+            }
+            page().press(ESCAPE);
+            page().await("troupe.view.selected.size === 0");
+            page().press('0');
+            page().press(' ');
+            page().await("troupe.paused");
+            page().press('.');
+            page().await("troupe.view.fitted");
+            page().size(500, 900);
+            page().await("document.documentElement.scrollWidth <= window.innerWidth");
+            picture("watching-phone.png");
+        }
+    }
+
+    /** The elements with text of their own whose colour is too near to that of what is behind them. */
+    private static final String LOW_CONTRASTS = """
+            (() => {
+              const parse = text => text.match(/[\\d.]+/g).map(Number);
+              const light = ([r, g, b]) => [r, g, b].map(each => each / 255)
+                .map(each => each <= 0.04045 ? each / 12.92 : ((each + 0.055) / 1.055) ** 2.4)
+                .reduce((sum, each, i) => sum + each * [0.2126, 0.7152, 0.0722][i], 0);
+              const behind = each => { for (; each; each = each.parentElement) {
+                const colour = parse(getComputedStyle(each).backgroundColor);
+                if (colour.length < 4 || colour[3] > 0) return colour; } return [255, 255, 255]; };
+              return [...document.querySelectorAll('body *')]
+                .filter(each => each.offsetParent !== null && !each.disabled
+                  && [...each.childNodes].some(node => node.nodeType === 3 && node.textContent.trim()))
+                .filter(each => { const [a, b] = [light(parse(getComputedStyle(each).color)), light(behind(each))];
+                  return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) < 4.5; })
+                .map(each => each.id || each.className || each.textContent).join();
+            })()""";
+
+    @Test
+    void office_isShown() throws Exception {
+        Path world = LiveRuns.WORLDS.resolve("office.cfg");
+        var scenario = ScenarioReader.read(world);
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(scenario.world(), new RunControl(0, false)).onto(view);
+            simulation.world().command(0, 0.4, 0.1);
+            viewed.moved(simulation.latest());
+            for (int i = 0; i < 60; i++) {
+                viewed.moved(simulation.tick());
+            }
+            open(view);
+            page().get("troupe.select(0)");
+            page().await("troupe.model.readings.has(0)");
+            picture("watching-office.png");
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package io.troupe.view.live;
+
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.model.Scenario;
+import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.RecordedRun;
+import io.troupe.view.RunLog;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.Executors;
+import java.util.concurrent.Future;
+import java.util.concurrent.TimeUnit;
+
+/** Runs of the main job for the tests of the live page. */
+final class LiveRuns {
+    static final Path WORLDS = Path.of("..", "demo", "worlds");
+    static final Scenario ARENA = ScenarioReader.read(WORLDS.resolve("paper-arena.world"));
+    static final SubsumptionTable TABLE = SubsumptionTable.ofThePaper();
+
+    private LiveRuns() {}
+
+    /** Runs the main job. */
+    static void run(Path log, double seconds, RecordedRun.Listener listener) throws Exception {
+        var settings = RecordedRun.Settings.DEFAULT.withSeconds(seconds);
+        try (var written = new RunLog(log)) {
+            new RecordedRun(ARENA, TABLE, settings).run(written, listener);
+        }
+    }
+
+    /** A run on another thread, shown on a page, until it is closed. */
+    static final class Endless implements AutoCloseable {
+        final LiveView page;
+        final RunControl control;
+        private final CountDownLatch stop = new CountDownLatch(1);
+        private final Future<?> running;
+
+        Endless(Path log, int port, double speed) throws IOException {
+            page = LiveView.open(LiveView.Settings.DEFAULT.withPort(port));
+            control = new RunControl(speed, true);
+            var viewed = new ViewedRun(ARENA.world(), TABLE, control).onto(page);
+            var listener = viewed.listener(new RecordedRun.Listener() {
+                @Override
+                public boolean isStopRequested() {
+                    return stop.getCount() == 0;
+                }
+            });
+            var thread = Executors.newSingleThreadExecutor();
+            running = thread.submit(() -> {
+                run(log, 1e6, listener);
+                return null;
+            });
+            thread.shutdown();
+        }
+
+        @Override
+        public void close() throws IOException {
+            stop.countDown();
+            try {
+                running.get(5, TimeUnit.MINUTES);
+            } catch (Exception e) {
+                throw new IOException(e);
+            } finally {
+                page.close();
+            }
+        }
+    }
+}

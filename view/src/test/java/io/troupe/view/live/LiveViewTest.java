@@ -1,0 +1,302 @@
+package io.troupe.view.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.actor.time.ManualClock;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.Scenario;
+import io.troupe.view.RecordedRun;
+import io.troupe.view.RunLog;
+import io.troupe.view.RunRecorder;
+import io.troupe.view.RunResult;
+import java.io.IOException;
+import java.io.InputStream;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.Socket;
+import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+
+/** The server of the live page, asked over plain sockets. */
+@Timeout(300)
+class LiveViewTest {
+    @TempDir
+    private Path folder;
+
+    private static LiveView page() throws IOException {
+        return LiveView.open(LiveView.Settings.DEFAULT.withPort(0));
+    }
+
+    /** Sends a request as it is; returns all of the answer. */
+    private static String ask(int port, String request) throws IOException {
+        try (var socket = new Socket(InetAddress.getLoopbackAddress(), port)) {
+            socket.getOutputStream().write(request.getBytes(StandardCharsets.UTF_8));
+            return new String(socket.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        }
+    }
+
+    private static String get(int port, String path, String host) throws IOException {
+        return ask(port, "GET " + path + " HTTP/1.1\r\nHost: " + host + "\r\nConnection: close\r\n\r\n");
+    }
+
+    private static String post(int port, String path, String origin, String body) throws IOException {
+        return ask(
+                port,
+                "POST " + path + " HTTP/1.1\r\nHost: localhost:" + port + "\r\nConnection: close\r\n"
+                        + (origin.isEmpty() ? "" : "Origin: " + origin + "\r\n") + "Content-Length: " + body.length()
+                        + "\r\n\r\n" + body);
+    }
+
+    @Test
+    void sampleOfThePage_showsARun() throws Exception {
+        Scenario scenario = LiveRuns.ARENA;
+        var run = new RecordedRun(scenario, SubsumptionTable.ofThePaper(), RecordedRun.Settings.DEFAULT.withSeconds(2));
+        var control = new RunControl(0, true);
+        String address;
+        RunResult result;
+        try (var log = new RunLog(folder.resolve("run.jsonl"))) {
+            try (var page = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+                address = page.address();
+                var viewed = new ViewedRun(scenario.world(), SubsumptionTable.ofThePaper(), control).onto(page);
+                result = run.run(log, viewed.listener(RecordedRun.Listener.NONE));
+            }
+        }
+        assertThat(address).matches("http://localhost:\\d+/");
+        assertThat(result.duration()).isEqualTo("2.0");
+    }
+
+    @Test
+    void run_writesTheSameBytes_withTwentyViewersAndAFrozenOne_asWithoutAPage() throws Exception {
+        Path alone = folder.resolve("alone.jsonl");
+        Path watched = folder.resolve("watched.jsonl");
+        LiveRuns.run(alone, 60, RecordedRun.Listener.NONE);
+        List<Socket> viewers = new ArrayList<>();
+        var read = new AtomicInteger();
+        List<Thread> readers = new ArrayList<>();
+        try (var page = page()) {
+            for (int i = 0; i < 21; i++) {
+                var socket = new Socket(InetAddress.getLoopbackAddress(), page.port());
+                viewers.add(socket);
+                socket.getOutputStream()
+                        .write(("GET /stream HTTP/1.1\r\nHost: localhost:" + page.port() + "\r\n\r\n")
+                                .getBytes(StandardCharsets.UTF_8));
+                InputStream stream = socket.getInputStream();
+                if (i > 0) { // the first one never reads
+                    assertThat(stream.read()).isEqualTo('H');
+                    readers.add(Thread.ofVirtual().start(() -> count(stream, read)));
+                }
+            }
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, true)).onto(page);
+            LiveRuns.run(watched, 60, viewed.listener(RecordedRun.Listener.NONE));
+            page.close("the run has ended");
+            for (Thread reader : readers) {
+                reader.join();
+            }
+        } finally {
+            for (Socket socket : viewers) {
+                socket.close();
+            }
+        }
+        assertThat(watched).hasSameBinaryContentAs(alone);
+        assertThat(read.get())
+                .as("bytes that the viewers got: the world, the last frame and the reason of the end at least")
+                .isGreaterThan(20 * 3000);
+    }
+
+    private static void count(InputStream stream, AtomicInteger bytes) {
+        try {
+            byte[] buffer = new byte[8192];
+            for (int got = stream.read(buffer); got >= 0; got = stream.read(buffer)) {
+                bytes.addAndGet(got);
+            }
+        } catch (IOException end) {
+            // the server has closed the connection
+        }
+    }
+
+    /** Interventions at given times: what viewers do, without their clocks. */
+    private static RecordedRun.Listener intervening(RunControl control, RecordedRun.Listener inner, String[][] plan) {
+        return new RecordedRun.Listener() {
+            private int next;
+
+            @Override
+            public void beforeTick(Simulation simulation, RunRecorder recorder) throws InterruptedException {
+                while (next < plan.length
+                        && simulation.timeMicros() >= (long) (Double.parseDouble(plan[next][0]) * 1e6)) {
+                    control.submit(ViewCommand.parse(plan[next++][1], 2));
+                }
+                inner.beforeTick(simulation, recorder);
+            }
+
+            @Override
+            public void recorded(Snapshot snapshot, RunRecorder recorder) {
+                inner.recorded(snapshot, recorder);
+            }
+        };
+    }
+
+    @Test
+    void runWithInterventions_isRepeatedByteForByte_byItsOwnLog() throws Exception {
+        String[][] plan = {
+            {"1", "place 1 3.5 -1.0 0.7"},
+            {"2", "drive 2 0.2 0.5"},
+            {"4", "release 2"},
+            {"5", "place 2 0 0 1.5707"},
+            {"5", "place 1 100 100 0"},
+            {"7", "reset"},
+            {"9", "drive 1 -0.1 0"},
+            {"10", "release 1"},
+        };
+        Path first = folder.resolve("first.jsonl");
+        Path again = folder.resolve("again.jsonl");
+        var control = new RunControl(new ManualClock(), 0, true);
+        var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, control);
+        LiveRuns.run(first, 15, intervening(control, viewed.listener(RecordedRun.Listener.NONE), plan));
+
+        var repeating = new RunControl(0, false);
+        repeating.repeat(first, 2);
+        var shown = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, repeating);
+        LiveRuns.run(again, 15, shown.listener(RecordedRun.Listener.NONE));
+
+        assertThat(again).hasSameBinaryContentAs(first);
+        List<String> lines = Files.readAllLines(first);
+        assertThat(lines.stream().filter(line -> line.contains("\"intervention\"")))
+                .as("of those at 5 s only the newest place of robot 1 counts, and it is outside of every wall")
+                .hasSizeBetween(7, 8)
+                .first()
+                .isEqualTo("{\"t\":1.0,\"type\":\"intervention\",\"what\":\"place 1 3.5 -1.0 0.7\"}");
+        assertThat(lines).anyMatch(line -> line.startsWith("{\"t\":1.1,\"type\":\"pose\",\"robot\":1,\"x\":3.5"));
+    }
+
+    @Test
+    void request_underAnotherName_fromAnotherPage_orForAnotherPath_isRefused() throws Exception {
+        try (var page = page()) {
+            int port = page.port();
+            assertThat(get(port, "/", "localhost:" + port))
+                    .startsWith("HTTP/1.1 200")
+                    .contains("<title>Troupe</title>");
+            assertThat(get(port, "/", "127.0.0.1:" + port)).startsWith("HTTP/1.1 200");
+            for (String host : List.of("evil.example:" + port, "localhost", "localhost:1", "127.0.0.1.evil.example")) {
+                assertThat(get(port, "/", host)).as(host).startsWith("HTTP/1.1 403");
+                assertThat(get(port, "/stream", host)).as(host).startsWith("HTTP/1.1 403");
+            }
+            for (String path : List.of(
+                    "/page.js",
+                    "/../pom.xml",
+                    "/%2e%2e/%2e%2e/etc/passwd",
+                    "//etc/passwd",
+                    "/stream/x",
+                    "/page.html")) {
+                assertThat(get(port, path, "localhost:" + port)).as(path).startsWith("HTTP/1.1 404");
+            }
+            for (String origin :
+                    List.of("", "http://evil.example", "null", "http://localhost", "https://localhost:" + port)) {
+                assertThat(post(port, "/command", origin, "pause")).as(origin).startsWith("HTTP/1.1 403");
+                assertThat(post(port, "/select", origin, "x 1")).as(origin).startsWith("HTTP/1.1 403");
+            }
+        }
+    }
+
+    @Test
+    void page_allowsNothingFromElsewhere() throws Exception {
+        try (var page = page()) {
+            String answer = get(page.port(), "/", "localhost:" + page.port());
+            assertThat(answer)
+                    .contains("default-src 'none'", "script-src 'sha256-", "frame-ancestors 'none'", "no-referrer")
+                    .doesNotContain("unsafe-inline", "unsafe-eval");
+            assertThat(answer.replace("http://www.w3.org", "")).doesNotContain("src=\"http", "href=\"http", "//cdn");
+        }
+    }
+
+    @Test
+    void pageForOtherHosts_answersOnlyWithTheToken() throws Exception {
+        var settings = LiveView.Settings.DEFAULT
+                .withAddress(InetAddress.getByName("0.0.0.0"))
+                .withPort(0);
+        try (var page = LiveView.open(settings)) {
+            int port = page.port();
+            assertThat(page.address()).matches("http://localhost:" + port + "/\\?t=[0-9a-f]{32}");
+            String token = page.address().replaceAll(".*t=", "");
+            assertThat(get(port, "/", "robot.local:" + port))
+                    .startsWith("HTTP/1.1 403")
+                    .contains("token");
+            assertThat(get(port, "/?t=" + token.substring(1), "robot.local:" + port))
+                    .startsWith("HTTP/1.1 403");
+            assertThat(get(port, "/stream", "robot.local:" + port)).startsWith("HTTP/1.1 403");
+            assertThat(get(port, "/?t=" + token, "robot.local:" + port)).startsWith("HTTP/1.1 200");
+        }
+    }
+
+    @Test
+    void commandThatMakesNoSense_isAnsweredWithTheReason() throws Exception {
+        try (var page = page()) {
+            int port = page.port();
+            String origin = "http://localhost:" + port;
+            assertThat(post(port, "/command", origin, "pause"))
+                    .startsWith("HTTP/1.1 400")
+                    .contains("no world yet");
+            var control = new RunControl(1, true);
+            new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, control).onto(page);
+            assertThat(post(port, "/command", origin, "pause")).startsWith("HTTP/1.1 204");
+            assertThat(control.isPaused()).isTrue();
+            assertThat(post(port, "/command", origin, "place 3 0 0 0"))
+                    .startsWith("HTTP/1.1 400")
+                    .contains("robot '3', expected a number from 1 to 2");
+            assertThat(post(port, "/command", origin, "x".repeat(LiveView.MOST_COMMAND_BYTES + 1)))
+                    .startsWith("HTTP/1.1 400")
+                    .contains("longer than 4096 bytes");
+            assertThat(post(port, "/select", origin, "nobody 1")).startsWith("HTTP/1.1 400");
+            new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, control).onto(page, ViewControl.NONE);
+            assertThat(post(port, "/command", origin, "pause"))
+                    .startsWith("HTTP/1.1 400")
+                    .contains("can only be watched");
+        }
+    }
+
+    @Test
+    void portThatIsTaken_isNamed() throws Exception {
+        try (var page = page()) {
+            assertThatThrownBy(() -> LiveView.open(LiveView.Settings.DEFAULT.withPort(page.port())))
+                    .isInstanceOf(BindException.class)
+                    .hasMessageContaining(":" + page.port())
+                    .hasMessageContaining("expected a free port");
+        }
+    }
+
+    @Test
+    void fileOfTheDefaultRun_hasTheSwitches_andIsSmall() throws Exception {
+        Scenario scenario = LiveRuns.ARENA;
+        SubsumptionTable table = LiveRuns.TABLE;
+        var run = new RecordedRun(scenario, table, RecordedRun.Settings.DEFAULT);
+        RunResult result;
+        try (var log = new RunLog(folder.resolve("run.jsonl"))) {
+            var file = new ViewFile();
+            var viewed = new ViewedRun(scenario.world(), table, new RunControl(0, false)).onto(file);
+            result = run.run(log, viewed.listener(RecordedRun.Listener.NONE));
+            Files.writeString(folder.resolve("run.html"), file.html());
+        }
+        assertThat(folder.resolve("run.html")).content().contains("id=\"data\"").doesNotContain("DATA");
+        assertThat(Files.size(folder.resolve("run.html"))).isLessThan(1_000_000);
+        assertThat(result.states()).hasSizeGreaterThan(5);
+    }
+
+    @Test
+    void pose_isKeptToTheMillimetre_inTheArena() {
+        var world = new ViewedWorld(LiveRuns.ARENA.world(), List.of(), List.of());
+        var pose = new Pose(1.2344, -3.9996, 0);
+        assertThat(world.xSteps(pose.x()) - world.xSteps(0)).isBetween(1233, 1235);
+        assertThat(world.ySteps(pose.y()) - world.ySteps(0)).isBetween(-4001, -3999);
+        assertThat(world.xSteps(1e9)).isEqualTo(0xFFFF);
+    }
+}
