@@ -45,10 +45,8 @@ final class SharedPort implements AutoCloseable {
         /** Reads a head; the bytes alone count if it is none. */
         static Head read(InputStream in) throws IOException {
             var bytes = new ByteArrayOutputStream();
-            int line = 0;
             for (int next = in.read(); next >= 0; next = in.read()) {
                 bytes.write(next);
-                line = next == '\n' ? 0 : next == '\r' ? line : line + 1;
                 if (next == '\n' && endsWithEmptyLine(bytes) || bytes.size() >= MOST_HEAD_BYTES) {
                     break;
                 }
@@ -78,22 +76,19 @@ final class SharedPort implements AutoCloseable {
 
     private final ServerSocket server;
     private final InetSocketAddress behind;
-    private final Upgrade upgrade;
     private final Set<Socket> sockets = ConcurrentHashMap.newKeySet();
 
-    private SharedPort(ServerSocket server, InetSocketAddress behind, Upgrade upgrade) {
+    private SharedPort(ServerSocket server, InetSocketAddress behind) {
         this.server = server;
         this.behind = behind;
-        this.upgrade = upgrade;
     }
 
     /**
-     * Begins to listen.
+     * Takes the port.
      *
      * @param behind the HTTP server, on this machine
      */
-    static SharedPort open(InetAddress address, int port, InetSocketAddress behind, Upgrade upgrade)
-            throws IOException {
+    static SharedPort bind(InetAddress address, int port, InetSocketAddress behind) throws IOException {
         var server = new ServerSocket();
         try {
             server.setReceiveBufferSize(BUFFER_BYTES);
@@ -102,16 +97,19 @@ final class SharedPort implements AutoCloseable {
             server.close();
             throw e;
         }
-        var shared = new SharedPort(server, behind, upgrade);
-        Thread.ofPlatform().name("live page port").daemon().start(shared::acceptAll);
-        return shared;
+        return new SharedPort(server, behind);
+    }
+
+    /** Begins to serve connections. */
+    void start(Upgrade upgrade) {
+        Thread.ofPlatform().name("live page port").daemon().start(() -> acceptAll(upgrade));
     }
 
     int port() {
         return server.getLocalPort();
     }
 
-    private void acceptAll() {
+    private void acceptAll(Upgrade upgrade) {
         while (!server.isClosed()) {
             try {
                 Socket socket = server.accept();
@@ -119,7 +117,7 @@ final class SharedPort implements AutoCloseable {
                     socket.close();
                 } else {
                     sockets.add(socket);
-                    Thread.ofVirtual().name("live page connection").start(() -> serve(socket));
+                    Thread.ofVirtual().name("live page connection").start(() -> serve(socket, upgrade));
                 }
             } catch (IOException e) {
                 if (!server.isClosed()) {
@@ -129,7 +127,7 @@ final class SharedPort implements AutoCloseable {
         }
     }
 
-    private void serve(Socket socket) {
+    private void serve(Socket socket, Upgrade upgrade) {
         try (socket) {
             socket.setTcpNoDelay(true);
             socket.setSendBufferSize(BUFFER_BYTES);

@@ -33,8 +33,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> The calling thread reads until the connection ends, a virtual thread writes. Neither holds up the
  * source: the newest reading replaces those that a slow viewer has missed.
  *
- * <p><b>Errors.</b> A request that is no upgrade to this protocol gets an HTTP error. A message that cannot be read gets
- * a status message, and the connection goes on.
+ * <p><b>Errors.</b> A request that is no upgrade to this protocol gets an HTTP error. A message that cannot be read
+ * gets a status message, and the connection goes on.
  *
  * <p><b>Source.</b> The protocol {@code foxglove.websocket.v1}, and {@code foxglove.sdk.v1} as far as it is the same.
  */
@@ -390,7 +390,10 @@ public final class FoxgloveConnection {
             for (long id : ids) {
                 ByteBuffer data = ByteBuffer.allocate(1 + Integer.BYTES + Long.BYTES + json.length)
                         .order(ByteOrder.LITTLE_ENDIAN);
-                data.put((byte) MESSAGE_DATA).putInt((int) id).putLong(timeNanos).put(json);
+                data.put((byte) MESSAGE_DATA)
+                        .putInt((int) id)
+                        .putLong(timeNanos)
+                        .put(json);
                 socket.sendBinary(data.array());
             }
         }

@@ -74,8 +74,8 @@ final class WebSocket {
     /** The answer to the key of a client. */
     static String accept(String key) {
         try {
-            byte[] hash = MessageDigest.getInstance("SHA-1")
-                    .digest((key + KEY_SUFFIX).getBytes(StandardCharsets.ISO_8859_1));
+            byte[] hash =
+                    MessageDigest.getInstance("SHA-1").digest((key + KEY_SUFFIX).getBytes(StandardCharsets.ISO_8859_1));
             return Base64.getEncoder().encodeToString(hash);
         } catch (NoSuchAlgorithmException e) {
             throw new IllegalStateException("every Java platform has SHA-1", e);
