@@ -7,4 +7,4 @@ dependencies {
 }
 
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.view") } }
-tasks.test { inputs.files("../demo/worlds", "../docs/figures").withPathSensitivity(PathSensitivity.RELATIVE) }
+tasks.test { inputs.files("../demo/worlds", "../docs/figures", "../docs/examples/python").withPathSensitivity(PathSensitivity.RELATIVE) }

@@ -70,6 +70,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             ServeCommand.class,
             OfferCommand.class,
             ReplayCommand.class,
+            ExportCommand.class,
             ServicesCommand.class,
             HostsCommand.class,
             DrawCommand.class,

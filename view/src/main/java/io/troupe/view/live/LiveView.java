@@ -5,7 +5,9 @@ import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import io.troupe.actor.time.Clock;
 import io.troupe.view.Json;
+import io.troupe.view.tools.FoxgloveConnection;
 import java.io.IOException;
+import java.io.InputStream;
 import java.io.OutputStream;
 import java.lang.System.Logger.Level;
 import java.net.BindException;
@@ -22,6 +24,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Executors;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.locks.LockSupport;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -55,6 +58,7 @@ public final class LiveView implements AutoCloseable {
     static final int MOST_CHOSEN = 16;
 
     private static final System.Logger LOG = System.getLogger(LiveView.class.getName());
+    private static final String FOXGLOVE = "https://app.foxglove.dev";
     private static final String UTF_8_TEXT = "text/plain; charset=utf-8";
     private static final long FRAME_NANOS = 1_000_000_000 / MOST_FRAMES_PER_S;
     private static final long POLL_NANOS = 4_000_000;
@@ -82,17 +86,21 @@ public final class LiveView implements AutoCloseable {
     }
 
     private final HttpServer server;
+    private final SharedPort port;
     private final InetAddress bound;
     private final @Nullable String token;
     private final ViewPage page = ViewPage.live();
     private final ViewBoard board = new ViewBoard();
     private final Map<String, Viewer> viewers = new ConcurrentHashMap<>();
+    private final AtomicInteger sockets = new AtomicInteger();
+    private final FoxgloveSource foxglove = new FoxgloveSource(board);
     private final SecureRandom random = new SecureRandom();
     private volatile ViewControl control = ViewControl.NONE;
     private volatile @Nullable String ending;
 
-    private LiveView(HttpServer server, InetAddress bound) {
+    private LiveView(HttpServer server, SharedPort port, InetAddress bound) {
         this.server = server;
+        this.port = port;
         this.bound = bound;
         this.token = bound.isLoopbackAddress() ? null : word();
     }
@@ -102,20 +110,23 @@ public final class LiveView implements AutoCloseable {
         if (System.getProperty("sun.net.httpserver.nodelay") == null) {
             System.setProperty("sun.net.httpserver.nodelay", "true"); // a small frame would wait for the previous one
         }
-        HttpServer server;
+        HttpServer server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
+        SharedPort port;
         try {
-            server = HttpServer.create(new InetSocketAddress(settings.address(), settings.port()), 0);
+            port = SharedPort.bind(settings.address(), settings.port(), server.getAddress());
         } catch (BindException e) {
+            server.stop(0);
             var named = new BindException("the live page cannot listen on "
                     + settings.address().getHostAddress() + ":" + settings.port() + " (" + e.getMessage()
                     + "), expected a free port of this machine");
             named.initCause(e);
             throw named;
         }
-        var view = new LiveView(server, settings.address());
+        var view = new LiveView(server, port, settings.address());
         server.setExecutor(Executors.newVirtualThreadPerTaskExecutor());
         server.createContext("/", view::handle);
         server.start();
+        port.start(view::connect);
         return view;
     }
 
@@ -133,12 +144,12 @@ public final class LiveView implements AutoCloseable {
     }
 
     public int port() {
-        return server.getAddress().getPort();
+        return port.port();
     }
 
     /** The number of connected viewers. */
     public int viewers() {
-        return viewers.size();
+        return viewers.size() + sockets.get();
     }
 
     /** What the page shows from now on. */
@@ -201,19 +212,27 @@ public final class LiveView implements AutoCloseable {
     private @Nullable String refusal(HttpExchange exchange) {
         Headers headers = exchange.getRequestHeaders();
         String host = headers.getFirst("Host");
-        if (host == null || token == null && !names().contains(host)) {
-            return "the name " + host + " is not one of this page, expected " + String.join(" or ", names()) + "\n";
-        }
-        String given = query(exchange).getOrDefault("t", "");
-        if (token != null
-                && !MessageDigest.isEqual(
-                        token.getBytes(StandardCharsets.UTF_8), given.getBytes(StandardCharsets.UTF_8))) {
-            return "the token is missing or wrong, expected the whole address that the program printed\n";
+        String refusal = refusal(host, exchange.getRequestURI().getRawQuery());
+        if (refusal != null) {
+            return refusal;
         }
         String origin = headers.getFirst("Origin");
         boolean changes = !exchange.getRequestMethod().equals("GET");
         if (origin == null ? changes : !origin.equals("http://" + host)) {
             return "the request is of " + (origin == null ? "no page" : origin) + ", expected http://" + host + "\n";
+        }
+        return null;
+    }
+
+    private @Nullable String refusal(@Nullable String host, @Nullable String query) {
+        if (host == null || token == null && !names().contains(host)) {
+            return "the name " + host + " is not one of this page, expected " + String.join(" or ", names()) + "\n";
+        }
+        String given = parameters(query).getOrDefault("t", "");
+        if (token != null
+                && !MessageDigest.isEqual(
+                        token.getBytes(StandardCharsets.UTF_8), given.getBytes(StandardCharsets.UTF_8))) {
+            return "the token is missing or wrong, expected the whole address that the program printed\n";
         }
         return null;
     }
@@ -231,8 +250,7 @@ public final class LiveView implements AutoCloseable {
         return text.contains(":") ? "[" + text + "]" : text;
     }
 
-    private static Map<String, String> query(HttpExchange exchange) {
-        String raw = exchange.getRequestURI().getRawQuery();
+    private static Map<String, String> parameters(@Nullable String raw) {
         return raw == null
                 ? Map.of()
                 : Arrays.stream(raw.split("&"))
@@ -306,6 +324,45 @@ public final class LiveView implements AutoCloseable {
         } finally {
             viewers.remove(name);
         }
+    }
+
+    // ---- WebSockets
+
+    /** Serves a connection that asks for a WebSocket. */
+    private void connect(SharedPort.Head head, InputStream in, OutputStream out)
+            throws IOException, InterruptedException {
+        String host = head.headers().get("host");
+        String[] target = head.target().split("\\?", 2);
+        String refusal = refusal(host, target.length > 1 ? target[1] : null);
+        String origin = head.headers().get("origin");
+        if (refusal == null && token == null && origin != null && !mayConnect(origin)) {
+            refusal = "the request is of " + origin + ", expected a program of this machine or " + FOXGLOVE + "\n";
+        }
+        if (refusal != null) {
+            byte[] text = refusal.getBytes(StandardCharsets.UTF_8);
+            String lines = "HTTP/1.1 403 Forbidden\r\nContent-Type: " + UTF_8_TEXT + "\r\nContent-Length: "
+                    + text.length + "\r\nConnection: close\r\n\r\n";
+            out.write(lines.getBytes(StandardCharsets.UTF_8));
+            out.write(text);
+            out.flush();
+            return;
+        }
+        sockets.incrementAndGet();
+        try {
+            FoxgloveConnection.serve(head.headers(), in, out, foxglove, () -> ending != null);
+        } finally {
+            sockets.decrementAndGet();
+        }
+    }
+
+    /**
+     * Whether a page of this origin may connect. Desktop programs have the origin of a file; other pages of this
+     * machine are programs that its user has started.
+     */
+    private static boolean mayConnect(String origin) {
+        return origin.equals("file://")
+                || origin.equals(FOXGLOVE)
+                || origin.matches("https?://(localhost|127\\.0\\.0\\.1|\\[::1\\])(:\\d{1,5})?");
     }
 
     /** One connected page, on its thread. */
@@ -416,8 +473,13 @@ public final class LiveView implements AutoCloseable {
     public void close(String why) {
         ending = why;
         long deadline = Clock.system().nanos() + CLOSING.toNanos();
-        while (!viewers.isEmpty() && Clock.system().nanos() < deadline) {
+        while (viewers() > 0 && Clock.system().nanos() < deadline) {
             LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(5)); // a frozen viewer is left behind
+        }
+        try {
+            port.close();
+        } catch (IOException e) {
+            LOG.log(Level.WARNING, "the port of the live page could not be closed", e);
         }
         server.stop(0);
     }

@@ -32,6 +32,7 @@ final class ViewedWorld {
     private static final int MOST_STEPS = 0xFFFF;
 
     private final WorldSpec spec;
+    private final List<String> services;
     private final double leftM;
     private final double bottomM;
     private final double stepM;
@@ -45,6 +46,7 @@ final class ViewedWorld {
      */
     ViewedWorld(WorldSpec spec, List<String> services, List<String> controls) {
         this.spec = spec;
+        this.services = services;
         List<Point> corners = corners(spec);
         var x = corners.stream().mapToDouble(Point::x).summaryStatistics();
         var y = corners.stream().mapToDouble(Point::y).summaryStatistics();
@@ -67,6 +69,11 @@ final class ViewedWorld {
 
     WorldSpec spec() {
         return spec;
+    }
+
+    /** The names of the services, whose numbers in frames count from 1. */
+    List<String> services() {
+        return services;
     }
 
     int xSteps(double xM) {

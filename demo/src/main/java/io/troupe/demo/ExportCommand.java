@@ -1,0 +1,158 @@
+package io.troupe.demo;
+
+import io.troupe.common.text.Plural;
+import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.OptionRange;
+import io.troupe.demo.terminal.WorldLoader;
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.sim.worldfile.CrowdWorld;
+import io.troupe.view.RunRecorder;
+import io.troupe.view.tools.RunExport;
+import java.io.IOException;
+import java.io.PrintWriter;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Locale;
+import java.util.concurrent.Callable;
+import org.jspecify.annotations.Nullable;
+import picocli.CommandLine.Command;
+import picocli.CommandLine.Help.Visibility;
+import picocli.CommandLine.Mixin;
+import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Option;
+import picocli.CommandLine.ParameterException;
+import picocli.CommandLine.Parameters;
+import picocli.CommandLine.Spec;
+
+/** {@code troupe export}: writes a run in formats that other tools read. */
+@Command(
+        name = "export",
+        description = {
+            "Writes a run for other tools: an MCAP file for Foxglove and Lichtblick, CSV tables for plots.",
+            "RUN is a run.jsonl, or what serve --record has written. The sensor readings of a run.jsonl are computed from its poses and its world."
+        },
+        mixinStandardHelpOptions = true,
+        footer = {
+            "",
+            "Examples:",
+            "  troupe run && troupe export out/run.jsonl --mcap out/run.mcap",
+            "  troupe export out/run.jsonl --csv out/tables",
+            "  troupe export recording.txt --world demo/worlds/office.cfg --mcap office.mcap"
+        })
+final class ExportCommand implements Callable<Integer> {
+    private static final int COLOURS = 8;
+    /** Directory of the installation. The start script sets the property; builds run in that directory. */
+    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
+
+    @Spec
+    private CommandSpec spec;
+
+    @Parameters(paramLabel = "RUN", description = "the run.jsonl or recording")
+    private Path run;
+
+    @Option(names = "--mcap", paramLabel = "FILE", description = "the MCAP file to write")
+    private @Nullable Path mcap;
+
+    @Option(
+            names = "--csv",
+            paramLabel = "DIR",
+            description = "where poses.csv, ranges.csv, blobs.csv, states.csv, contacts.csv and log.csv go")
+    private @Nullable Path csv;
+
+    @Option(
+            names = "--world",
+            paramLabel = "FILE",
+            description = "the world of the run, a .world or .cfg file; the paper's arena unless given",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable Path world;
+
+    @Option(names = "--crowd", paramLabel = "N", description = "instead of a file: the halls of a crowd of N robots")
+    private @Nullable Integer crowd;
+
+    @Option(
+            names = "--colours",
+            paramLabel = "C",
+            description = "colours of the crowd of a run.jsonl, as in troupe run; " + COLOURS + " unless given")
+    private @Nullable Integer colours;
+
+    @Mixin
+    private WorldLoader loader;
+
+    @Override
+    public Integer call() throws IOException {
+        if (mcap == null && csv == null) {
+            throw new ParameterException(
+                    spec.commandLine(), "nothing to write, expected --mcap FILE or --csv DIR, or both");
+        }
+        FileProblems.checkInput(spec, run, "a run.jsonl, or what serve --record has written");
+        if (mcap != null) {
+            FileProblems.checkOutput(spec, "--mcap", mcap);
+            if (Files.exists(mcap) && Files.isSameFile(mcap, run)) {
+                throw new ParameterException(
+                        spec.commandLine(), "--mcap is " + mcap + ", which is the run, expected another file");
+            }
+        }
+        if (csv != null && Files.exists(csv) && !Files.isDirectory(csv)) {
+            throw new ParameterException(
+                    spec.commandLine(), "--csv is " + csv + ", but that is a file, expected a directory");
+        }
+        WorldSpec where = world();
+        var export = new RunExport(run, where);
+        RunExport.Report report = null;
+        if (mcap != null) {
+            report = export.writeMcap(mcap);
+            wrote(mcap + String.format(Locale.ROOT, " (%.1f MB)", Files.size(mcap) / 1e6), report);
+            if (where.robots().size() >= RunRecorder.MANY_ROBOTS) {
+                warn("an MCAP file of " + RunRecorder.MANY_ROBOTS
+                        + " robots or more has no sensor readings, expected --csv for these");
+            }
+        }
+        if (csv != null) {
+            report = export.writeCsv(csv);
+            wrote("the tables in " + csv, report);
+        }
+        if (report != null) {
+            report.remarks().forEach(this::warn);
+        }
+        return 0;
+    }
+
+    private void wrote(String what, RunExport.Report report) {
+        PrintWriter terminal = spec.commandLine().getOut();
+        terminal.printf(
+                Locale.ROOT,
+                "wrote %s: %s, %.1f s%n",
+                what,
+                Plural.of(report.readings(), "reading"),
+                report.endMicros() / 1e6);
+        terminal.flush();
+    }
+
+    private void warn(String remark) {
+        PrintWriter err = spec.commandLine().getErr();
+        err.println("troupe: warning: " + remark);
+        err.flush();
+    }
+
+    private WorldSpec world() throws IOException {
+        if (crowd == null) {
+            if (colours != null) {
+                throw new ParameterException(
+                        spec.commandLine(),
+                        "--colours is " + colours + ", but there is no crowd: expected --crowd as well");
+            }
+            Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
+            return loader.read(file).world();
+        }
+        if (world != null) {
+            throw new ParameterException(spec.commandLine(), "--crowd and --world are both given, expected one");
+        }
+        OptionRange.check(spec, "--crowd", crowd, 1, CrowdWorld.MOST_ROBOTS);
+        if (colours == null && RunExport.isRecording(run)) {
+            return CrowdWorld.scenario(crowd).world(); // that of serve --crowd
+        }
+        int panels =
+                OptionRange.check(spec, "--colours", colours == null ? COLOURS : colours, 1, CrowdWorld.MOST_COLOURS);
+        return CrowdWorld.scenario(crowd, panels).world();
+    }
+}

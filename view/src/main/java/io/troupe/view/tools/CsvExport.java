@@ -1,0 +1,232 @@
+package io.troupe.view.tools;
+
+import io.troupe.sim.RobotReading;
+import io.troupe.sim.device.ColourBlob;
+import io.troupe.sim.model.RangeSensorSpec;
+import io.troupe.sim.model.RangerSpec;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.WorldSpec;
+import java.io.BufferedWriter;
+import java.io.Closeable;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.EnumMap;
+import java.util.HashMap;
+import java.util.List;
+import java.util.Locale;
+import java.util.Map;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Writes a run as tables, each a CSV file with a line of titles.
+ *
+ * <p><b>Units and shapes.</b> In the titles. Robots count from 1. An empty cell means that there is no value.
+ */
+final class CsvExport implements RunListener, Closeable {
+    /** The tables; a file has the name of its table. */
+    enum Table {
+        POSES("time_s,robot,name,x_m,y_m,heading_rad,gap_m,service,forward_mps,turn_radps,stalled"),
+        RANGES("time_s,robot,device"), // and a column for each range
+        BLOBS("time_s,robot,colour,left_px,right_px,top_px,bottom_px,area_px2,range_m"),
+        STATES("time_s,state,robot,colour,services"),
+        CONTACTS("time_s,robot,service,other"),
+        LOG("time_s,level,source,text");
+
+        private final String titles;
+
+        Table(String titles) {
+            this.titles = titles;
+        }
+
+        String fileName() {
+            return name().toLowerCase(Locale.ROOT) + ".csv";
+        }
+    }
+
+    private final WorldSpec world;
+    private final int mostRanges;
+    private final Map<Table, BufferedWriter> writers = new EnumMap<>(Table.class);
+    private final StringBuilder row = new StringBuilder();
+
+    /** @param directory exists */
+    CsvExport(WorldSpec world, Path directory) throws IOException {
+        this.world = world;
+        mostRanges =
+                world.robots().stream().mapToInt(CsvExport::mostRanges).max().orElse(0);
+        try {
+            for (Table table : Table.values()) {
+                BufferedWriter writer = Files.newBufferedWriter(directory.resolve(table.fileName()));
+                writers.put(table, writer);
+                writer.append(table.titles);
+                for (int i = 1; table == Table.RANGES && i <= mostRanges; i++) {
+                    writer.append(",range_").append(Integer.toString(i)).append("_m");
+                }
+                writer.append('\n');
+            }
+        } catch (IOException e) {
+            closeAfter(e);
+            throw e;
+        }
+    }
+
+    private static int mostRanges(RobotSpec robot) {
+        int sonars = robot.sonar() == null ? 0 : robot.sonar().mounts().size();
+        return IntStream.concat(
+                        IntStream.of(sonars),
+                        robot.rangers().stream()
+                                .mapToInt(ranger -> ranger.sensors().stream()
+                                        .mapToInt(RangeSensorSpec::samples)
+                                        .sum()))
+                .max()
+                .orElse(0);
+    }
+
+    @Override
+    public void begin(Map<String, String> header) {}
+
+    @Override
+    public void read(Reading reading) throws IOException {
+        long micros = reading.snapshot().timeMicros();
+        for (int i = 0; i < world.robots().size(); i++) {
+            RobotReading now = reading.snapshot().robots().get(i);
+            begin(micros).cell(i + 1).cell(world.robots().get(i).name());
+            cell(now.pose().x()).cell(now.pose().y()).cell(now.pose().headingRad());
+            cell(now.wallGapM()).cell(reading.services().get(i));
+            if (reading.hasSpeeds()) {
+                cell(now.odometry().forwardMps()).cell(now.odometry().turnRadps());
+                cell(now.odometry().stalled() ? 1 : 0);
+            } else {
+                cell("").cell("").cell("");
+            }
+            end(Table.POSES);
+            writeRanges(micros, i, now);
+            writeBlobs(micros, i, now);
+        }
+    }
+
+    private void writeRanges(long micros, int robot, RobotReading now) throws IOException {
+        writeRanges(micros, robot, "sonar", now.sonarM());
+        Map<RangerSpec.Kind, Integer> numbers = new HashMap<>();
+        for (int i = 0; i < now.rangersM().size(); i++) {
+            RangerSpec.Kind kind = world.robots().get(robot).rangers().get(i).kind();
+            int number = numbers.merge(kind, 1, Integer::sum);
+            String device = kind.name().toLowerCase(Locale.ROOT) + (number == 1 ? "" : number);
+            writeRanges(micros, robot, device, now.rangersM().get(i));
+        }
+    }
+
+    private void writeRanges(long micros, int robot, String device, @Nullable List<Double> rangesM) throws IOException {
+        if (rangesM != null) {
+            begin(micros).cell(robot + 1).cell(device);
+            for (int i = 0; i < mostRanges; i++) {
+                if (i < rangesM.size()) {
+                    cell(rangesM.get(i));
+                } else {
+                    cell("");
+                }
+            }
+            end(Table.RANGES);
+        }
+    }
+
+    private void writeBlobs(long micros, int robot, RobotReading now) throws IOException {
+        if (now.blobs() != null) {
+            for (ColourBlob blob : now.blobs().blobs()) {
+                begin(micros).cell(robot + 1).cell(RunListener.hex(blob.colour()));
+                cell(blob.left()).cell(blob.right()).cell(blob.top()).cell(blob.bottom());
+                cell(blob.areaPx2()).cell(blob.rangeM()).end(Table.BLOBS);
+            }
+        }
+    }
+
+    @Override
+    public void happened(Event event) throws IOException {
+        begin(event.timeMicros());
+        switch (event) {
+            case StateBegins begins -> {
+                cell(begins.state());
+                if (begins.robot() == 0) {
+                    cell("");
+                } else {
+                    cell(begins.robot());
+                }
+                cell(RunListener.hex(begins.colour()));
+                cell(String.join(";", begins.services())).end(Table.STATES);
+            }
+            case Touch touch ->
+                cell(touch.robot()).cell(touch.service()).cell(touch.other()).end(Table.CONTACTS);
+            case Remark remark ->
+                cell(remark.level().name().toLowerCase(Locale.ROOT))
+                        .cell(remark.source())
+                        .cell(remark.text())
+                        .end(Table.LOG);
+        }
+    }
+
+    // ---- rows
+
+    private CsvExport begin(long timeMicros) {
+        row.setLength(0);
+        row.append(timeMicros / 1e6);
+        return this;
+    }
+
+    private CsvExport cell(int number) {
+        row.append(',').append(number);
+        return this;
+    }
+
+    /** An infinite number means that there is nothing. */
+    private CsvExport cell(double number) {
+        row.append(',');
+        if (Double.isFinite(number)) {
+            row.append(number);
+        }
+        return this;
+    }
+
+    private CsvExport cell(String text) {
+        row.append(',');
+        if (text.matches("[^\",\\r\\n]*")) {
+            row.append(text);
+        } else {
+            row.append('"').append(text.replace("\"", "\"\"")).append('"');
+        }
+        return this;
+    }
+
+    private void end(Table table) throws IOException {
+        row.append('\n');
+        BufferedWriter writer = writers.get(table);
+        if (writer != null) {
+            writer.append(row);
+        }
+    }
+
+    /** Closes all files, and throws the first failure. */
+    @Override
+    public void close() throws IOException {
+        IOException failure = null;
+        for (BufferedWriter writer : new ArrayList<>(writers.values())) {
+            try {
+                writer.close();
+            } catch (IOException e) {
+                failure = failure == null ? e : failure;
+            }
+        }
+        if (failure != null) {
+            throw failure;
+        }
+    }
+
+    private void closeAfter(IOException failure) {
+        try {
+            close();
+        } catch (IOException further) {
+            failure.addSuppressed(further);
+        }
+    }
+}

@@ -1,0 +1,68 @@
+package io.troupe.view.tools;
+
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.view.RunLog;
+import io.troupe.view.tools.FoxgloveChannels.Channel;
+import java.io.Closeable;
+import java.io.IOException;
+import java.io.OutputStream;
+import java.util.EnumMap;
+import java.util.List;
+import java.util.Map;
+
+/** Writes a run as an MCAP file. */
+final class McapExport implements RunListener, Closeable {
+    private static final String HEADER = "troupe-run";
+
+    private final McapWriter writer;
+    private final FoxgloveChannels channels;
+    private final List<Integer> ids;
+    private final FoxgloveChannels.Sink sink = this::write;
+    private List<String> drawnServices = List.of();
+
+    McapExport(WorldSpec world, OutputStream out) throws IOException {
+        writer = new McapWriter(out, RunLog.PROGRAM);
+        channels = new FoxgloveChannels(world);
+        Map<MessageSchema, Integer> schemas = new EnumMap<>(MessageSchema.class);
+        ids = channels.channels().stream().map(channel -> add(channel, schemas)).toList();
+    }
+
+    private int add(Channel channel, Map<MessageSchema, Integer> schemas) {
+        MessageSchema schema = channel.schema();
+        int id = schemas.computeIfAbsent(schema, each -> writer.schema(each.title(), "jsonschema", each.text()));
+        return writer.channel(id, channel.topic(), "json", Map.of());
+    }
+
+    private void write(Channel channel, long timeNanos, byte[] json) throws IOException {
+        writer.message(ids.get(channel.id()), timeNanos, json);
+    }
+
+    @Override
+    public void begin(Map<String, String> header) throws IOException {
+        writer.metadata(HEADER, header);
+        channels.sendWorld(0, sink);
+    }
+
+    @Override
+    public void read(Reading reading) throws IOException {
+        if (!reading.services().equals(drawnServices)) {
+            drawnServices = reading.services();
+            channels.sendBodies(reading.snapshot().timeMicros(), drawnServices, sink);
+        }
+        channels.send(reading, sink);
+    }
+
+    @Override
+    public void happened(Event event) throws IOException {
+        switch (event) {
+            case StateBegins begins -> channels.send(begins, sink);
+            case Remark remark -> channels.send(remark, sink);
+            case Touch touch -> {} // a remark says the same
+        }
+    }
+
+    @Override
+    public void close() throws IOException {
+        writer.close();
+    }
+}

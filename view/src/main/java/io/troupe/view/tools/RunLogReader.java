@@ -1,0 +1,327 @@
+package io.troupe.view.tools;
+
+import io.troupe.common.text.Plural;
+import io.troupe.sim.RobotReading;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.device.Blobfinder;
+import io.troupe.sim.device.Odometry;
+import io.troupe.sim.device.Ranger;
+import io.troupe.sim.device.Scene;
+import io.troupe.sim.device.Sonar;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.view.RunLog;
+import io.troupe.view.RunRecorder;
+import io.troupe.view.tools.RunListener.Level;
+import io.troupe.view.tools.RunListener.Reading;
+import io.troupe.view.tools.RunListener.Remark;
+import io.troupe.view.tools.RunListener.StateBegins;
+import io.troupe.view.tools.RunListener.Touch;
+import java.io.BufferedReader;
+import java.io.IOException;
+import java.nio.charset.CharacterCodingException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.Locale;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Reads {@code run.jsonl}. The file has poses but no sensor readings; these are computed from the poses and the world.
+ * They are those that the services had, bit for bit, except for the noise of lasers and rangers, which is left out.
+ *
+ * <p><b>Errors.</b> {@link RunFileException} for a file that is no run, and for a run in another world.
+ */
+final class RunLogReader {
+    /** A recorded gap and the computed one may differ by this, for runs of other program versions. */
+    private static final double SAME_GAP_M = 1e-6;
+
+    private static final Odometry UNKNOWN = new Odometry(new Pose(0, 0, 0), 0, 0, false);
+
+    private final Path file;
+    private final WorldSpec world;
+    private final RunListener listener;
+    private final Scene scene;
+    private final List<Sensors> sensors = new ArrayList<>();
+    /** Those of the reading that has not been complete yet. */
+    private final List<PoseLine> poses = new ArrayList<>();
+
+    private int lineNumber;
+    private long timeMicros;
+    private long ticks;
+    private long unknownLines;
+    private String lastType = "";
+    private boolean cutShort;
+
+    /** The sensors of one robot. */
+    private record Sensors(@Nullable Sonar sonar, @Nullable Blobfinder blobfinder, List<Ranger> rangers) {
+        static Sensors of(RobotSpec robot) {
+            return new Sensors(
+                    robot.sonar() == null ? null : new Sonar(robot.sonar()),
+                    robot.blobfinder() == null ? null : new Blobfinder(robot.blobfinder()),
+                    robot.rangers().stream()
+                            .map(ranger -> new Ranger(ranger, most -> 0))
+                            .toList());
+        }
+    }
+
+    private record PoseLine(Pose pose, double gapM, String service) {}
+
+    RunLogReader(Path file, WorldSpec world, RunListener listener) {
+        this.file = file;
+        this.world = world;
+        this.listener = listener;
+        this.scene = new Scene(world);
+        world.robots().forEach(robot -> sensors.add(Sensors.of(robot)));
+    }
+
+    /**
+     * Reads the file.
+     *
+     * @return remarks about what is missing in it; empty for a complete run
+     */
+    List<String> read() throws IOException {
+        try (BufferedReader reader = Files.newBufferedReader(file)) {
+            String line = next(reader);
+            while (line != null) {
+                lineNumber++;
+                String after = next(reader);
+                accept(line, after == null);
+                line = after;
+            }
+        }
+        if (lineNumber == 0) {
+            lineNumber = 1;
+            throw error(1, "the file is empty, expected the header of a run");
+        }
+        return remarks();
+    }
+
+    private @Nullable String next(BufferedReader reader) throws IOException {
+        try {
+            return reader.readLine();
+        } catch (CharacterCodingException e) {
+            lineNumber++;
+            throw error(1, "this is no text, expected a run.jsonl");
+        } catch (IOException e) {
+            throw new IOException(file + ": " + e.getMessage(), e);
+        }
+    }
+
+    private void accept(String line, boolean isLast) throws IOException {
+        JsonObject object;
+        try {
+            object = JsonObject.read(line);
+        } catch (JsonObject.Problem problem) {
+            if (isLast && lineNumber > 1) {
+                lastType = ""; // the program was killed while it wrote the line
+                return;
+            }
+            throw error(problem.column(), problem.getMessage());
+        }
+        try {
+            if (lineNumber == 1) {
+                begin(object);
+            } else {
+                accept(object);
+            }
+        } catch (JsonObject.Problem problem) {
+            throw error(problem.column(), problem.getMessage());
+        }
+    }
+
+    private RunFileException error(int column, String problem) {
+        return new RunFileException(file, lineNumber, column, problem);
+    }
+
+    private void begin(JsonObject header) throws IOException, JsonObject.Problem {
+        if (!header.has("format") || !header.text("format").equals(RunLog.FORMAT)) {
+            throw error(1, "expected a header with \"format\":\"" + RunLog.FORMAT + "\", as troupe run writes it");
+        }
+        int version = header.whole("version", 1, Integer.MAX_VALUE);
+        if (version != RunLog.VERSION) {
+            throw error(1, "the version of the run is " + version + ", expected " + RunLog.VERSION);
+        }
+        int robots = header.whole("robots", 0, Integer.MAX_VALUE);
+        String name = header.text("world");
+        if (!name.equals(world.name()) || robots != world.robots().size()) {
+            throw error(
+                    1,
+                    "the run was in world '" + name + "' with " + Plural.of(robots, "robot") + ", but " + world.file()
+                            + " is '" + world.name() + "' with "
+                            + Plural.of(world.robots().size(), "robot") + ": expected the world of the run");
+        }
+        listener.begin(header.texts());
+    }
+
+    private void accept(JsonObject line) throws IOException, JsonObject.Problem {
+        double seconds = line.number("t");
+        long micros = StrictMath.round(seconds * 1e6);
+        if (micros < timeMicros || seconds > 1e9) {
+            throw error(1, "'t' is " + seconds + ", expected " + timeMicros / 1e6 + " or more, as in the line before");
+        }
+        timeMicros = micros;
+        lastType = line.text("type");
+        if (!poses.isEmpty() && !lastType.equals("pose")) {
+            throw error(1, "expected the pose of robot " + (poses.size() + 1) + ", which belongs to the same reading");
+        }
+        switch (lastType) {
+            case "pose" -> pose(line);
+            case "state" -> state(line);
+            case "contact" -> contact(line);
+            case "charge" -> charge(line);
+            case "driver" -> driver(line);
+            case "lost" -> lost(line);
+            case "intervention" -> remark(Level.WARNING, 0, "changed from outside: " + line.text("what"));
+            case "summary" -> summary(line);
+            case "cutShort" -> cutShort(line);
+            default -> unknownLines++; // a later program may add types
+        }
+    }
+
+    private int robot(JsonObject line) throws JsonObject.Problem {
+        return line.whole("robot", 1, world.robots().size());
+    }
+
+    private void remark(Level level, int robot, String text) throws IOException {
+        String source = robot == 0 ? "run" : world.robots().get(robot - 1).name();
+        listener.happened(new Remark(timeMicros, level, source, text));
+    }
+
+    // ---- what happened
+
+    private void state(JsonObject line) throws IOException, JsonObject.Problem {
+        int robot = line.has("robot") ? robot(line) : 0;
+        int colour = line.whole("colour", 0, 0xFFFFFF);
+        List<String> services = line.textList("services");
+        int state = line.whole("state", 1, Integer.MAX_VALUE);
+        listener.happened(new StateBegins(timeMicros, state, robot, colour, services));
+        String cause =
+                robot == 0 ? "" : world.robots().get(robot - 1).name() + " sees " + RunListener.hex(colour) + ": ";
+        remark(Level.INFO, 0, cause + "state " + state + " begins" + (isCrowd() ? "" : ": " + assignment(services)));
+    }
+
+    private boolean isCrowd() {
+        return world.robots().size() >= RunRecorder.MANY_ROBOTS;
+    }
+
+    private String assignment(List<String> services) throws JsonObject.Problem {
+        if (services.size() != world.robots().size()) {
+            throw new JsonObject.Problem(1, Plural.of(services.size(), "service") + ", expected one for each robot");
+        }
+        return IntStream.range(0, services.size())
+                .mapToObj(i -> world.robots().get(i).name() + " " + services.get(i))
+                .collect(Collectors.joining(", "));
+    }
+
+    private void contact(JsonObject line) throws IOException, JsonObject.Problem {
+        int robot = robot(line);
+        String other = line.has("obstacle")
+                ? line.text("obstacle")
+                : world.robots()
+                        .get(line.whole("otherRobot", 1, world.robots().size()) - 1)
+                        .name();
+        listener.happened(new Touch(timeMicros, robot, line.text("service"), other));
+        remark(Level.WARNING, robot, "touches " + other);
+    }
+
+    private void charge(JsonObject line) throws IOException, JsonObject.Problem {
+        List<String> services = line.textList("services");
+        remark(
+                Level.WARNING,
+                robot(line),
+                services.isEmpty() ? "no service controls it" : "several control it: " + String.join(", ", services));
+    }
+
+    private void driver(JsonObject line) throws IOException, JsonObject.Problem {
+        remark(Level.INFO, robot(line), "is driven by " + line.text("node") + " with " + line.text("service"));
+    }
+
+    private void lost(JsonObject line) throws IOException, JsonObject.Problem {
+        String node = line.has("node") ? " " + line.text("node") : "";
+        remark(Level.ERROR, robot(line), "has lost its driver" + node + ": " + line.text("why"));
+    }
+
+    private void summary(JsonObject line) throws IOException, JsonObject.Problem {
+        cutShort = line.has("cutShort");
+        remark(
+                cutShort ? Level.WARNING : Level.INFO,
+                0,
+                "the run ends" + (cutShort ? " before its time: " + line.text("cutShort") : ""));
+    }
+
+    private void cutShort(JsonObject line) throws IOException, JsonObject.Problem {
+        cutShort = true;
+        remark(Level.ERROR, 0, "the run " + line.text("cutShort"));
+    }
+
+    // ---- readings
+
+    private void pose(JsonObject line) throws IOException, JsonObject.Problem {
+        if (robot(line) != poses.size() + 1) {
+            throw error(1, "robot " + robot(line) + " follows robot " + poses.size() + ", expected all in their order");
+        }
+        var pose = new Pose(line.number("x"), line.number("y"), line.number("heading"));
+        int robot = poses.size();
+        scene.place(robot, pose);
+        double gapM = scene.wallGapM(robot);
+        double recordedM = line.has("gap") ? line.number("gap") : Double.POSITIVE_INFINITY;
+        if (gapM != recordedM && !(StrictMath.abs(gapM - recordedM) <= SAME_GAP_M)) {
+            throw error(
+                    1,
+                    String.format(
+                            Locale.ROOT,
+                            "robot %d is %.3f m from the nearest obstacle, but in %s that is %.3f m: expected the world of the run, unchanged",
+                            robot + 1,
+                            recordedM,
+                            world.file(),
+                            gapM));
+        }
+        poses.add(new PoseLine(pose, recordedM, line.text("service")));
+        if (poses.size() == sensors.size()) {
+            listener.read(reading());
+            poses.clear();
+        }
+    }
+
+    private Reading reading() {
+        scene.refresh();
+        List<RobotReading> readings = new ArrayList<>();
+        for (int robot = 0; robot < sensors.size(); robot++) {
+            Sensors its = sensors.get(robot);
+            int index = robot;
+            readings.add(new RobotReading(
+                    poses.get(robot).pose(),
+                    UNKNOWN,
+                    its.sonar == null ? null : its.sonar.read(scene, robot),
+                    its.blobfinder == null ? null : its.blobfinder.read(scene, robot),
+                    its.rangers.stream()
+                            .map(ranger -> ranger.read(scene, index))
+                            .toList(),
+                    poses.get(robot).gapM()));
+        }
+        var snapshot = new Snapshot(ticks++, timeMicros, readings, List.of());
+        return new Reading(snapshot, poses.stream().map(PoseLine::service).toList(), false);
+    }
+
+    private List<String> remarks() {
+        List<String> remarks = new ArrayList<>();
+        if (!lastType.equals("summary") && !lastType.equals("cutShort")) {
+            remarks.add("the run has no end: the program was killed, or the disk was full");
+        } else if (cutShort) {
+            remarks.add("the run ended before its time");
+        }
+        if (!poses.isEmpty()) {
+            remarks.add("the last reading has " + poses.size() + " of " + Plural.of(sensors.size(), "pose")
+                    + " and is left out");
+        }
+        if (unknownLines > 0) {
+            remarks.add(Plural.of(unknownLines, "line") + " of unknown types left out");
+        }
+        return remarks;
+    }
+}

@@ -1,0 +1,313 @@
+package io.troupe.view.tools;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
+
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.SubsumptionRun;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.RobotReading;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.World;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.Scenario;
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.RecordedRun;
+import io.troupe.view.RunLog;
+import io.troupe.view.RunRecorder;
+import io.troupe.view.tools.RunListener.Level;
+import io.troupe.view.tools.RunListener.Remark;
+import io.troupe.view.tools.RunListener.StateBegins;
+import io.troupe.view.tools.RunListener.Touch;
+import java.io.IOException;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.LinkedHashMap;
+import java.util.List;
+import java.util.Map;
+import java.util.Random;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+import org.junit.jupiter.params.provider.ValueSource;
+
+@Timeout(120)
+class RunLogReaderTest {
+    private static final String STATE =
+            "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,\"services\":[\"avoid\"]}\n";
+    private static final String POSE =
+            "{\"t\":0.0,\"type\":\"pose\",\"robot\":1,\"x\":1.0,\"y\":2.0,\"heading\":0.0,\"gap\":2.7,\"service\":\"avoid\"}\n";
+
+    @TempDir
+    private Path folder;
+
+    /** Keeps what it receives. */
+    private static final class Collector implements RunListener {
+        final Map<String, String> header = new LinkedHashMap<>();
+        final List<Reading> readings = new ArrayList<>();
+        final List<Event> events = new ArrayList<>();
+
+        @Override
+        public void begin(Map<String, String> all) {
+            header.putAll(all);
+        }
+
+        @Override
+        public void read(Reading reading) {
+            readings.add(reading);
+        }
+
+        @Override
+        public void happened(Event event) {
+            events.add(event);
+        }
+    }
+
+    private final Collector collector = new Collector();
+
+    private List<String> read(String text, WorldSpec world) throws IOException {
+        Path file = folder.resolve("run.jsonl");
+        Files.writeString(file, text);
+        return new RunLogReader(file, world, collector).read();
+    }
+
+    @Test
+    void readingsOfARun_areThoseThatTheRobotsHad_bitForBit() throws Exception {
+        Scenario scenario = ScenarioReader.read(Path.of("..", "demo", "worlds", "paper-arena.world"));
+        SubsumptionTable table = SubsumptionTable.ofThePaper();
+        Path file = folder.resolve("run.jsonl");
+        List<Snapshot> snapshots = new ArrayList<>();
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+                var log = new RunLog(file)) {
+            log.begin(scenario.world(), RecordedRun.Settings.DEFAULT);
+            var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
+            var settings = new SubsumptionRun.Settings(
+                    Mode.PROMISE, "localhost", 6665, table, simulation.clock(), recorder, recorder);
+            try (var running = SubsumptionRun.start(settings)) {
+                recorder.start(simulation.latest());
+                snapshots.add(simulation.latest());
+                while (simulation.timeMicros() < 60_000_000) {
+                    snapshots.add(simulation.tick());
+                    running.check();
+                    recorder.record(snapshots.getLast());
+                }
+            }
+            recorder.finish(false);
+        }
+        assertThat(new RunLogReader(file, scenario.world(), collector).read()).isEmpty();
+        assertSameReadings(snapshots);
+        assertThat(snapshots)
+                .as("a robot has seen a blob")
+                .anyMatch(each -> each.robots().stream()
+                        .anyMatch(robot -> !robot.blobs().blobs().isEmpty()));
+        assertThat(collector.readings.getFirst().services()).containsExactly("wallFollower", "spaceWanderer");
+        assertThat(collector.header).containsEntry("world", "paper arena").containsEntry("seed", "1");
+        assertThat(collector.events)
+                .contains(new StateBegins(0, 1, 0, 0x0000ff, List.of("wallFollower", "spaceWanderer")));
+    }
+
+    private void assertSameReadings(List<Snapshot> snapshots) {
+        assertThat(collector.readings).hasSameSizeAs(snapshots);
+        for (int i = 0; i < snapshots.size(); i++) {
+            Snapshot read = collector.readings.get(i).snapshot();
+            assertThat(read.timeMicros()).isEqualTo(snapshots.get(i).timeMicros());
+            for (int robot = 0; robot < read.robots().size(); robot++) {
+                RobotReading had = snapshots.get(i).robots().get(robot);
+                RobotReading computed = read.robots().get(robot);
+                assertThat(List.of(computed.pose(), computed.rangersM(), computed.wallGapM()))
+                        .as("robot %d at tick %d", robot, i)
+                        .isEqualTo(List.of(had.pose(), had.rangersM(), had.wallGapM()));
+                assertThat(computed.sonarM()).isEqualTo(had.sonarM());
+                assertThat(computed.blobs()).isEqualTo(had.blobs());
+            }
+        }
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"office.world", "cave.world", "track.world"})
+    void readingsOfMovingRobots_withLasers_areTheirs(String name) throws IOException {
+        WorldSpec spec =
+                ScenarioReader.read(Path.of("..", "demo", "worlds", name)).world();
+        List<Snapshot> snapshots = new ArrayList<>();
+        try (var world = World.create(spec, WorldSettings.DEFAULT)) {
+            snapshots.add(world.latest());
+            for (int robot = 0; robot < spec.robots().size(); robot++) {
+                world.command(robot, 0.3, 0.4 - 0.1 * robot);
+            }
+            for (int tick = 0; tick < 30; tick++) {
+                snapshots.add(world.advance());
+            }
+        }
+        assertThat(read(Room.log(spec, snapshots), spec)).isEmpty();
+        assertSameReadings(snapshots);
+    }
+
+    @Test
+    void readings_inARoom_areThoseWorkedOutByHand() throws IOException {
+        String pose =
+                "{\"t\":0.5,\"type\":\"pose\",\"robot\":1,\"x\":-1.0,\"y\":2.0,\"heading\":0.0,\"gap\":2.8,\"service\":\"a\"}\n";
+        assertThat(read(Room.header(Room.WORLD) + pose, Room.WORLD))
+                .containsExactly("the run has no end: the program was killed, or the disk was full");
+        RobotReading reading = collector.readings.getFirst().snapshot().robots().getFirst();
+        assertThat(reading.sonarM())
+                .as("the east wall is 6 m away, 0.1 m less from the sonar; the north wall 3 m")
+                .satisfiesExactly(
+                        ahead -> assertThat(ahead).isEqualTo(5.9, within(1e-9)),
+                        left -> assertThat(left).isEqualTo(2.9, within(1e-9)));
+        assertThat(reading.rangersM().getFirst())
+                .as("south, east, north")
+                .satisfiesExactly(
+                        south -> assertThat(south).isEqualTo(7, within(1e-9)),
+                        east -> assertThat(east).isEqualTo(6, within(1e-9)),
+                        north -> assertThat(north).isEqualTo(3, within(1e-9)));
+        assertThat(reading.blobs().blobs()).as("the box is not in view").isEmpty();
+    }
+
+    @Test
+    void everyKindOfLine_isAnEvent() throws IOException {
+        WorldSpec arena = ScenarioReader.read(Path.of("..", "demo", "worlds", "paper-arena.world"))
+                .world();
+        String header = Room.header(arena);
+        assertThat(read(header + """
+                        {"t":0.0,"type":"state","state":1,"colour":255,"services":["a","b"]}
+                        {"t":1.0,"type":"contact","robot":1,"service":"a","obstacle":"west wall"}
+                        {"t":1.5,"type":"contact","robot":2,"service":"b","otherRobot":1}
+                        {"t":2.0,"type":"state","state":2,"robot":2,"colour":65280,"services":["b","a"]}
+                        {"t":2.0,"type":"charge","robot":1,"services":[]}
+                        {"t":2.0,"type":"charge","robot":2,"services":["a","b"]}
+                        {"t":3.0,"type":"driver","robot":1,"service":"a","node":"host-a"}
+                        {"t":4.0,"type":"lost","robot":1,"service":"a","node":"host-a","why":"killed"}
+                        {"t":4.0,"type":"intervention","what":"place 1 0 0 0"}
+                        {"t":4.5,"type":"weather","what":"rain"}
+                        {"t":5.0,"type":"summary","switches":1,"cutShort":"interrupted"}
+                        """, arena))
+                .containsExactly("the run ended before its time", "1 line of unknown types left out");
+        assertThat(collector.events)
+                .containsExactly(
+                        new StateBegins(0, 1, 0, 0xff, List.of("a", "b")),
+                        new Remark(0, Level.INFO, "run", "state 1 begins: robot1 a, robot2 b"),
+                        new Touch(1_000_000, 1, "a", "west wall"),
+                        new Remark(1_000_000, Level.WARNING, "robot1", "touches west wall"),
+                        new Touch(1_500_000, 2, "b", "robot1"),
+                        new Remark(1_500_000, Level.WARNING, "robot2", "touches robot1"),
+                        new StateBegins(2_000_000, 2, 2, 0xff00, List.of("b", "a")),
+                        new Remark(
+                                2_000_000,
+                                Level.INFO,
+                                "run",
+                                "robot2 sees #00ff00: state 2 begins: robot1 b, robot2 a"),
+                        new Remark(2_000_000, Level.WARNING, "robot1", "no service controls it"),
+                        new Remark(2_000_000, Level.WARNING, "robot2", "several control it: a, b"),
+                        new Remark(3_000_000, Level.INFO, "robot1", "is driven by host-a with a"),
+                        new Remark(4_000_000, Level.ERROR, "robot1", "has lost its driver host-a: killed"),
+                        new Remark(4_000_000, Level.WARNING, "run", "changed from outside: place 1 0 0 0"),
+                        new Remark(5_000_000, Level.WARNING, "run", "the run ends before its time: interrupted"));
+    }
+
+    @Test
+    void runOfAKilledProgram_isReadUpToTheLastReading() throws IOException {
+        String header = Room.header(Room.WORLD);
+        assertThat(read(header + STATE + POSE + POSE.substring(0, 40), Room.WORLD))
+                .containsExactly("the run has no end: the program was killed, or the disk was full");
+        assertThat(collector.readings).hasSize(1);
+        WorldSpec arena = ScenarioReader.read(Path.of("..", "demo", "worlds", "paper-arena.world"))
+                .world();
+        String first = Room.poses(start(arena)).lines().findFirst().orElseThrow();
+        assertThat(read(Room.header(arena) + first + "\n", arena))
+                .containsExactly(
+                        "the run has no end: the program was killed, or the disk was full",
+                        "the last reading has 1 of 2 poses and is left out");
+    }
+
+    private static Snapshot start(WorldSpec spec) {
+        try (var world = World.create(spec, WorldSettings.DEFAULT)) {
+            return world.latest();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "hello | 1:1: 'h', expected a JSON object",
+                "{\"t\":0.0} | 1:1: expected a header with \"format\":\"troupe-run\", as troupe run writes it",
+                "{\"format\":\"troupe-run\",\"version\":2} | 1:1: the version of the run is 2, expected 1",
+                "{\"format\":\"troupe-run\",\"version\":1} | 1:1: there is no 'robots', expected a whole number from 0 to 2147483647",
+                "{\"format\":\"troupe-run\",\"version\":1,\"robots\":2,\"world\":\"office\"} | 1:1: the run was in world 'office' with 2 robots, but room.world is 'room' with 1 robot: expected the world of the run",
+                "{\"format\":\"troupe-run\" | 1:23: the end of the line, expected ',' or '}'",
+            })
+    void firstLine_thatIsNoHeader_isAnError(String line, String problem) {
+        assertThatThrownBy(() -> read(line + "\n", Room.WORLD))
+                .isInstanceOf(RunFileException.class)
+                .hasMessage(folder.resolve("run.jsonl") + ":" + problem);
+        assertThat(collector.header).as("nothing has begun").isEmpty();
+    }
+
+    @Test
+    void emptyFile_andBytesThatAreNoText_areErrors() throws IOException {
+        assertThatThrownBy(() -> read("", Room.WORLD))
+                .hasMessageEndingWith("run.jsonl:1:1: the file is empty, expected the header of a run");
+        Path file = folder.resolve("bytes");
+        Files.write(file, new byte[] {(byte) 0xff, (byte) 0xfe, 0, 1});
+        assertThatThrownBy(() -> new RunLogReader(file, Room.WORLD, collector).read())
+                .hasMessageEndingWith("bytes:1:1: this is no text, expected a run.jsonl");
+    }
+
+    @ParameterizedTest
+    @CsvSource(
+            delimiter = '|',
+            quoteCharacter = '`',
+            value = {
+                "{\"t\":0.0,\"type\":\"pose\",\"robot\":2} | 'robot' is 2.0, expected a whole number from 1 to 1",
+                "{\"t\":0.0,\"type\":\"pose\",\"robot\":1} | there is no 'x', expected a number",
+                "{\"t\":0.0,\"type\":\"pose\",\"robot\":1,\"x\":\"1\"} | 'x' is '1', expected a number",
+                "{\"type\":\"pose\"} | there is no 't', expected a number",
+                "{\"t\":-1.0,\"type\":\"pose\"} | 't' is -1.0, expected 0.0 or more, as in the line before",
+                "{\"t\":0.0,\"type\":\"pose\",\"robot\":1,\"x\":-3,\"y\":0,\"heading\":0,\"gap\":1,\"service\":\"a\"} | robot 1 is 1.000 m from the nearest obstacle, but in room.world that is 1.800 m: expected the world of the run, unchanged",
+                "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,\"services\":[1]} | 'services' is [1.0], expected a list of texts",
+                "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,\"services\":[]} | 0 services, expected one for each robot",
+                "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":-1,\"services\":[]} | 'colour' is -1.0, expected a whole number from 0 to 16777215",
+            })
+    void wrongLine_isAnErrorWithItsNumber(String line, String problem) {
+        assertThatThrownBy(() -> read(Room.header(Room.WORLD) + line + "\n" + POSE, Room.WORLD))
+                .isInstanceOf(RunFileException.class)
+                .hasMessage(folder.resolve("run.jsonl") + ":2:1: " + problem);
+    }
+
+    @Test
+    void damagedRuns_areReadOrRejectedWithTheirLine() throws IOException {
+        long seed = new Random().nextLong();
+        var random = new Random(seed);
+        String run = Room.header(Room.WORLD) + STATE + POSE + POSE
+                + "{\"t\":0.1,\"type\":\"contact\",\"robot\":1,\"service\":\"avoid\",\"obstacle\":\"north\"}\n"
+                + "{\"t\":0.1,\"type\":\"summary\"}\n";
+        int rejected = 0;
+        for (int round = 0; round < 3_000; round++) {
+            var damaged = new StringBuilder(run);
+            for (int i = random.nextInt(3); i >= 0; i--) {
+                int at = random.nextInt(damaged.length());
+                switch (random.nextInt(3)) {
+                    case 0 -> damaged.deleteCharAt(at);
+                    case 1 -> damaged.setCharAt(at, (char) (' ' + random.nextInt(95)));
+                    default -> damaged.insert(at, "{}[]\",:0e-\\u\n".charAt(random.nextInt(13)));
+                }
+            }
+            try {
+                read(damaged.toString(), Room.WORLD);
+            } catch (RunFileException e) {
+                assertThat(e.getMessage())
+                        .as("seed %d, round %d", seed, round)
+                        .containsPattern("run\\.jsonl:\\d+:\\d+: .");
+                rejected++;
+            }
+        }
+        assertThat(rejected).as("seed %d", seed).isGreaterThan(1_000);
+    }
+}
