@@ -19,10 +19,12 @@ import org.jspecify.annotations.Nullable;
  * count up in order of creation as the tree's do. So the contacts are the same, in the same order.
  *
  * <p><b>Cost.</b> A box of up to {@link #MOST_CELLS} cells is in the list of each cell; larger ones are compared with
- * every query. The cells repeat every {@link #SIDE} metres. A query may report a box several times.
+ * every query. The cells repeat every some metres, more of them the more boxes there are. A query may report a box
+ * several times.
  */
 final class BodyCells implements BroadPhaseStrategy {
-    private static final int SIDE = 128; // a power of two
+    private static final int LEAST_SIDE = 16; // a power of two, as all sides
+    private static final int CELLS_PER_BOX = 4;
     private static final int MOST_CELLS = 128;
     private static final int NONE = -1;
     private static final int FIELDS = 4;
@@ -32,7 +34,8 @@ final class BodyCells implements BroadPhaseStrategy {
     private float[] bounds = new float[FIELDS * 64]; // of the same boxes: least x and y, greatest x and y
     private int[] ranges = new int[FIELDS * 64]; // first column and row, last column and row; large boxes: last < first
     private int count;
-    private final int[] firstNodes = new int[SIDE * SIDE];
+    private int side = LEAST_SIDE; // of the square of cells
+    private int[] firstNodes = new int[side * side];
     private int[] nextNodes = new int[64];
     private int[] proxies = new int[64]; // by node
     private int nodeCount;
@@ -58,7 +61,25 @@ final class BodyCells implements BroadPhaseStrategy {
         data[count] = userData;
         fatten(count, box, 0, 0);
         insert(count);
-        return count++;
+        count++;
+        if (CELLS_PER_BOX * count > side * side) {
+            grow();
+        }
+        return count - 1;
+    }
+
+    private void grow() {
+        side *= 2;
+        firstNodes = new int[side * side];
+        Arrays.fill(firstNodes, NONE);
+        nodeCount = 0;
+        freeNode = NONE;
+        largeCount = 0;
+        for (int proxy = 0; proxy < count; proxy++) {
+            if (data[proxy] != null) {
+                insert(proxy);
+            }
+        }
     }
 
     @Override
@@ -126,8 +147,8 @@ final class BodyCells implements BroadPhaseStrategy {
         return (int) Math.floor(coordinate);
     }
 
-    private static int index(int column, int row) {
-        return (row & SIDE - 1) * SIDE + (column & SIDE - 1);
+    private int index(int column, int row) {
+        return (row & side - 1) * side + (column & side - 1);
     }
 
     /** True for a box in the lists of the cells, and for a query that looks into them. */

@@ -1,6 +1,7 @@
 package io.troupe.sim.physics;
 
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.numeric.Angles;
 import io.troupe.sim.numeric.Direction;
 import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.common.MathUtils;
@@ -19,8 +20,6 @@ import org.jbox2d.dynamics.BodyType;
  * additions in the same precision, so that the body ends in the same place.
  */
 final class RobotBody {
-    private static final double FULL_TURN_RAD = 2 * StrictMath.PI;
-
     /** Largest move or turn (metres or radians) of a gliding step, far below jbox2d's limits. */
     private static final float MOST_GLIDE = 0.5f;
 
@@ -89,7 +88,7 @@ final class RobotBody {
         stallMeter = new StallMeter(stepMicros);
         x = pose.x();
         y = pose.y();
-        headingRad = wrap(pose.headingRad());
+        headingRad = Angles.wrap(pose.headingRad());
     }
 
     void drive(double forwardMps, double turnRadps) {
@@ -123,7 +122,7 @@ final class RobotBody {
         }
         x = pose.x();
         y = pose.y();
-        headingRad = wrap(pose.headingRad());
+        headingRad = Angles.wrap(pose.headingRad());
         body.setTransform(new Vec2((float) x, (float) y), (float) headingRad);
         bodyIsBehind = false;
         placed = true;
@@ -141,7 +140,7 @@ final class RobotBody {
             aimX = x + chordM * chord.cos();
             aimY = y + chordM * chord.sin();
         }
-        aimHeadingRad = wrap(headingRad + 2 * halfTurnRad);
+        aimHeadingRad = Angles.wrap(headingRad + 2 * halfTurnRad);
     }
 
     /** The velocity that takes the centre of the body from a place to where it is at the end of the arc. */
@@ -163,7 +162,7 @@ final class RobotBody {
     }
 
     private float angularVelocity(float fromAngle) {
-        return (float) (wrap(aimHeadingRad - fromAngle) / stepS);
+        return (float) (Angles.wrap(aimHeadingRad - fromAngle) / stepS);
     }
 
     /** Gives the body the velocity for a step of jbox2d. */
@@ -199,7 +198,7 @@ final class RobotBody {
         double fromY = y;
         double fromHeadingRad = headingRad;
         if (touched) {
-            headingRad = wrap(body.m_sweep.a);
+            headingRad = Angles.wrap(body.m_sweep.a);
             Direction direction = directions.body;
             direction.set(headingRad);
             double cos = direction.cos();
@@ -353,12 +352,6 @@ final class RobotBody {
         return bodyIsBehind ? bodyAngle : body.m_sweep.a;
     }
 
-    /** Wraps an angle to -pi to pi. */
-    static double wrap(double angleRad) {
-        // within these bounds the remainder is the angle itself
-        return Math.abs(angleRad) < StrictMath.PI ? angleRad : StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
-    }
-
     /**
      * Compares the commanded with the actual motion of a robot over the last 0.2 s.
      *
@@ -434,7 +427,7 @@ final class RobotBody {
                         : (steps[i + ACTUAL_X] * commandedX + steps[i + ACTUAL_Y] * commandedY) / commandedM;
                 double turnRadps = steps[i + COMMANDED_TURN_RADPS];
                 commandedSumRad += Math.abs(turnRadps) * stepS;
-                actualSumRad += RobotBody.wrap(steps[i + ACTUAL_RAD]) * Math.signum(turnRadps);
+                actualSumRad += Angles.wrap(steps[i + ACTUAL_RAD]) * Math.signum(turnRadps);
             }
             return lessThanHalf(actualSumM, commandedSumM) || lessThanHalf(actualSumRad, commandedSumRad);
         }
