@@ -326,9 +326,7 @@ public final class World implements AutoCloseable {
     private void advanceUnpublished() {
         commands.apply(tick, tick * intervalMicros, physics, devices);
         physics.forgetTouches();
-        for (int i = 0; i < stepsPerInterval; i++) {
-            physics.step();
-        }
+        physics.advance(stepsPerInterval);
         tick++;
         sense();
     }

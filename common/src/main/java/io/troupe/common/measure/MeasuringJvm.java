@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
  * }</pre>
  *
  * <p><b>Role.</b> Starts the JVM, sends requests and reads the answers, and answers them in the child. A request is a
- * line of text, an answer any number of lines. The child has the class path of its parent.
+ * line of text, an answer any number of lines. The child has the class path of its parent, unless given another one.
  *
  * <p><b>Threads.</b> Requests come from one thread at a time. {@link #end} and {@link #close} may be called by any.
  *
@@ -69,6 +69,7 @@ public final class MeasuringJvm implements AutoCloseable {
      * @param processors the number that the JVM is configured to have; null for those of the machine
      * @param log the file to which its standard error is appended; null for the standard error of this program
      * @param limit the longest time for an answer, after which the JVM is killed; null for no limit
+     * @param classPath null for that of the parent
      */
     public record Settings(
             Class<?> main,
@@ -76,26 +77,31 @@ public final class MeasuringJvm implements AutoCloseable {
             List<String> options,
             @Nullable Integer processors,
             @Nullable Path log,
-            @Nullable Duration limit) {
+            @Nullable Duration limit,
+            @Nullable String classPath) {
         public Settings {
             arguments = List.copyOf(arguments);
             options = List.copyOf(options);
         }
 
         public Settings withOptions(String... added) {
-            return new Settings(main, arguments, List.of(added), processors, log, limit);
+            return new Settings(main, arguments, List.of(added), processors, log, limit, classPath);
         }
 
         public Settings withProcessors(int count) {
-            return new Settings(main, arguments, options, count, log, limit);
+            return new Settings(main, arguments, options, count, log, limit, classPath);
         }
 
         public Settings withLog(Path file) {
-            return new Settings(main, arguments, options, processors, file, limit);
+            return new Settings(main, arguments, options, processors, file, limit, classPath);
         }
 
         public Settings withLimit(Duration longest) {
-            return new Settings(main, arguments, options, processors, log, longest);
+            return new Settings(main, arguments, options, processors, log, longest, classPath);
+        }
+
+        public Settings withClassPath(String path) {
+            return new Settings(main, arguments, options, processors, log, limit, path);
         }
 
         public MeasuringJvm start() throws IOException {
@@ -105,7 +111,8 @@ public final class MeasuringJvm implements AutoCloseable {
                 command.add("-XX:ActiveProcessorCount=" + processors);
             }
             command.addAll(options);
-            command.addAll(List.of("-cp", System.getProperty("java.class.path"), main.getName()));
+            command.addAll(List.of(
+                    "-cp", classPath == null ? System.getProperty("java.class.path") : classPath, main.getName()));
             command.addAll(arguments);
             var builder = new ProcessBuilder(command);
             builder.redirectError(
@@ -127,7 +134,7 @@ public final class MeasuringJvm implements AutoCloseable {
 
     /** Settings without JVM options, a number of processors, a log or a limit. */
     public static Settings running(Class<?> main, String... arguments) {
-        return new Settings(main, List.of(arguments), List.of(), null, null, null);
+        return new Settings(main, List.of(arguments), List.of(), null, null, null, null);
     }
 
     /** Sends a request and waits for its answer; error messages quote the request. */

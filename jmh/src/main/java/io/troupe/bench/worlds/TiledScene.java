@@ -13,6 +13,7 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The scene that all contenders simulate: tiles of 16 m by 16 m, each with six wall boxes, three coloured objects and
@@ -65,6 +66,16 @@ final class TiledScene {
         return new WorldSpec("tiles", Path.of("tiles.world"), INTERVAL_MILLIS, scene.robots(), scene.obstacles());
     }
 
+    /** The scene without cameras. */
+    static WorldSpec withSonarsOnly(int robotCount) {
+        WorldSpec full = of(robotCount);
+        List<RobotSpec> robots = new ArrayList<>();
+        for (RobotSpec robot : full.robots()) {
+            robots.add(robot(robot.name(), robot.pose(), null));
+        }
+        return new WorldSpec(full.name(), full.file(), INTERVAL_MILLIS, robots, full.obstacles());
+    }
+
     /** Whether this is the colour of a coloured object, not of a wall or a robot. */
     static boolean isColoured(int colour) {
         return colour != WALL && colour != ROBOT;
@@ -78,12 +89,12 @@ final class TiledScene {
             int slot = (i / (columns * rows) * 27 + 13) % SLOTS;
             double x = left(tile) + (slot % SLOTS_PER_SIDE + 0.5) * SLOT_M;
             double y = bottom(tile) + (slot / SLOTS_PER_SIDE + 0.5) * SLOT_M;
-            robots.add(robot("r" + i, new Pose(x, y, i * GOLDEN_ANGLE_RAD % (2 * StrictMath.PI))));
+            robots.add(robot("r" + i, new Pose(x, y, i * GOLDEN_ANGLE_RAD % (2 * StrictMath.PI)), CAMERA));
         }
         return robots;
     }
 
-    private static RobotSpec robot(String name, Pose pose) {
+    private static RobotSpec robot(String name, Pose pose, @Nullable BlobfinderSpec camera) {
         return new RobotSpec(
                 name,
                 pose,
@@ -95,7 +106,7 @@ final class TiledScene {
                 Pose.ORIGIN,
                 Pose.ORIGIN,
                 SONAR,
-                CAMERA,
+                camera,
                 List.of(),
                 true,
                 true,

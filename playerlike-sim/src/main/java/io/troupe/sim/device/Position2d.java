@@ -2,6 +2,7 @@ package io.troupe.sim.device;
 
 import io.troupe.sim.model.OdometryError;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.numeric.Angles;
 
 /**
  * A robot's odometry since it was last set: exact, or with an error proportional to every move.
@@ -17,8 +18,6 @@ public final class Position2d {
      * micrometre, and some are infinite.
      */
     public static final double FARTHEST = 1e9;
-
-    private static final double FULL_TURN_RAD = 2 * StrictMath.PI;
 
     private final OdometryError error;
     private final boolean exact;
@@ -63,7 +62,7 @@ public final class Position2d {
         sin = StrictMath.sin(origin.headingRad());
         x = reported.x();
         y = reported.y();
-        headingRad = wrap(reported.headingRad());
+        headingRad = Angles.wrap(reported.headingRad());
         seenX = truth.x();
         seenY = truth.y();
         seenHeadingRad = truth.headingRad();
@@ -96,7 +95,7 @@ public final class Position2d {
     private void report(double worldX, double worldY, double worldHeadingRad) {
         x = cos * (worldX - origin.x()) + sin * (worldY - origin.y());
         y = cos * (worldY - origin.y()) - sin * (worldX - origin.x());
-        headingRad = wrap(worldHeadingRad - origin.headingRad());
+        headingRad = Angles.wrap(worldHeadingRad - origin.headingRad());
     }
 
     private void count(double worldX, double worldY, double worldHeadingRad) {
@@ -106,12 +105,12 @@ public final class Position2d {
         double sinBefore = StrictMath.sin(seenHeadingRad);
         double forwardM = (cosBefore * dx + sinBefore * dy) * (1 + error.x());
         double leftM = (cosBefore * dy - sinBefore * dx) * (1 + error.y());
-        double turnedRad = wrap(worldHeadingRad - seenHeadingRad) * (1 + error.heading());
+        double turnedRad = Angles.wrap(worldHeadingRad - seenHeadingRad) * (1 + error.heading());
         double cosReported = StrictMath.cos(headingRad);
         double sinReported = StrictMath.sin(headingRad);
         x += cosReported * forwardM - sinReported * leftM;
         y += sinReported * forwardM + cosReported * leftM;
-        headingRad = wrap(headingRad + turnedRad);
+        headingRad = Angles.wrap(headingRad + turnedRad);
     }
 
     public double x() {
@@ -136,10 +135,5 @@ public final class Position2d {
         double headingRad = truth.headingRad() - reported.headingRad();
         Pose turned = new Pose(0, 0, headingRad).compose(reported);
         return new Pose(truth.x() - turned.x(), truth.y() - turned.y(), headingRad);
-    }
-
-    private static double wrap(double angleRad) {
-        // within these bounds the remainder is the angle itself
-        return Math.abs(angleRad) < StrictMath.PI ? angleRad : StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
     }
 }

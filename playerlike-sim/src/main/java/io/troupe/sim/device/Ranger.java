@@ -147,8 +147,8 @@ public final class Ranger {
                 }
             }
             scratch.fit(fan.size());
-            scene.cast(robot, fan, Ray.RANGE, spec.maxRangeM(), scratch);
-            double[] distancesM = scratch.distancesM();
+            scene.castRanges(robot, fan, spec.maxRangeM(), scratch);
+            double[] distancesM = scratch.rays.distanceM;
             for (int i = 0; i < fan.size(); i++) {
                 double rangeM = noisyRange ? noisy(distancesM[i]) : distancesM[i];
                 into[from + i] = Math.clamp(rangeM, spec.minRangeM(), spec.maxRangeM());

@@ -4,7 +4,9 @@ package io.troupe.sim.device;
  * Finds the first segment on a ray by walking through the grid cells that the ray crosses.
  *
  * <p>Only a segment's outer side stops a ray: a ray that starts inside a body does not see that body. Of several things
- * at the same distance, the one whose segment comes first is hit, and a fixed one before a moving one.
+ * at the same distance, that in the earlier cell of the ray is hit, in a cell a fixed thing before a moving one, and
+ * then the one whose segment comes first. For ranges this does not matter, and {@link FanProjection} may find them
+ * instead.
  */
 final class RayCaster {
     /** Tolerance at segment ends, so that a ray through a corner cannot slip between two segments. */
@@ -71,26 +73,32 @@ final class RayCaster {
     }
 
     private static void meet(Segments segments, int s, Ray ray) {
+        double distanceM = distanceM(segments, s, ray.x, ray.y, ray.dirX, ray.dirY, ray.maxM);
+        if (distanceM < ray.hitM) {
+            ray.hitM = distanceM;
+            ray.hitThing = segments.thing(s);
+        }
+    }
+
+    /** Distance from the start of a ray to the outer side of an edge; infinite if it does not meet it in range. */
+    static double distanceM(Segments segments, int s, double x, double y, double dirX, double dirY, double maxM) {
         double dx = segments.dx(s);
         double dy = segments.dy(s);
-        double facing = dx * ray.dirY - dy * ray.dirX; // positive: the ray comes from the right, which is outside
+        double facing = dx * dirY - dy * dirX; // positive: the ray comes from the right, which is outside
         if (!(facing > 0)) {
-            return;
+            return Double.POSITIVE_INFINITY;
         }
-        double offX = segments.x(s) - ray.x;
-        double offY = segments.y(s) - ray.y;
+        double offX = segments.x(s) - x;
+        double offY = segments.y(s) - y;
         double distanceShare = offY * dx - offX * dy;
-        double alongShare = offY * ray.dirX - offX * ray.dirY;
+        double alongShare = offY * dirX - offX * dirY;
         // rejects most segments, which are far off, without a division
         if (distanceShare < 0 || alongShare < -FAR * facing || alongShare > (1 + FAR) * facing) {
-            return;
+            return Double.POSITIVE_INFINITY;
         }
         double distanceM = distanceShare / facing;
         double along = alongShare / facing;
         boolean onSegment = along >= -CORNER && along <= 1 + CORNER;
-        if (onSegment && distanceM <= ray.maxM && distanceM < ray.hitM) {
-            ray.hitM = distanceM;
-            ray.hitThing = segments.thing(s);
-        }
+        return onSegment && distanceM <= maxM ? distanceM : Double.POSITIVE_INFINITY;
     }
 }

@@ -35,6 +35,15 @@ sealed class Ring permits ConvexPolygon {
         }
     }
 
+    /** Distance of the farthest vertex from a point. */
+    final double radiusM(double fromX, double fromY) {
+        double farthestM = 0;
+        for (int i = 0; i < x.length; i++) {
+            farthestM = Math.max(farthestM, StrictMath.hypot(x[i] - fromX, y[i] - fromY));
+        }
+        return farthestM;
+    }
+
     final int next(int vertex) {
         return vertex + 1 == x.length ? 0 : vertex + 1;
     }

@@ -8,16 +8,18 @@ package io.troupe.sim.device;
 public final class Scratch {
     final Ray ray = new Ray();
     final Camera camera = new Camera();
+    final FanProjection.Rays rays = new FanProjection.Rays();
     private int[] things = new int[0];
     private double[] distancesM = new double[0];
     private boolean[] wanted = new boolean[0];
 
     /** Ensures the capacity for a fan of the given number of rays. */
-    void fit(int rays) {
-        if (things.length < rays) {
-            things = new int[rays];
-            distancesM = new double[rays];
-            wanted = new boolean[rays];
+    void fit(int size) {
+        rays.fit(size);
+        if (things.length < size) {
+            things = new int[size];
+            distancesM = new double[size];
+            wanted = new boolean[size];
         }
     }
 

@@ -2,11 +2,13 @@ package io.troupe.sim.device;
 
 import io.troupe.sim.model.SonarSpec;
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /** A robot's ring of sonars. Each sonar casts one ray along its heading, ignoring the robot that carries it. */
 public final class Sonar {
     private final SonarSpec spec;
     private final RayFan fan;
+    private final @Nullable FanSectors sectors;
     private final double[] rangesM;
 
     public Sonar(SonarSpec spec) {
@@ -14,8 +16,13 @@ public final class Sonar {
     }
 
     private Sonar(SonarSpec spec, RayFan fan) {
+        this(spec, fan, FanSectors.of(fan));
+    }
+
+    private Sonar(SonarSpec spec, RayFan fan, @Nullable FanSectors sectors) {
         this.spec = spec;
         this.fan = fan;
+        this.sectors = sectors;
         rangesM = new double[fan.size()];
     }
 
@@ -29,15 +36,20 @@ public final class Sonar {
 
     /** Creates another ring of this specification, with separate readings; the immutable tables are shared. */
     public Sonar twin() {
-        return new Sonar(spec, fan);
+        return new Sonar(spec, fan, sectors);
     }
 
     /** Reads all sonars; allocates nothing. */
     public void sense(Scene scene, int robot, Scratch scratch) {
         scratch.fit(fan.size());
-        scene.cast(robot, fan, Ray.RANGE, spec.maxRangeM(), scratch);
+        if (sectors == null) {
+            scene.castRanges(robot, fan, spec.maxRangeM(), scratch);
+        } else {
+            scene.projectRanges(robot, sectors, spec.maxRangeM(), scratch);
+        }
+        double[] distancesM = scratch.rays.distanceM;
         for (int i = 0; i < rangesM.length; i++) {
-            rangesM[i] = Math.clamp(scratch.distancesM()[i], spec.minRangeM(), spec.maxRangeM());
+            rangesM[i] = Math.clamp(distancesM[i], spec.minRangeM(), spec.maxRangeM());
         }
     }
 

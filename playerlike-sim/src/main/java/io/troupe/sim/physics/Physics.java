@@ -19,10 +19,12 @@ import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyDef;
 import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.dynamics.Fixture;
 import org.jbox2d.dynamics.FixtureDef;
 import org.jbox2d.dynamics.World;
 import org.jbox2d.dynamics.contacts.Contact;
 import org.jbox2d.pooling.normal.DefaultWorldPool;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Motion and collisions of the robots.
@@ -58,13 +60,17 @@ public final class Physics {
     private static final int VELOCITY_ITERATIONS = 8;
     private static final int POSITION_ITERATIONS = 3;
 
-    private final RepairedTree tree;
+    private final BodyCells cells = new BodyCells();
     private final World world;
     private final List<RobotBody> robots = new ArrayList<>();
+    private final Map<Shape, FatBoxes.Vertices> vertices = new HashMap<>();
+    private final RobotBody.Directions directions = new RobotBody.Directions();
+    private final Gliders gliders;
     private final TouchTracker touches;
     private final int robotCount;
     private final int stepMicros;
     private final boolean mayGlide;
+    private @Nullable Body firstOfList; // the head of jbox2d's list of bodies
     private int obstacleCount;
     private long timeMicros;
 
@@ -87,12 +93,12 @@ public final class Physics {
         this.stepMicros = stepMicros;
         this.mayGlide = mayGlide;
         touches = new TouchTracker(robotCount);
-        tree = new RepairedTree();
         world = new World(
-                new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), tree);
+                new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), cells);
         world.setAllowSleep(false);
         world.setContinuousPhysics(false);
         world.setContactListener(touches);
+        gliders = new Gliders(robots, robotCount, cells);
     }
 
     /**
@@ -128,9 +134,11 @@ public final class Physics {
             List<Point> placed = polygon.stream().map(pose::place).toList();
             Pose anchor = anchor(placed);
             Body body = bodies.computeIfAbsent(anchor, each -> createBody(BodyType.STATIC, each, id));
-            body.createFixture(fixture(placed.stream()
-                    .map(vertex -> new Point(vertex.x() - anchor.x(), vertex.y() - anchor.y()))
-                    .toList()));
+            addFixture(
+                    body,
+                    fixture(placed.stream()
+                            .map(vertex -> new Point(vertex.x() - anchor.x(), vertex.y() - anchor.y()))
+                            .toList()));
         }
     }
 
@@ -164,11 +172,19 @@ public final class Physics {
             if (!blocksBodies) {
                 fixture.filter.maskBits = 0;
             }
-            body.createFixture(fixture);
-            proxies[i] = tree.newestProxy();
+            proxies[i] = addFixture(body, fixture);
         }
         setMass(body, massKg);
-        robots.add(new RobotBody(body, new FatBoxes(tree, proxies, shape), pose, stepMicros));
+        var fatBoxes = new FatBoxes(cells, proxies, vertices.computeIfAbsent(shape, FatBoxes.Vertices::new));
+        robots.add(new RobotBody(body, fatBoxes, directions, pose, stepMicros));
+    }
+
+    /** Adds a polygon. Returns the number of its proxy, which is also its user data. */
+    private int addFixture(Body body, FixtureDef definition) {
+        Fixture fixture = body.createFixture(definition);
+        int proxy = cells.newestProxy();
+        fixture.setUserData(proxy);
+        return proxy;
     }
 
     /** Holds a robot that overlaps something in place, like an obstacle, until it is teleported. */
@@ -221,17 +237,52 @@ public final class Physics {
         robots.get(robot).teleport(pose);
     }
 
-    /** Advances by one step. */
-    public void step() {
-        for (int i = 0; i < robots.size(); i++) {
-            robots.get(i).aim(mayGlide && timeMicros > 0);
+    /**
+     * Advances by this number of steps.
+     *
+     * <p><b>Cost.</b> Robots that nothing can touch in these steps make all of them at once, without jbox2d. In each
+     * step jbox2d handles only the others.
+     */
+    public void advance(int steps) {
+        gliders.begin(steps);
+        for (int step = 0; step < steps; step++) {
+            gliders.select(step, mayGlide && timeMicros > 0);
+            step(gliders);
         }
-        world.step(stepMicros / 1e6f, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
+    }
+
+    private void step(Gliders each) {
+        for (int i = 0; i < each.awakeCount(); i++) {
+            robots.get(each.awake(i)).push();
+        }
         timeMicros += stepMicros;
-        touches.settle(timeMicros);
-        for (int i = 0; i < robots.size(); i++) {
-            robots.get(i).settle(touches.touched(i));
+        if (each.awakeCount() > 0) {
+            list(each);
+            world.step(stepMicros / 1e6f, VELOCITY_ITERATIONS, POSITION_ITERATIONS);
         }
+        touches.settle(timeMicros);
+        for (int i = 0; i < each.awakeCount(); i++) {
+            int robot = each.awake(i);
+            robots.get(robot).settle(touches.touched(robot));
+        }
+    }
+
+    /**
+     * Leaves only the robots of this step in jbox2d's list of bodies, in their order, which is from the newest to the
+     * oldest. Obstacles need not be in it: jbox2d finds them by their contacts.
+     */
+    private void list(Gliders each) {
+        Body last = firstOfList;
+        if (last == null) {
+            last = createBody(BodyType.STATIC, Pose.ORIGIN, robotCount + obstacleCount);
+            firstOfList = last;
+        }
+        for (int i = each.awakeCount() - 1; i >= 0; i--) {
+            Body next = robots.get(each.awake(i)).body();
+            last.m_next = next;
+            last = next;
+        }
+        last.m_next = null;
     }
 
     /** X coordinate of a robot's centre of rotation. */
@@ -277,8 +328,8 @@ public final class Physics {
         return robots.get(robot).bodyHeadingRad();
     }
 
-    RepairedTree tree() {
-        return tree;
+    BodyCells cells() {
+        return cells;
     }
 
     /**

@@ -1,6 +1,7 @@
 package io.troupe.sim.physics;
 
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.numeric.Angles;
 import io.troupe.sim.numeric.Direction;
 import org.jbox2d.collision.shapes.MassData;
 import org.jbox2d.common.MathUtils;
@@ -14,25 +15,27 @@ import org.jbox2d.dynamics.BodyType;
  * <p>jbox2d computes in {@code float}, so its positions drift. This class keeps the pose of the centre of rotation in
  * {@code double}. While nothing touches the robot, each step aims the body exactly at the next point of the commanded
  * arc, and the pose is that point. While something touches it, the pose follows the body.
+ *
+ * <p><b>Gliding.</b> A robot that nothing can touch makes its steps without jbox2d, several at a time: the same
+ * additions in the same precision, so that the body ends in the same place.
  */
 final class RobotBody {
-    private static final double FULL_TURN_RAD = 2 * StrictMath.PI;
-
     /** Largest move or turn (metres or radians) of a gliding step, far below jbox2d's limits. */
     private static final float MOST_GLIDE = 0.5f;
 
+    /** Larger than the rounding errors of a step's travel. */
+    private static final double ROUNDING = 1e-6;
+
     private final Body body;
     private final FatBoxes fatBoxes;
+    private final Directions directions;
     private final float physicsStepS; // in float, as jbox2d uses it
     private final double stepS;
     private final double centreX; // centre of mass, in the robot's frame
     private final double centreY;
+    private final boolean central; // the centre of mass is the centre of rotation
     private final StallMeter stallMeter;
     private final MassData mass = new MassData();
-    private final Vec2 velocity = new Vec2();
-    private final Direction halfTurn = new Direction();
-    private final Direction chordDirection = new Direction();
-    private final Direction bodyDirection = new Direction();
 
     private double x;
     private double y;
@@ -40,32 +43,61 @@ final class RobotBody {
     private double turnRadps;
     private double halfTurnRad; // of one step
     private double chordM;
+    private double travelM; // no point of the robot moves farther in a step, unless it is pushed
     private double aimX;
     private double aimY;
     private double aimHeadingRad;
-    private boolean transformIsStale;
     private boolean placed; // teleported since the last step
     private boolean held; // in place, because it overlaps something
 
-    RobotBody(Body body, FatBoxes fatBoxes, Pose pose, int stepMicros) {
+    // While the robot glides, the place of the body's centre and its angle are here, and those of jbox2d are old.
+    private boolean bodyIsBehind;
+    private float bodyX;
+    private float bodyY;
+    private float bodyAngle;
+    private double slackM = -1; // of the fat boxes, at least; negative = unknown
+
+    // where the glide began
+    private double startX;
+    private double startY;
+    private double startHeadingRad;
+    private float startBodyX;
+    private float startBodyY;
+    private float startBodyAngle;
+    private int startRecord;
+    private boolean startedBehind;
+
+    /** Working memory of all robots of a thread. */
+    static final class Directions {
+        private final Direction halfTurn = new Direction();
+        private final Direction chord = new Direction();
+        private final Direction body = new Direction();
+        private final Vec2 velocity = new Vec2();
+    }
+
+    RobotBody(Body body, FatBoxes fatBoxes, Directions directions, Pose pose, int stepMicros) {
         this.body = body;
         this.fatBoxes = fatBoxes;
+        this.directions = directions;
         physicsStepS = stepMicros / 1e6f;
         stepS = stepMicros / 1e6;
         centreX = body.getLocalCenter().x;
         centreY = body.getLocalCenter().y;
+        central = centreX == 0 && centreY == 0;
         body.getMassData(mass);
         stallMeter = new StallMeter(stepMicros);
         x = pose.x();
         y = pose.y();
-        headingRad = wrap(pose.headingRad());
+        headingRad = Angles.wrap(pose.headingRad());
     }
 
     void drive(double forwardMps, double turnRadps) {
         this.turnRadps = turnRadps;
         halfTurnRad = turnRadps * stepS / 2;
-        halfTurn.set(halfTurnRad);
-        chordM = forwardMps * stepS * (halfTurnRad == 0 ? 1 : halfTurn.sin() / halfTurnRad);
+        directions.halfTurn.set(halfTurnRad);
+        chordM = forwardMps * stepS * (halfTurnRad == 0 ? 1 : directions.halfTurn.sin() / halfTurnRad);
+        double arcsM = Math.abs(forwardMps) + Math.abs(turnRadps) * fatBoxes.radiusM();
+        travelM = arcsM * stepS * (1 + ROUNDING) + ROUNDING / 1000;
     }
 
     /** Makes the robot immovable until it is teleported. */
@@ -90,71 +122,72 @@ final class RobotBody {
         }
         x = pose.x();
         y = pose.y();
-        headingRad = wrap(pose.headingRad());
+        headingRad = Angles.wrap(pose.headingRad());
         body.setTransform(new Vec2((float) x, (float) y), (float) headingRad);
-        transformIsStale = false;
+        bodyIsBehind = false;
         placed = true;
+        slackM = -1;
     }
 
-    /**
-     * Sets the velocity that takes the body to the end of this step's arc.
-     *
-     * @param mayGlide true if the known contacts of the bodies include all contacts that this step can bring
-     */
-    void aim(boolean mayGlide) {
-        chordDirection.set(headingRad + halfTurnRad);
-        aimX = x + chordM * chordDirection.cos();
-        aimY = y + chordM * chordDirection.sin();
-        aimHeadingRad = wrap(headingRad + 2 * halfTurnRad);
+    /** The end of the next step's arc. */
+    private void aim() {
+        if (chordM == 0 && x != 0 && y != 0) { // zero might change its sign
+            aimX = x;
+            aimY = y;
+        } else {
+            Direction chord = directions.chord;
+            chord.set(headingRad + halfTurnRad);
+            aimX = x + chordM * chord.cos();
+            aimY = y + chordM * chord.sin();
+        }
+        aimHeadingRad = Angles.wrap(headingRad + 2 * halfTurnRad);
+    }
 
+    /** The velocity that takes the centre of the body from a place to where it is at the end of the arc. */
+    private void aimBody(float fromX, float fromY) {
+        double towardsX;
+        double towardsY;
+        if (central && aimX != 0 && aimY != 0) { // zero might change its sign
+            towardsX = aimX - fromX;
+            towardsY = aimY - fromY;
+        } else {
+            Direction direction = directions.body;
+            direction.set(aimHeadingRad);
+            double cos = direction.cos();
+            double sin = direction.sin();
+            towardsX = aimX + cos * centreX - sin * centreY - fromX;
+            towardsY = aimY + sin * centreX + cos * centreY - fromY;
+        }
+        directions.velocity.set((float) (towardsX / stepS), (float) (towardsY / stepS));
+    }
+
+    private float angularVelocity(float fromAngle) {
+        return (float) (Angles.wrap(aimHeadingRad - fromAngle) / stepS);
+    }
+
+    /** Gives the body the velocity for a step of jbox2d. */
+    void push() {
         if (held) {
+            aim();
             return;
         }
-        bodyDirection.set(aimHeadingRad);
-        double cos = bodyDirection.cos();
-        double sin = bodyDirection.sin();
-        double towardsX = aimX + cos * centreX - sin * centreY - body.m_sweep.c.x;
-        double towardsY = aimY + sin * centreX + cos * centreY - body.m_sweep.c.y;
-        velocity.set((float) (towardsX / stepS), (float) (towardsY / stepS));
-        float angularVelocity = (float) (wrap(aimHeadingRad - body.m_sweep.a) / stepS);
-        if (mayGlide
-                && !placed
-                && glides(velocity.x * physicsStepS, velocity.y * physicsStepS, angularVelocity * physicsStepS)) {
-            return;
+        if (bodyIsBehind) {
+            bodyIsBehind = false;
+            body.m_sweep.c.x = bodyX;
+            body.m_sweep.c.y = bodyY;
+            body.m_sweep.a = bodyAngle;
+            body.synchronizeTransform();
         }
         placed = false;
-        if (transformIsStale) {
-            body.synchronizeTransform();
-            transformIsStale = false;
-        }
+        slackM = -1;
+        aim();
+        aimBody(body.m_sweep.c.x, body.m_sweep.c.y);
         body.setAwake(true);
-        body.setLinearVelocity(velocity);
-        body.setAngularVelocity(angularVelocity);
+        body.setLinearVelocity(directions.velocity);
+        body.setAngularVelocity(angularVelocity(body.m_sweep.a));
     }
 
-    /**
-     * Moves a robot with nothing near it without jbox2d, if possible; the body sleeps during the step. It does the same
-     * additions in the same precision as jbox2d, so the body ends in the same place.
-     */
-    private boolean glides(float moveX, float moveY, float turnRad) {
-        float a = body.m_sweep.a + turnRad;
-        if (body.m_contactList != null
-                || Math.abs(a) > MathUtils.PI
-                || Math.max(Math.max(Math.abs(moveX), Math.abs(moveY)), Math.abs(turnRad)) > MOST_GLIDE
-                || !fatBoxes.hold(aimX, aimY, bodyDirection.cos(), bodyDirection.sin())) {
-            return false;
-        }
-        if (body.isAwake()) {
-            body.setAwake(false);
-        }
-        body.m_sweep.c.x += moveX;
-        body.m_sweep.c.y += moveY;
-        body.m_sweep.a = a;
-        transformIsStale = true;
-        return true;
-    }
-
-    /** Reads the pose of the body after the step. */
+    /** Reads the pose of the body after a step of jbox2d. */
     void settle(boolean touched) {
         if (held) {
             stallMeter.record(aimX - x, aimY - y, 0, 0, turnRadps, 0);
@@ -165,10 +198,11 @@ final class RobotBody {
         double fromY = y;
         double fromHeadingRad = headingRad;
         if (touched) {
-            headingRad = wrap(body.m_sweep.a);
-            bodyDirection.set(headingRad);
-            double cos = bodyDirection.cos();
-            double sin = bodyDirection.sin();
+            headingRad = Angles.wrap(body.m_sweep.a);
+            Direction direction = directions.body;
+            direction.set(headingRad);
+            double cos = direction.cos();
+            double sin = direction.sin();
             x = body.m_sweep.c.x - (cos * centreX - sin * centreY);
             y = body.m_sweep.c.y - (sin * centreX + cos * centreY);
         } else {
@@ -177,6 +211,115 @@ final class RobotBody {
             headingRad = aimHeadingRad;
         }
         stallMeter.record(aimX - fromX, aimY - fromY, x - fromX, y - fromY, turnRadps, headingRad - fromHeadingRad);
+    }
+
+    /** Makes up to this number of steps without jbox2d. Returns how many: it ends before a step that needs jbox2d. */
+    int glide(int steps) {
+        if (placed || held) {
+            return 0;
+        }
+        if (body.isAwake()) {
+            body.setAwake(false);
+        }
+        startedBehind = bodyIsBehind;
+        if (!bodyIsBehind) {
+            bodyX = body.m_sweep.c.x;
+            bodyY = body.m_sweep.c.y;
+            bodyAngle = body.m_sweep.a;
+        }
+        startX = x;
+        startY = y;
+        startHeadingRad = headingRad;
+        startBodyX = bodyX;
+        startBodyY = bodyY;
+        startBodyAngle = bodyAngle;
+        startRecord = stallMeter.next();
+        int made = 0;
+        while (made < steps && glideStep()) {
+            made++;
+        }
+        bodyIsBehind = startedBehind || made > 0;
+        return made;
+    }
+
+    private boolean glideStep() {
+        aim();
+        aimBody(bodyX, bodyY);
+        float moveX = directions.velocity.x * physicsStepS;
+        float moveY = directions.velocity.y * physicsStepS;
+        float turnRad = angularVelocity(bodyAngle) * physicsStepS;
+        float angle = bodyAngle + turnRad;
+        if (Math.abs(angle) > MathUtils.PI
+                || Math.max(Math.max(Math.abs(moveX), Math.abs(moveY)), Math.abs(turnRad)) > MOST_GLIDE
+                || !staysInFatBoxes()) {
+            return false;
+        }
+        bodyX += moveX;
+        bodyY += moveY;
+        bodyAngle = angle;
+        double movedX = aimX - x;
+        double movedY = aimY - y;
+        stallMeter.record(movedX, movedY, movedX, movedY, turnRadps, aimHeadingRad - headingRad);
+        x = aimX;
+        y = aimY;
+        headingRad = aimHeadingRad;
+        return true;
+    }
+
+    /** Compares with the boxes only if the robot may have travelled as far as they allowed the last time. */
+    private boolean staysInFatBoxes() {
+        slackM -= travelM;
+        if (slackM > 0) {
+            return true;
+        }
+        Direction direction = directions.body;
+        direction.set(aimHeadingRad);
+        slackM = fatBoxes.slackM(aimX, aimY, direction.cos(), direction.sin());
+        return slackM >= 0;
+    }
+
+    /** Goes back to the beginning of the glide, and makes only this number of its steps. */
+    void glideOnly(int steps) {
+        x = startX;
+        y = startY;
+        headingRad = startHeadingRad;
+        bodyX = startBodyX;
+        bodyY = startBodyY;
+        bodyAngle = startBodyAngle;
+        slackM = -1;
+        bodyIsBehind = startedBehind;
+        stallMeter.setNext(startRecord);
+        int made = glide(steps);
+        if (made < steps) {
+            throw new IllegalStateException("a glide of " + steps + " steps took " + made + " when repeated");
+        }
+    }
+
+    /** Where the last glide began. */
+    double startX() {
+        return startX;
+    }
+
+    double startY() {
+        return startY;
+    }
+
+    double startHeadingRad() {
+        return startHeadingRad;
+    }
+
+    /** No point of the robot moves farther in a step, unless it is pushed. */
+    double travelM() {
+        return travelM;
+    }
+
+    /** Distance of the farthest vertex from the centre of rotation. */
+    double radiusM() {
+        return fatBoxes.radiusM();
+    }
+
+    Body body() {
+        return body;
     }
 
     /** Wraps the body's angle: jbox2d never does, and a large float is coarse. */
@@ -206,13 +349,7 @@ final class RobotBody {
     }
 
     double bodyHeadingRad() {
-        return body.m_sweep.a;
-    }
-
-    /** Wraps an angle to -pi to pi. */
-    static double wrap(double angleRad) {
-        // within these bounds the remainder is the angle itself
-        return Math.abs(angleRad) < StrictMath.PI ? angleRad : StrictMath.IEEEremainder(angleRad, FULL_TURN_RAD);
+        return bodyIsBehind ? bodyAngle : body.m_sweep.a;
     }
 
     /**
@@ -240,6 +377,15 @@ final class RobotBody {
         StallMeter(int stepMicros) {
             stepS = stepMicros / 1e6;
             steps = new double[FIELDS * Math.max(1, WINDOW_MICROS / stepMicros)];
+        }
+
+        /** Place of the next record. */
+        int next() {
+            return next;
+        }
+
+        void setNext(int record) {
+            next = record;
         }
 
         /**
@@ -281,7 +427,7 @@ final class RobotBody {
                         : (steps[i + ACTUAL_X] * commandedX + steps[i + ACTUAL_Y] * commandedY) / commandedM;
                 double turnRadps = steps[i + COMMANDED_TURN_RADPS];
                 commandedSumRad += Math.abs(turnRadps) * stepS;
-                actualSumRad += RobotBody.wrap(steps[i + ACTUAL_RAD]) * Math.signum(turnRadps);
+                actualSumRad += Angles.wrap(steps[i + ACTUAL_RAD]) * Math.signum(turnRadps);
             }
             return lessThanHalf(actualSumM, commandedSumM) || lessThanHalf(actualSumRad, commandedSumRad);
         }

@@ -49,18 +49,19 @@ class PhysicsTest {
     }
 
     private static void step(Physics physics, int steps) {
-        for (int step = 0; step < steps; step++) {
-            physics.step();
-        }
+        physics.advance(steps);
     }
 
     @Test
     void robotsOnTheirOwn_hardlyConcernTheTree() {
         Physics physics = circling(30, 5, -20);
         step(physics, 1_000);
-        RepairedTree tree = physics.tree();
-        assertThat(tree.reinsertCount()).as("of 30,000 steps").isLessThan(3_000).isPositive();
-        assertThat(tree.moveCount()).as("of 30,000 steps").isLessThan(4_000);
+        BodyCells cells = physics.cells();
+        assertThat(cells.reinsertCount())
+                .as("of 30,000 steps")
+                .isLessThan(3_000)
+                .isPositive();
+        assertThat(cells.moveCount()).as("of 30,000 steps").isLessThan(4_000);
     }
 
     @Test
@@ -100,7 +101,7 @@ class PhysicsTest {
 
     private static final Vec2 STILL = new Vec2(0, 0);
 
-    private final RepairedTree tree = new RepairedTree();
+    private final BodyCells tree = new BodyCells();
 
     private static AABB box(float minX, float minY, float maxX, float maxY) {
         return new AABB(new Vec2(minX, minY), new Vec2(maxX, maxY));
@@ -119,8 +120,8 @@ class PhysicsTest {
         physics.drive(0, 0.3, 0);
         physics.drive(1, 0.3, 0);
         step(physics, 1_000);
-        assertThat(physics.tree().moveCount()).isEqualTo(2_000);
-        assertThat(physics.tree().reinsertCount())
+        assertThat(physics.cells().moveCount()).isEqualTo(2_000);
+        assertThat(physics.cells().reinsertCount())
                 .as("of 2,000 moves")
                 .isLessThan(2_000 / 10)
                 .isPositive();
@@ -128,10 +129,10 @@ class PhysicsTest {
 
     @Test
     void holds_isTrueForTheOuterBoxOnly() {
-        assertThat(RepairedTree.holds(box(0, 0, 3, 3), box(1, 1, 2, 2))).isTrue();
-        assertThat(RepairedTree.holds(box(1, 1, 2, 2), box(0, 0, 3, 3))).isFalse();
-        assertThat(RepairedTree.holds(box(0, 0, 3, 3), box(0, 0, 3, 3))).isTrue();
-        assertThat(RepairedTree.holds(box(0, 0, 3, 3), box(1, 1, 2, 4))).isFalse();
+        assertThat(BodyCells.holds(box(0, 0, 3, 3), box(1, 1, 2, 2))).isTrue();
+        assertThat(BodyCells.holds(box(1, 1, 2, 2), box(0, 0, 3, 3))).isFalse();
+        assertThat(BodyCells.holds(box(0, 0, 3, 3), box(0, 0, 3, 3))).isTrue();
+        assertThat(BodyCells.holds(box(0, 0, 3, 3), box(1, 1, 2, 4))).isFalse();
     }
 
     @Test
@@ -150,8 +151,7 @@ class PhysicsTest {
     void boxThatOutgrowsItsMarginOnAllSides_isStillFoundAtItsRim() {
         int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
         assertThat(tree.moveProxy(proxy, box(-2, -2, 3, 3), STILL)).isTrue();
-        assertThat(RepairedTree.holds(tree.getFatAABB(proxy), box(-2, -2, 3, 3)))
-                .isTrue();
+        assertThat(BodyCells.holds(tree.getFatAABB(proxy), box(-2, -2, 3, 3))).isTrue();
         assertThat(query(2.8f, 2.8f, 2.9f, 2.9f)).containsExactly(proxy);
         assertThat(query(6, -2, 7, 3)).as("where the detour went").isEmpty();
     }
@@ -170,7 +170,7 @@ class PhysicsTest {
             float y = random.nextFloat() * 20;
             AABB box = box(x, y, x + 5 * random.nextFloat(), y + 5 * random.nextFloat());
             tree.moveProxy(proxies[i], box, STILL);
-            assertThat(RepairedTree.holds(tree.getFatAABB(proxies[i]), box))
+            assertThat(BodyCells.holds(tree.getFatAABB(proxies[i]), box))
                     .as("seed %d, move %d", seed, move)
                     .isTrue();
         }
@@ -267,7 +267,7 @@ class PhysicsTest {
                 tell();
                 both(Physics::forgetTouches);
                 for (int step = 0; step < STEPS_PER_TICK; step++) {
-                    both(Physics::step);
+                    both(physics -> physics.advance(1));
                     assertThat(numbers(gliding))
                             .as("seed %d, tick %d, step %d", seed, tick, step)
                             .isEqualTo(numbers(plain));
@@ -286,7 +286,7 @@ class PhysicsTest {
                 numbers.add(Double.doubleToRawLongBits(physics.bodyHeadingRad(robot)));
                 numbers.add(physics.stalled(robot) ? 1L : 0);
             }
-            numbers.add(physics.tree().reinsertCount()); // otherwise contacts would be found later than by jbox2d
+            numbers.add(physics.cells().reinsertCount()); // otherwise contacts would be found later than by jbox2d
             return numbers;
         }
 
@@ -310,8 +310,8 @@ class PhysicsTest {
             var twins = new Twins(seed);
             twins.run(seed);
             touches += twins.touches;
-            plainMoves += twins.plain.tree().moveCount();
-            glidingMoves += twins.gliding.tree().moveCount();
+            plainMoves += twins.plain.cells().moveCount();
+            glidingMoves += twins.gliding.cells().moveCount();
         }
         assertThat(touches).as("touches compared").isGreaterThan(1_000);
         assertThat(glidingMoves).as("moves in jbox2d, of %d", plainMoves).isLessThan(plainMoves * 3 / 4);
