@@ -88,6 +88,7 @@ final class Dispatcher {
     void halt() {
         quota = 0;
         callbackQuota = 0;
+        messages.allow(0);
         turnLeavesWork = true; // a listener that the turn returns must not run
     }
 
@@ -219,9 +220,6 @@ final class Dispatcher {
     private void serveKept(Node message) {
         space.beginForKept();
         serve(message);
-        if (--untilLook <= 0) {
-            untilLook = lookAtTimers();
-        }
     }
 
     private void serve(Node node) {
@@ -263,8 +261,10 @@ final class Dispatcher {
      */
     private void serveNext(Node callback) {
         direct.step();
-        callbackQuota = quota - 1;
         serveOne(callback);
+        if (!callbacks.isEmpty()) {
+            callbackQuota = Math.max(0, quota - 1); // those that it queued continue the row
+        }
     }
 
     /**
@@ -357,10 +357,10 @@ final class Dispatcher {
                     callbackQuota = quota; // no callback precedes this message any more
                     direct.step();
                     serveDirect(last);
-                    if (--untilLook <= 0) {
+                    if (untilLook == 1) {
                         inbox.endBatch(last); // a timer's task may read the queue
-                        untilLook = lookAtTimers();
                     }
+                    ran(1);
                 }
             }
         } finally {
@@ -405,11 +405,13 @@ final class Dispatcher {
         if (callbacks.isEmpty() && !callbackInbox.isReady()) {
             callbackQuota = quota;
         }
-        long end = messages.taken() + quota;
-        for (int row = 0; row < quota; row++) {
-            worked |= runMessages(end);
-            if (quota == 0 || messages.taken() == end) {
-                return worked;
+        for (int count = 0; count < quota; count++) {
+            int run = runMessages(Math.min(untilLook, quota - count));
+            if (run > 0) {
+                worked = true;
+                count += run - 1;
+                ran(run);
+                continue;
             }
             takeCallbacks();
             if (callbacks.isEmpty()) {
@@ -417,9 +419,10 @@ final class Dispatcher {
             }
             worked = true;
             boolean more = drainCallbacks();
-            Node message = more ? messageAfterQuota() : messages.pollBefore(end);
+            Node message = more ? messageAfterQuota() : messages.pollAndKeep();
             if (message != null) {
                 serveKept(message);
+                ran(1);
             }
             if (more) {
                 return true; // timers and the inbox get their turn
@@ -429,31 +432,38 @@ final class Dispatcher {
     }
 
     /**
-     * Runs messages of the ring, up to the one with that number, as long as no callback is queued. This is the usual
-     * case. The loop is a method of its own, with as few steps per message as possible.
+     * Runs messages of the ring as long as no callback is queued, at most the given number. This is the usual case: a
+     * loop with as few steps per message as possible. A turn that queues a callback for this space, or halts it, allows
+     * no further message.
      *
-     * @return false if there was none
+     * @return how many messages have run
      */
-    private boolean runMessages(long end) {
+    private int runMessages(int most) {
+        if (!callbacks.isEmpty()) {
+            return 0;
+        }
+        callbackQuota = quota; // no callback precedes these messages
         NodeRing waiting = messages;
-        NodeRing first = callbacks;
         NodeQueue arrivals = callbackInbox;
         Node lastArrival = arrivals.beginBatch(); // nothing is taken from there meanwhile
-        long none = first.taken();
-        boolean worked = false;
-        while (first.added() == none && !arrivals.isReadyAfter(lastArrival)) {
-            Node message = waiting.pollBefore(end);
+        long before = waiting.taken();
+        waiting.allow(most);
+        while (!arrivals.isReadyAfter(lastArrival)) {
+            Node message = waiting.pollAllowed();
             if (message == null) {
                 break;
             }
-            worked = true;
-            callbackQuota = quota; // no callback precedes this message
             serveKept(message);
-            if (quota == 0) {
-                break; // it has halted this dispatcher
-            }
         }
-        return worked;
+        return (int) (waiting.taken() - before);
+    }
+
+    /** Called when messages have run: checks the timers now and then. */
+    private void ran(int count) {
+        untilLook -= count;
+        if (untilLook <= 0) {
+            untilLook = lookAtTimers();
+        }
     }
 
     /**
@@ -473,7 +483,7 @@ final class Dispatcher {
             callbackQuota = (int) Math.min(quota, before);
             return null;
         }
-        return messages.pollBefore(Long.MAX_VALUE);
+        return messages.pollAndKeep();
     }
 
     /** Runs callbacks up to the quota; true if there may be more. */

@@ -22,6 +22,7 @@ final class NodeRing {
     private @Nullable Node[] entries = new Node[SMALL];
     private long head; // both only increase; the low bits are the index
     private long tail;
+    private long end;
     private long limit = SMALL - 1; // the tail from which on there may be no room; less than the head and the length
 
     void add(Node node) {
@@ -56,16 +57,21 @@ final class NodeRing {
         return node;
     }
 
-    /**
-     * Like {@link #poll}, but returns null at the node with that number, and the node remains the one that is
-     * {@link #kept} until the next call.
-     */
+    /** Like {@link #poll}, but the node remains the one that is {@link #kept} until the next call. */
     @Nullable
-    Node pollBefore(long end) {
+    Node pollAndKeep() {
         long place = head;
-        if (place == tail || place == end) {
-            return null;
-        }
+        return place == tail ? null : takeAndKeep(place);
+    }
+
+    /** Like {@link #pollAndKeep}, but returns null also after as many nodes as {@link #allow} has set. */
+    @Nullable
+    Node pollAllowed() {
+        long place = head;
+        return place == tail || place >= end ? null : takeAndKeep(place);
+    }
+
+    private @Nullable Node takeAndKeep(long place) {
         @Nullable Node[] places = entries;
         places[indexOf(place - 1, places)] = null;
         Node node = places[indexOf(place, places)];
@@ -73,7 +79,12 @@ final class NodeRing {
         return node;
     }
 
-    /** The node that {@link #pollBefore} has returned last, or null. */
+    /** Lets {@link #pollAllowed} return so many nodes. */
+    void allow(int nodes) {
+        end = head + nodes;
+    }
+
+    /** The node that {@link #pollAndKeep} has returned last, or null. */
     @Nullable
     Node kept() {
         return entries[indexOf(head - 1, entries)];

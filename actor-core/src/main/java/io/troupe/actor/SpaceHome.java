@@ -72,6 +72,7 @@ final class SpaceHome extends Home {
     public void enqueue(Node node) {
         if (isCurrent()) {
             callbacks.add(node);
+            messages.allow(0); // the callback comes first
         } else {
             offer(node, callbackInbox);
         }
@@ -86,8 +87,10 @@ final class SpaceHome extends Home {
     public void enqueueAtHome(Node node) {
         if (Thread.currentThread() instanceof SpaceThread own && own.serves(this)) {
             own.callbacks().add(node);
+            own.messages().allow(0); // the callback comes first
         } else {
             callbacks.add(node);
+            messages.allow(0);
         }
     }
 
