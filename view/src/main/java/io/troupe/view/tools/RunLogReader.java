@@ -26,6 +26,8 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
+import java.util.Set;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -155,7 +157,9 @@ final class RunLogReader {
                             + " is '" + world.name() + "' with "
                             + Plural.of(world.robots().size(), "robot") + ": expected the world of the run");
         }
-        listener.begin(header.texts());
+        Map<String, String> texts = header.texts();
+        texts.keySet().removeAll(Set.of("t", "type")); // of the line, not of the run
+        listener.begin(texts);
     }
 
     private void accept(JsonObject line) throws IOException, JsonObject.Problem {
