@@ -16,15 +16,19 @@ import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;
 import java.util.Random;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 import org.jbox2d.collision.AABB;
+import org.jbox2d.collision.broadphase.DynamicTree;
 import org.jbox2d.collision.shapes.PolygonShape;
 import org.jbox2d.common.Settings;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.BodyDef;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 class PhysicsTest {
     private static final int STEP_MICROS = 10_000;
@@ -97,11 +101,11 @@ class PhysicsTest {
         }
     }
 
-    // ---- the repaired tree
+    // ---- the cells that take the place of jbox2d's tree
 
     private static final Vec2 STILL = new Vec2(0, 0);
 
-    private final BodyCells tree = new BodyCells();
+    private final BodyCells cells = new BodyCells();
 
     private static AABB box(float minX, float minY, float maxX, float maxY) {
         return new AABB(new Vec2(minX, minY), new Vec2(maxX, maxY));
@@ -109,12 +113,12 @@ class PhysicsTest {
 
     private List<Integer> query(float minX, float minY, float maxX, float maxY) {
         List<Integer> found = new ArrayList<>();
-        tree.query(found::add, box(minX, minY, maxX, maxY));
+        cells.query(found::add, box(minX, minY, maxX, maxY));
         return found;
     }
 
     @Test
-    void repairedTree_reinsertsFewMoves() {
+    void cells_keepTheirBoxesInMostMoves() {
         // so near each other that jbox2d moves them at every step
         Physics physics = physics(new Pose(0, 0.18, 0), new Pose(0, -0.18, 0));
         physics.drive(0, 0.3, 0);
@@ -137,21 +141,21 @@ class PhysicsTest {
 
     @Test
     void move_withinTheMargin_changesNothing_andOutOfItReinserts() {
-        int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
-        AABB fat = new AABB(tree.getFatAABB(proxy));
-        assertThat(tree.moveProxy(proxy, box(0.05f, 0, 1.05f, 1), STILL)).isFalse();
-        assertThat(tree.getFatAABB(proxy).lowerBound).isEqualTo(fat.lowerBound);
-        assertThat(tree.reinsertCount()).isZero();
-        assertThat(tree.moveProxy(proxy, box(3, 0, 4, 1), STILL)).isTrue();
+        int proxy = cells.createProxy(box(0, 0, 1, 1), "body");
+        AABB fat = new AABB(cells.getFatAABB(proxy));
+        assertThat(cells.moveProxy(proxy, box(0.05f, 0, 1.05f, 1), STILL)).isFalse();
+        assertThat(cells.getFatAABB(proxy).lowerBound).isEqualTo(fat.lowerBound);
+        assertThat(cells.reinsertCount()).isZero();
+        assertThat(cells.moveProxy(proxy, box(3, 0, 4, 1), STILL)).isTrue();
         assertThat(query(3.4f, 0.4f, 3.6f, 0.6f)).containsExactly(proxy);
         assertThat(query(0.4f, 0.4f, 0.6f, 0.6f)).isEmpty();
     }
 
     @Test
     void boxThatOutgrowsItsMarginOnAllSides_isStillFoundAtItsRim() {
-        int proxy = tree.createProxy(box(0, 0, 1, 1), "body");
-        assertThat(tree.moveProxy(proxy, box(-2, -2, 3, 3), STILL)).isTrue();
-        assertThat(BodyCells.holds(tree.getFatAABB(proxy), box(-2, -2, 3, 3))).isTrue();
+        int proxy = cells.createProxy(box(0, 0, 1, 1), "body");
+        assertThat(cells.moveProxy(proxy, box(-2, -2, 3, 3), STILL)).isTrue();
+        assertThat(BodyCells.holds(cells.getFatAABB(proxy), box(-2, -2, 3, 3))).isTrue();
         assertThat(query(2.8f, 2.8f, 2.9f, 2.9f)).containsExactly(proxy);
         assertThat(query(6, -2, 7, 3)).as("where the detour went").isEmpty();
     }
@@ -162,18 +166,47 @@ class PhysicsTest {
         var random = new Random(seed);
         int[] proxies = new int[40];
         for (int i = 0; i < proxies.length; i++) {
-            proxies[i] = tree.createProxy(box(i, 0, i + 1, 1), i);
+            proxies[i] = cells.createProxy(box(i, 0, i + 1, 1), i);
         }
         for (int move = 0; move < 20_000; move++) {
             int i = random.nextInt(proxies.length);
             float x = random.nextFloat() * 20;
             float y = random.nextFloat() * 20;
             AABB box = box(x, y, x + 5 * random.nextFloat(), y + 5 * random.nextFloat());
-            tree.moveProxy(proxies[i], box, STILL);
-            assertThat(BodyCells.holds(tree.getFatAABB(proxies[i]), box))
+            cells.moveProxy(proxies[i], box, STILL);
+            assertThat(BodyCells.holds(cells.getFatAABB(proxies[i]), box))
                     .as("seed %d, move %d", seed, move)
                     .isTrue();
         }
+    }
+
+    @Test
+    void boxesOfAllSizes_overlapAsInJbox2dsTree() {
+        long seed = 77;
+        var random = new Random(seed);
+        var tree = new DynamicTree();
+        int[] ofTree = new int[300];
+        for (int i = 0; i < ofTree.length; i++) {
+            AABB box = randomBox(random, i % 30 == 0 ? 60 : 2);
+            ofTree[i] = tree.createProxy(box, i);
+            assertThat(cells.createProxy(box, i)).isEqualTo(i);
+        }
+        cells.destroyProxy(7);
+        tree.destroyProxy(ofTree[7]);
+        for (int query = 0; query < 2_000; query++) {
+            AABB box = randomBox(random, query % 20 == 0 ? 80 : 3);
+            var expected = new TreeSet<Object>();
+            tree.query(proxy -> expected.add(tree.getUserData(proxy)), box);
+            var found = new TreeSet<Object>();
+            cells.query(proxy -> found.add(cells.getUserData(proxy)), box);
+            assertThat(found).as("seed %d, query %d", seed, query).isEqualTo(expected);
+        }
+    }
+
+    private static AABB randomBox(Random random, int sizeM) {
+        float x = random.nextFloat() * 400 - 200;
+        float y = random.nextFloat() * 400 - 200;
+        return box(x, y, x + sizeM * random.nextFloat(), y + sizeM * random.nextFloat());
     }
 
     // ---- robots that make their steps without jbox2d end at the same place as with it
@@ -262,12 +295,16 @@ class PhysicsTest {
             }
         }
 
-        void run(long seed) {
+        /** @param atOnce steps of an advance of the gliding world */
+        void run(long seed, int atOnce) {
             for (int tick = 0; tick < TICKS; tick++) {
                 tell();
                 both(Physics::forgetTouches);
-                for (int step = 0; step < STEPS_PER_TICK; step++) {
-                    both(physics -> physics.advance(1));
+                for (int step = 0; step < STEPS_PER_TICK; step += atOnce) {
+                    gliding.advance(atOnce);
+                    for (int i = 0; i < atOnce; i++) {
+                        plain.advance(1);
+                    }
                     assertThat(numbers(gliding))
                             .as("seed %d, tick %d, step %d", seed, tick, step)
                             .isEqualTo(numbers(plain));
@@ -301,14 +338,15 @@ class PhysicsTest {
         }
     }
 
-    @Test
-    void robots_endWhereJbox2dPutsThem_bitForBit() {
+    @ParameterizedTest
+    @ValueSource(ints = {1, 5, 10})
+    void robots_endWhereJbox2dPutsThem_bitForBit(int stepsAtOnce) {
         int touches = 0;
         long plainMoves = 0;
         long glidingMoves = 0;
         for (long seed = 1; seed <= 80; seed++) {
             var twins = new Twins(seed);
-            twins.run(seed);
+            twins.run(seed, stepsAtOnce);
             touches += twins.touches;
             plainMoves += twins.plain.cells().moveCount();
             glidingMoves += twins.gliding.cells().moveCount();
