@@ -331,6 +331,19 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     }
 
     /**
+     * Registers the figures of {@link #metrics} as a bean of JMX, {@code io.troupe:type=ActorSpace,name="hello"}, for
+     * tools such as JConsole. The bean is removed when this space is closed.
+     *
+     * <p><b>Cost.</b> None while no attribute is read.
+     *
+     * @throws ActorException if there is a bean of that name, of another space
+     */
+    public void registerBean() {
+        Runnable remove = SpaceBean.register(toString(), metrics());
+        whenClosed().toCompletableFuture().thenRun(remove);
+    }
+
+    /**
      * Processes what was queued before, stops every actor, turns the remaining messages into dead letters, and ends the
      * thread. Waits for that, up to ten seconds. On the thread of a space, this one or another, it does not wait, since
      * two spaces that close each other would deadlock; use {@link #whenClosed()} there. Later calls of its actors

@@ -2,14 +2,17 @@ package io.troupe.actor;
 
 import static io.troupe.actor.Concurrently.await;
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.io.IOException;
 import java.io.InputStream;
+import java.lang.management.ManagementFactory;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.Arrays;
 import java.util.List;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CountDownLatch;
@@ -17,6 +20,9 @@ import java.util.concurrent.TimeUnit;
 import java.util.logging.Handler;
 import java.util.logging.LogRecord;
 import java.util.logging.Logger;
+import javax.management.MBeanFeatureInfo;
+import javax.management.MBeanServer;
+import javax.management.ObjectName;
 import jdk.jfr.Recording;
 import jdk.jfr.consumer.RecordedEvent;
 import jdk.jfr.consumer.RecordingFile;
@@ -88,6 +94,32 @@ class MetricsTest extends InTestSpace {
             space.stop(worker);
             assertThat(gone.await(20, TimeUnit.SECONDS)).isTrue();
         }
+    }
+
+    @Test
+    void bean_hasTheFigures_untilTheSpaceIsClosed() throws Exception {
+        var space = ActorSpace.create(
+                SpaceSettings.named("a \"bean\"").withHandCrank().withOnError((where, error) -> {}));
+        space.registerBean();
+        assertThatThrownBy(space::registerBean)
+                .isInstanceOf(ActorException.class)
+                .hasMessageStartingWith("the bean of space a \"bean\" cannot be registered: ");
+        Worker worker = space.spawn(Worker.class, () -> Runnable::run);
+        worker.work(NOTHING);
+        worker.work(MetricsTest::fail);
+        MBeanServer server = ManagementFactory.getPlatformMBeanServer();
+        var name = new ObjectName("io.troupe:type=ActorSpace,name=\"a \\\"bean\\\"\"");
+        assertThat(server.getAttribute(name, "Waiting")).isEqualTo(3L);
+        space.crank();
+        List<String> attributes = Arrays.stream(server.getMBeanInfo(name).getAttributes())
+                .map(MBeanFeatureInfo::getName)
+                .toList();
+        assertThat(server.getAttributes(name, attributes.toArray(String[]::new)).asList())
+                .hasToString("[Served = 3, Waiting = 0, LatencyMicros = 0, Actors = 1, Timers = 0, Errors = 1, "
+                        + "DeadLetters = 0]");
+        assertThatThrownBy(() -> server.getAttribute(name, "Speed")).hasMessageStartingWith("Speed, expected one of");
+        space.close();
+        assertThat(server.isRegistered(name)).isFalse();
     }
 
     private static void lookUntil(SpaceMetrics metrics, int actors) {

@@ -202,8 +202,8 @@ class PublisherTest extends InTestSpace {
     @Timeout(60)
     void otherLibraries_canSubscribe() throws Exception {
         List<Integer> received = new ArrayList<>();
-        try (var space = ActorSpace.create(SpaceSettings.named("published"));
-                var processor = new SubmissionPublisher<Integer>()) {
+        var processor = new SubmissionPublisher<Integer>(); // the subscriber closes it
+        try (var space = ActorSpace.create(SpaceSettings.named("published"))) {
             Flow.Publisher<Integer> publisher = space.publisher(Backlog.ALL, callback -> {
                 IntStream.range(0, 1_000).forEach(callback::next);
                 callback.finish();

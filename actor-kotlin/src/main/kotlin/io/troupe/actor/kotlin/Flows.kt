@@ -2,6 +2,7 @@
 
 package io.troupe.actor.kotlin
 
+import io.troupe.actor.Backlog
 import io.troupe.actor.Callback
 import io.troupe.actor.Topic
 import java.util.concurrent.CancellationException
@@ -12,7 +13,8 @@ import kotlinx.coroutines.flow.flow
 import kotlinx.coroutines.flow.takeWhile
 
 /**
- * What a flow does with values that arrive while its collector is busy. The sender never waits for a collector.
+ * What a flow does with values that arrive while its collector is busy. The sender never waits for a collector. What
+ * it keeps applies twice: to the values in the callback queue, as a [Backlog], and to those that wait for the collector.
  *
  * ```
  * val newest = FlowBuffer.latest()
@@ -28,11 +30,19 @@ public class FlowBuffer private constructor(
 ) {
     private val dropped = AtomicLong()
 
-    /** The number of values that were dropped because a collector was too slow. */
+    /** The number of values that were dropped because a collector, or the thread of its space, was too slow. */
     public val lost: Long
         get() = dropped.get()
 
+    /** What is kept in the callback queue; a flow that has to fail must see every value. */
+    internal val backlog: Backlog
+        get() = if (failsIfFull || capacity == Channel.UNLIMITED) Backlog.ALL else Backlog.newest(capacity)
+
     internal fun <T> channel(): Channel<T> = Channel(capacity)
+
+    internal fun noteSkipped(number: Long) {
+        dropped.addAndGet(number)
+    }
 
     /** Adds a value; false if the buffer is full and the flow has to fail. On one thread at a time. */
     internal fun <T> add(channel: Channel<T>, value: T): Boolean {
@@ -92,9 +102,18 @@ public fun <T> callbacks(buffer: FlowBuffer = FlowBuffer.unlimited(), subscribe:
     flow {
         val channel = buffer.channel<T>()
         lateinit var stream: Callback.Stream<T>
+        var noted = 0L // on the thread of the callback
+
+        fun noteSkipped() {
+            val skipped = stream.skipped()
+            buffer.noteSkipped(skipped - noted)
+            noted = skipped
+        }
         stream =
             Callback.Stream<T>(
+                buffer.backlog,
                 { value ->
+                    noteSkipped()
                     if (!buffer.add(channel, value)) {
                         channel.close(FlowOverflowException("the collector is too slow for the buffer $buffer"))
                         stream.cancel()

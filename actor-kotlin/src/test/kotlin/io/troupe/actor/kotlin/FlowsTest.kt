@@ -79,11 +79,11 @@ class FlowsTest : InTestSpace() {
         assertThat(all(unlimited)).hasSize(10)
         assertThat(unlimited.lost).isZero()
         val newest = FlowBuffer.dropOldest(3)
-        assertThat(all(newest)).containsExactly(1, 8, 9, 10)
-        assertThat(newest.lost).isEqualTo(6)
+        assertThat(all(newest)).containsExactly(8, 9, 10)
+        assertThat(newest.lost).isEqualTo(7)
         val latest = FlowBuffer.latest()
-        assertThat(all(latest)).containsExactly(1, 10)
-        assertThat(latest.lost).isEqualTo(8)
+        assertThat(all(latest)).containsExactly(10)
+        assertThat(latest.lost).isEqualTo(9)
         val failing = FlowBuffer.failing(3)
         val result = run { numbers(10, failing).onEach { delay(1) }.collect { log += "$it" } }
         advance(20)
@@ -92,6 +92,18 @@ class FlowsTest : InTestSpace() {
             .hasMessage("the collector is too slow for the buffer failing(3)")
         assertThat(log).containsExactly("1", "2", "3", "4")
         assertThatThrownBy { FlowBuffer.dropOldest(0) }.hasMessage("capacity is 0, expected 1 or more")
+    }
+
+    @Test
+    fun spaceThatIsBehind_keepsNoMoreThanTheBuffer_andTheLossIsCounted() {
+        val numbers = Topic.of<Int>(test.space(), "numbers")
+        val newest = FlowBuffer.dropOldest(3)
+        val seen = run { numbers.asFlow(newest).toList() }
+        (1..1_000).forEach { numbers.publish(it) }
+        assertThat(test.space().metrics().waiting()).isEqualTo(3)
+        numbers.finish()
+        assertThat(test.get(seen)).containsExactly(998, 999, 1_000)
+        assertThat(newest.lost).isEqualTo(997)
     }
 
     @Test
