@@ -76,6 +76,7 @@ final class ChannelContender implements Contender {
     }
 
     /** The coroutine {@code for (message in channel) handle(message)}. */
+    @SuppressWarnings("serial") // Kotlin's continuations are serializable, and nothing here uses that
     public static final class Receiver<M> extends ContinuationImpl {
         private final Mailbox<M> mailbox;
         private boolean handling; // suspended within a message, not between two

@@ -56,8 +56,8 @@ class CompareActorsTest {
                 "--warm-up soon | --warm-up is soon, expected a whole number",
                 "--seed 1.5 | --seed is 1.5, expected a whole number",
                 "--rounds | Missing required parameter for option '--rounds' (N)",
-                "--only erlang | --only is erlang, expected one of limit, troupe, executor",
-                "--only limit,erlang | --only is erlang, expected one of limit, troupe, executor",
+                "--only erlang | --only is erlang, expected one of limit, floor, troupe, executor",
+                "--only limit,erlang | --only is erlang, expected one of limit, floor, troupe, executor",
                 "--workloads nap | --workloads is nap, expected one of tell, tellFromFour",
                 "--fast yes | '--fast'"
             })

@@ -61,7 +61,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
                 };
     }
 
-    final <A extends @Nullable Object> Consumer<A> inContext(Consumer<A> listener) {
+    final <A extends @Nullable Object> Consumer<A> listenerInContext(Consumer<A> listener) {
         Objects.requireNonNull(listener, "listener");
         var context = context();
         return context == null
@@ -92,7 +92,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
                 };
     }
 
-    final <A extends @Nullable Object, B extends @Nullable Object> BiConsumer<A, B> inContext(
+    final <A extends @Nullable Object, B extends @Nullable Object> BiConsumer<A, B> listenerInContext(
             BiConsumer<A, B> listener) {
         Objects.requireNonNull(listener, "listener");
         var context = context();
@@ -268,7 +268,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         Look(Promise<S> source, Consumer<? super S> listener) {
             super(source);
-            this.listener = inContext(listener);
+            this.listener = listenerInContext(listener);
         }
 
         @Override
@@ -318,7 +318,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
 
         Observe(Promise<S> source, BiConsumer<? super @Nullable S, ? super @Nullable Throwable> listener) {
             super(source);
-            this.listener = inContext(listener);
+            this.listener = listenerInContext(listener);
         }
 
         @Override
