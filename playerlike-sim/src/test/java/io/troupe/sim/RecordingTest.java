@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.sim.model.DriveSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import java.io.FilterWriter;
 import java.io.IOException;
@@ -79,6 +80,30 @@ class RecordingTest {
             recorded.forEach(hash::update);
             assertThat(checksum).isEqualTo(hash.value());
         }
+    }
+
+    @Test
+    void robotDrivenByHand_ignoresItsClients_stopsWhenReleased_andIsReplayed() throws Exception {
+        var scenario = new Scenario(FOUR, List.of());
+        var out = new StringBuilder();
+        try (var simulation = Simulation.open(scenario, Arena.seed(4))) {
+            simulation.record(out);
+            simulation.world().command(0, 0.1, 0);
+            simulation.override(0, -0.2, 0.5);
+            for (int tick = 0; tick < 5; tick++) {
+                simulation.world().command(0, 0.1, 0); // as a client does, at every reading
+                Snapshot snapshot = simulation.tick();
+                assertThat(snapshot.robots().getFirst().odometry().forwardMps()).isEqualTo(-0.2);
+            }
+            simulation.endOverride(0);
+            assertThat(simulation.tick().robots().getFirst().odometry().forwardMps())
+                    .isZero();
+            simulation.world().command(0, 0.1, 0);
+            assertThat(simulation.tick().robots().getFirst().odometry().forwardMps())
+                    .isEqualTo(0.1);
+        }
+        assertThat(out).contains("\n0 velocity 0 -0.2 0.5\n", "\n5 velocity 0 0.0 0.0\n");
+        assertThat(read(out.toString()).play(FOUR, snapshot -> {})).isNotZero();
     }
 
     @Test

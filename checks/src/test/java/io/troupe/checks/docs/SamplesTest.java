@@ -34,6 +34,7 @@ class SamplesTest {
                 "docs/guide/09-components.md",
                 "docs/guide/13-over-hosts.md",
                 "docs/guide/14-kotlin.md",
+                "docs/guide/15-watching-robots.md",
                 "docs/guide/16-recordings-in-other-tools.md",
                 "actor-core/README.md",
                 "actor-service/README.md",

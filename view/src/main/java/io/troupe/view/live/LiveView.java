@@ -63,7 +63,6 @@ public final class LiveView implements AutoCloseable {
     private static final long FRAME_NANOS = 1_000_000_000 / MOST_FRAMES_PER_S;
     private static final long POLL_NANOS = 4_000_000;
     private static final long ALIVE_NANOS = 1_000_000_000;
-    private static final long ACTORS_NANOS = 1_000_000_000;
     private static final Duration CLOSING = Duration.ofSeconds(1);
 
     /**
@@ -156,11 +155,6 @@ public final class LiveView implements AutoCloseable {
     ViewSink show(ViewControl newControl) {
         control = newControl;
         return board;
-    }
-
-    /** Shows who calls whom; a JSON object. */
-    void actors(String json) {
-        board.actors(json);
     }
 
     // ---- requests
@@ -373,8 +367,6 @@ public final class LiveView implements AutoCloseable {
         private List<Integer> sentChosen = List.of();
         private long nextEvent;
         private @Nullable String sentTime;
-        private @Nullable String sentActors;
-        private long sentActorsNanos;
         private boolean wrote;
 
         void serve(String name, OutputStream out) throws IOException {
@@ -430,14 +422,6 @@ public final class LiveView implements AutoCloseable {
                 write(out, ViewMessages.text(ViewMessages.TIME, time));
             }
             writeFrame(out, now);
-            String actors = board.actors();
-            if (actors != null
-                    && !actors.equals(sentActors)
-                    && Clock.system().nanos() - sentActorsNanos > ACTORS_NANOS) {
-                sentActors = actors;
-                sentActorsNanos = Clock.system().nanos();
-                write(out, ViewMessages.text(ViewMessages.ACTORS, actors));
-            }
         }
 
         private void writeEvents(OutputStream out) throws IOException {

@@ -45,7 +45,6 @@ final class ViewBoard implements ViewSink {
 
     private volatile @Nullable ViewedWorld world;
     private volatile @Nullable Shown newest;
-    private volatile @Nullable String actors;
     private final Deque<Shown> past = new ArrayDeque<>(); // guarded by this, as are the events
     private final List<String> events = new ArrayList<>();
     private long firstEvent;
@@ -93,11 +92,6 @@ final class ViewBoard implements ViewSink {
         }
     }
 
-    /** Shows who calls whom; a JSON object. */
-    void actors(String json) {
-        actors = json;
-    }
-
     @Nullable
     ViewedWorld world() {
         return world;
@@ -106,11 +100,6 @@ final class ViewBoard implements ViewSink {
     @Nullable
     Shown newest() {
         return newest;
-    }
-
-    @Nullable
-    String actors() {
-        return actors;
     }
 
     /** Frames for the trails, oldest first. */

@@ -22,12 +22,12 @@ final class ViewMessages {
     static final int FRAME = 2;
     static final int SENSORS = 3;
     static final int EVENTS = 4;
-    static final int ACTORS = 5;
-    static final int HELLO = 6;
-    static final int END = 7;
 
     /** Whether time is paused, and the speed that is wanted. */
-    static final int TIME = 8;
+    static final int TIME = 5;
+
+    static final int HELLO = 6;
+    static final int END = 7;
 
     /** Flag of a frame: it is older than the newest one, and only of use for the trails. */
     static final int PAST = 1;

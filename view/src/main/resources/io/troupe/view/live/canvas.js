@@ -6,6 +6,7 @@ class WorldCanvas {
   static MOST_NAMES = 80;
   static HANDLE_M = 0.6;
   static SMALL_PX = 6;
+  static CROWD = 100;
 
   constructor(canvas, model) {
     this.canvas = canvas;
@@ -52,6 +53,7 @@ class WorldCanvas {
       extend(-5, -5);
       extend(5, 5);
     }
+    this.trailPaths = null;
     this.fitted = true;
     this.fit();
   }
@@ -229,9 +231,26 @@ class WorldCanvas {
 
   drawTrails(end) {
     const to = this.context;
+    const now = performance.now();
+    if (this.model.trails.length < WorldCanvas.CROWD || !this.trailPaths || now - this.trailsMade > 300) {
+      this.trailPaths = this.trailsUntil(end);
+      this.trailsMade = now;
+    }
+    to.lineWidth = (this.scale < 20 ? 1 : 1.6) * this.pixel;
+    for (const [service, path] of this.trailPaths) {
+      to.strokeStyle = this.model.serviceColour(service);
+      to.globalAlpha = 0.7;
+      to.stroke(path);
+    }
+    to.globalAlpha = 1;
+  }
+
+  /** A path for each service. */
+  trailsUntil(end) {
     const paths = new Map();
     for (const trail of this.model.trails) {
       let last = null;
+      let joined = null; // the end of the newest line, if the next one begins there
       for (const point of trail) {
         if (point && point.t > end) {
           break;
@@ -241,19 +260,16 @@ class WorldCanvas {
           if (!path) {
             paths.set(point.service, path = new Path2D());
           }
-          path.moveTo(last.x, last.y);
+          if (last !== joined) {
+            path.moveTo(last.x, last.y);
+          }
           path.lineTo(point.x, point.y);
+          joined = last.service === point.service ? point : null;
         }
         last = point;
       }
     }
-    to.lineWidth = (this.scale < 20 ? 1 : 1.6) * this.pixel;
-    to.globalAlpha = 0.75;
-    for (const [service, path] of paths) {
-      to.strokeStyle = this.model.serviceColour(service);
-      to.stroke(path);
-    }
-    to.globalAlpha = 1;
+    return paths;
   }
 
   /** The ends of the rays of a robot's sonars, in the world; for tests, too. */
@@ -368,7 +384,6 @@ class WorldCanvas {
     const hands = new Path2D();
     let small = true; // too small for outlines
     for (let i = 0; i < frame.count; i++) {
-      const place = WorldCanvas.placer(frame, i);
       const kindNumber = world.robots[i].kind;
       const radius = this.radius[kindNumber];
       const key = world.services.length ? frame.state[i] & 0xFF : -1 - world.robots[i].colour;
@@ -376,9 +391,12 @@ class WorldCanvas {
       if (!path) {
         bodies.set(key, path = new Path2D());
       }
-      this.body(path, place, world.kinds[kindNumber], radius);
-      if (radius * this.scale >= WorldCanvas.SMALL_PX) {
+      if (radius * this.scale < WorldCanvas.SMALL_PX) {
+        this.arrow(path, frame, i, Math.max(radius, 3 * this.pixel));
+      } else {
         small = false;
+        const place = WorldCanvas.placer(frame, i);
+        WorldCanvas.body(path, place, world.kinds[kindNumber]);
         noses.moveTo(...place(0, 0));
         noses.lineTo(...place(radius, 0));
       }
@@ -411,19 +429,19 @@ class WorldCanvas {
     to.setLineDash([]);
   }
 
-  body(path, place, kind, radius) {
-    if (radius * this.scale < WorldCanvas.SMALL_PX) {
-      const size = Math.max(radius, 3 * this.pixel);
-      for (const [x, y] of [[size, 0], [-size, size * 0.8], [-size, -size * 0.8]]) {
-        if (x > 0) {
-          path.moveTo(...place(x, y));
-        } else {
-          path.lineTo(...place(x, y));
-        }
-      }
-      path.closePath();
-      return;
-    }
+  /** A robot that is too small for its outline. */
+  arrow(path, frame, i, size) {
+    const forward = Math.cos(frame.heading[i]) * size;
+    const left = Math.sin(frame.heading[i]) * size;
+    const x = frame.x[i];
+    const y = frame.y[i];
+    path.moveTo(x + forward, y + left);
+    path.lineTo(x - forward - 0.8 * left, y - left + 0.8 * forward);
+    path.lineTo(x - forward + 0.8 * left, y - left - 0.8 * forward);
+    path.closePath();
+  }
+
+  static body(path, place, kind) {
     for (const line of kind.outlines) {
       const placed = [];
       for (let i = 0; i < line.length; i += 2) {
@@ -441,7 +459,7 @@ class WorldCanvas {
         const place = WorldCanvas.placer(frame, i);
         for (const piece of kind.cargo) {
           const path = new Path2D();
-          this.body(path, place, piece, 1e9);
+          WorldCanvas.body(path, place, piece);
           this.context.fillStyle = Model.colour(piece.colour);
           this.context.fill(path);
         }
@@ -476,7 +494,7 @@ class WorldCanvas {
       const kindNumber = this.model.world.robots[this.ghost.robot].kind;
       const path = new Path2D();
       const place = WorldCanvas.placer(shown, 0);
-      this.body(path, place, this.model.world.kinds[kindNumber], this.radius[kindNumber]);
+      WorldCanvas.body(path, place, this.model.world.kinds[kindNumber]);
       path.moveTo(...place(0, 0));
       path.lineTo(...place(this.radius[kindNumber], 0));
       to.stroke(path);

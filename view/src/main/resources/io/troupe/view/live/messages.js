@@ -2,7 +2,7 @@
 
 /** Reads the messages of a stream: docs/live-view-format.md. */
 const Messages = {
-  ALIVE: 0, WORLD: 1, FRAME: 2, SENSORS: 3, EVENTS: 4, ACTORS: 5, HELLO: 6, END: 7, TIME: 8,
+  ALIVE: 0, WORLD: 1, FRAME: 2, SENSORS: 3, EVENTS: 4, TIME: 5, HELLO: 6, END: 7,
   MOST_BYTES: 1 << 26,
 
   /** Returns a function that takes bytes as they come, and calls `handle(type, value)` for each whole message. */
@@ -45,8 +45,7 @@ const Messages = {
         return Messages.frame(content);
       case Messages.SENSORS:
         return Messages.sensors(content);
-      case Messages.WORLD: case Messages.EVENTS: case Messages.ACTORS: case Messages.HELLO: case Messages.END:
-      case Messages.TIME:
+      case Messages.WORLD: case Messages.EVENTS: case Messages.TIME: case Messages.HELLO: case Messages.END:
         return JSON.parse(new TextDecoder().decode(content));
       default:
         return undefined;

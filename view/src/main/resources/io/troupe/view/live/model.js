@@ -23,7 +23,6 @@ class Model {
     this.trails = [];
     this.drivers = new Map();
     this.state = null;
-    this.actors = null;
     this.frames = 0;
   }
 

@@ -41,9 +41,6 @@ class Page {
         this.model.addEvents(value);
         value.filter(each => each.kind === "refused").forEach(each => this.complain(this.model.describe(each)));
         break;
-      case Messages.ACTORS:
-        this.model.actors = value;
-        break;
       case Messages.TIME:
         this.paused = value.paused;
         this.showTime(value.speed);
@@ -108,7 +105,6 @@ class Page {
     this.listEvents();
     this.showRobots(frame);
     this.showDetails(frame);
-    showActors(this.model.actors, this.view.colours);
   }
 
   listRobots() {
