@@ -101,9 +101,12 @@ public final class Scene {
         fixedIndex.rebuild();
         movingIndex = new CellIndex(grid, moving);
         caster = new RayCaster(grid, fixedIndex, movingIndex);
-        fixedProjection = new FanProjection(grid, fixed, fixedOutlines, false);
+        boolean projects = spec.robots().stream().anyMatch(robot -> robot.sonar() != null);
+        fixedProjection =
+                new FanProjection(grid, fixed, projects ? fixedOutlines : new FanProjection.Outlines(), false);
         fixedProjection.sort(fixedX, fixedY);
-        movingProjection = new FanProjection(grid, moving, movingOutlines(), true);
+        movingProjection =
+                new FanProjection(grid, moving, projects ? movingOutlines() : new FanProjection.Outlines(), true);
         fixedByColour.forEach((colour, things) -> fixedGroups.add(new ColourGroup(colour, things, circles)));
         movingByColour.forEach((colour, things) -> movingGroups.add(new ColourGroup(colour, things, circles)));
         refresh();
