@@ -2,6 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Bus;
@@ -94,12 +95,37 @@ final class CallReceiver {
             promise.toCompletableFuture() // at once, also if the actor's space has been closed
                     .whenComplete((value, error) -> settle(answer, method, value, error));
             if (method.isSuspending()) {
-                return new CancellableAnswer<>(answer, promise);
+                return new SuspendingAnswer(answer, promise);
             }
         } else {
             answer.resolve(new CallMessages.Result(method.encodeResult(null)));
         }
         return answer;
+    }
+
+    /** The answer of a suspend function of Kotlin, whose coroutine is cancelled with its caller. */
+    private static final class SuspendingAnswer extends Promise<CallMessages.Result> implements CancellableAnswer {
+        private final Promise<?> call;
+
+        SuspendingAnswer(Promise<CallMessages.Result> answer, Promise<?> call) {
+            this.call = call;
+            follow(answer);
+        }
+
+        @Override
+        protected void cancelled() {
+            call.cancel();
+        }
+
+        @Override
+        protected @Nullable Home home() {
+            return null;
+        }
+
+        @Override
+        public String toString() {
+            return "the answer of " + call;
+        }
     }
 
     private void settle(

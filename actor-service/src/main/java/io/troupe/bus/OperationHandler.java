@@ -24,7 +24,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         final MessageDelivery request;
 
         @Nullable
-        CancellableAnswer<?> answer;
+        CancellableAnswer answer;
 
         Begun(MessageDelivery request) {
             this.request = request;
@@ -90,7 +90,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
             settle(request, null, thrown);
             return;
         }
-        if (answer instanceof CancellableAnswer<?> cancellable) {
+        if (answer instanceof CancellableAnswer cancellable) {
             cancelWith(request, cancellable);
         }
         answer.toCompletableFuture() // notifies at once, on any thread, even if the actor has stopped
@@ -98,7 +98,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     /** Notes the answer that is cancelled with a request; cancels it if that has happened meanwhile. */
-    private void cancelWith(MessageDelivery request, CancellableAnswer<?> answer) {
+    private void cancelWith(MessageDelivery request, CancellableAnswer answer) {
         Begun open;
         synchronized (begun) {
             open = begun.get(request.id());
