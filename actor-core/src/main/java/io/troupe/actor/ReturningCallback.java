@@ -5,7 +5,6 @@ import io.troupe.actor.internal.loop.Node;
 import java.util.ArrayDeque;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /** A callback argument as the actor sees it: what the actor sends becomes entries of the caller's callback queue. */
@@ -29,7 +28,8 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         this.reader = reader;
         this.home = home;
         this.owner = owner;
-        this.kept = reader instanceof Stream<T> stream && stream.backlog().isBounded() ? new Kept<>(stream) : null;
+        this.kept =
+                reader instanceof Stream<T> stream && stream.backlog().isBounded() ? new Kept<>(stream, home) : null;
     }
 
     /** Wraps a callback argument; one that was wrapped before keeps its first reader. */
@@ -135,7 +135,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     private void queue(Result next) {
         if (kept != null) {
-            queueKept(next, kept);
+            kept.queue(next);
             return;
         }
         Queue<Result> waiting = home.isCurrent() ? pending : pendingQueue();
@@ -143,18 +143,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             home.enqueue(next);
         } else {
             waiting.add(next);
-            home.enqueue(new Ticket(waiting::remove));
-        }
-    }
-
-    private void queueKept(Result next, Kept<T> results) {
-        if (results.add(next)) {
-            try {
-                home.enqueue(new Ticket(results::next));
-            } catch (Throwable notQueued) { // the sender's stack overflowed: there is one ticket less
-                results.takeBack(next);
-                throw notQueued;
-            }
+            home.enqueue(new Ticket<>(waiting));
         }
     }
 
@@ -168,65 +157,66 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     /**
      * The turn of the next queued result. Results sent by the space's own thread would overtake those that another
      * thread put into the inbox before. So as soon as another thread sends, results wait in a separate queue, and only
-     * tickets are queued in the space. Results that may be replaced always wait that way.
+     * tickets are queued in the space.
      */
-    private static final class Ticket extends Node {
-        private final Supplier<? extends ReturningCallback<?>.@Nullable Result> next;
+    private static final class Ticket<T extends @Nullable Object> extends Node {
+        private final Queue<ReturningCallback<T>.Result> waiting;
 
-        Ticket(Supplier<? extends ReturningCallback<?>.@Nullable Result> next) {
-            this.next = next;
+        Ticket(Queue<ReturningCallback<T>.Result> waiting) {
+            this.waiting = waiting;
         }
 
         @Override
         protected @Nullable Node serve() {
-            var result = next.get();
-            return result == null ? null : result.serve();
+            return waiting.remove().serve();
         }
     }
 
     /**
      * The queued results of a reader that keeps only the newest ones. A result that replaces another one is delivered
-     * for the ticket of an earlier one, so there are as many tickets as results. Any thread.
+     * for the ticket of an earlier one, so there are as many tickets as results. A sender whose stack overflows may
+     * leave a result without a ticket: the next sender queues it. Any thread.
      */
     private static final class Kept<T extends @Nullable Object> {
         private final Stream<T> reader;
+        private final SpaceHome home;
         private final int most;
         private final ArrayDeque<ReturningCallback<T>.Result> results = new ArrayDeque<>(); // guarded by this
+        private int tickets; // guarded by this; those in the space's queues
 
-        Kept(Stream<T> reader) {
+        Kept(Stream<T> reader, SpaceHome home) {
             this.reader = reader;
+            this.home = home;
             this.most = reader.backlog().most();
         }
 
-        /** Adds a result; true if it needs a ticket. */
-        synchronized boolean add(ReturningCallback<T>.Result next) {
+        synchronized void queue(ReturningCallback<T>.Result next) {
             var last = results.peekLast();
             if (last != null && last.isEnd()) {
-                return false; // its sender lost a race against the end
+                return; // its sender lost a race against the end
             }
-            boolean replaces = !next.isEnd() && results.size() == most;
-            if (replaces) {
-                skipOldest();
+            if (!next.isEnd() && results.size() == most) {
+                results.pollFirst();
+                reader.noteSkipped();
             }
             results.addLast(next);
-            return !replaces;
+            while (tickets < results.size()) {
+                home.enqueue(new KeptTicket()); // served now if the space is closed
+                tickets++;
+            }
         }
 
-        /** Takes the oldest result; null only if the sender's stack overflowed while a newer one replaced it. */
-        synchronized ReturningCallback<T>.@Nullable Result next() {
+        /** Takes the oldest result; null if a sender's stack overflowed after it had queued a ticket. */
+        private synchronized ReturningCallback<T>.@Nullable Result next() {
+            tickets--;
             return results.pollFirst();
         }
 
-        /** Removes a result that has no ticket, or the oldest one if that result was replaced. */
-        synchronized void takeBack(ReturningCallback<T>.Result result) {
-            if (!results.removeLastOccurrence(result)) {
-                skipOldest();
-            }
-        }
-
-        private void skipOldest() {
-            if (results.pollFirst() != null) {
-                reader.noteSkipped();
+        private final class KeptTicket extends Node {
+            @Override
+            protected @Nullable Node serve() {
+                var result = next();
+                return result == null ? null : result.serve();
             }
         }
     }

@@ -192,6 +192,9 @@ class BacklogTest extends InTestSpace {
                     last.countDown();
                 }
             });
+            for (int call = 0; call < 3; call++) {
+                values.publish(call); // the JVM never links what is first used where the stack is exhausted
+            }
             for (int round = 0; round < 20; round++) {
                 Thread deep = Thread.ofPlatform().start(() -> publishAtTheEnd(values, 0));
                 deep.join();
