@@ -101,12 +101,9 @@ public final class Scene {
         fixedIndex.rebuild();
         movingIndex = new CellIndex(grid, moving);
         caster = new RayCaster(grid, fixedIndex, movingIndex);
-        boolean projects = spec.robots().stream().anyMatch(robot -> robot.sonar() != null);
-        fixedProjection =
-                new FanProjection(grid, fixed, projects ? fixedOutlines : new FanProjection.Outlines(), false);
+        fixedProjection = new FanProjection(grid, fixed, fixedOutlines, false);
         fixedProjection.sort(fixedX, fixedY);
-        movingProjection =
-                new FanProjection(grid, moving, projects ? movingOutlines() : new FanProjection.Outlines(), true);
+        movingProjection = new FanProjection(grid, moving, movingOutlines(), true);
         fixedByColour.forEach((colour, things) -> fixedGroups.add(new ColourGroup(colour, things, circles)));
         movingByColour.forEach((colour, things) -> movingGroups.add(new ColourGroup(colour, things, circles)));
         refresh();
