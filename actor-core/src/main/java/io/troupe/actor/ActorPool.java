@@ -8,15 +8,15 @@ import java.util.Objects;
 import java.util.function.Supplier;
 
 /**
- * Several actors of one type, each on a space of its own, behind proxies that choose among them: the way to use several
+ * Several actors of one type, each on a separate space, behind proxies that choose among them: the way to use several
  * processors.
  *
  * {@snippet :
- * try (ActorPool<Greeter> pool =
- *         ActorPool.create(2, SpaceSettings.named("greeter"), Greeter.class, () -> name -> Promise.of("Hello, " + name))) {
+ * try (ActorPool<Greeter> pool = ActorPool.create(2, SpaceSettings.named("greeter"), Greeter.class, Polite::new)) {
  *     Greeter next = pool.roundRobin(); // each call goes to the next actor
  *     Greeter same = pool.byFirstArgument(); // calls for one name go to one actor
- *     String text = next.greet("Ada").get(Duration.ofSeconds(10));
+ *     log.add(next.greet("Ada").get(Duration.ofSeconds(10)));
+ *     log.add(same.greet("Ada").get(Duration.ofSeconds(10)));
  * } // closes the spaces
  * }
  *

@@ -8,8 +8,8 @@ import java.util.stream.Stream;
 /**
  * What happens to an actor when a one-way message, a timer, a {@link Callback} that it passed to another actor, or
  * {@link Actor#started()} throws. (An exception of a request rejects the caller's promise; an exception of a listener
- * rejects the promise that {@code then} returned. Neither is a failure of the actor, unless
- * {@link #withRequestsAndListeners} says so.) The error is always reported.
+ * rejects the promise that {@code then} returned. Neither is a failure of the actor without
+ * {@link #withRequestsAndListeners}.) The error is always reported.
  *
  * {@snippet :
  * ActorSettings settings =

@@ -103,6 +103,7 @@ class ArrowsTest {
                 .resideInAnyPackage(
                         "io.troupe.actor..",
                         "java..",
+                        "javax.management..",
                         "jdk.jfr..",
                         "org.jspecify.annotations..",
                         "org.objectweb.asm..",
