@@ -25,7 +25,7 @@ class HabitsTest {
     private static final Set<String> MUTABLE_STATICS = Set.of(
             "io.troupe.actor.ActorSpace$Global.SPACE", // the global space
             "io.troupe.actor.ActorType.ACTORS", // the cache of generated classes
-            "io.troupe.actor.ActorType.POOLS", // likewise, of pools
+            "io.troupe.actor.ActorType.POOLS", // the same for pools
             "io.troupe.actor.HelperThreads.POOL", // threads for bodies, shared by all spaces
             "io.troupe.actor.Watchdog.LOOKS", // the one thread that watches all spaces
             "io.troupe.actor.internal.loop.Home.CURRENT", // the home a thread belongs to, one per thread

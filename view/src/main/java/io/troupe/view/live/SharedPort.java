@@ -163,7 +163,7 @@ final class SharedPort implements AutoCloseable {
                 in.transferTo(http.getOutputStream());
                 http.shutdownOutput();
             } catch (IOException gone) {
-                http.close(); // the viewer is gone: its stream ends
+                http.shutdownInput(); // the viewer is gone: its stream ends, and http is closed
             }
             back.join();
         }
