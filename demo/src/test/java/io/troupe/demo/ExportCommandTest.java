@@ -3,6 +3,7 @@ package io.troupe.demo;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.troupe.sim.Recording;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.CrowdWorld;
@@ -48,9 +49,10 @@ class ExportCommandTest extends CommandLineBench {
     @Test
     void recordingOfAServedCrowd_isWritten() throws IOException {
         try (var world = World.create(CrowdWorld.scenario(2).world(), WorldSettings.DEFAULT);
-                var out = Files.newBufferedWriter(directory.resolve("recording"));
-                var recording = world.record(out)) {
+                var out = Files.newBufferedWriter(directory.resolve("recording"))) {
+            Recording recording = world.record(out);
             world.advance();
+            recording.close();
         }
         assertThat(printed("export --crowd 2 DIR/recording --csv DIR/tables"))
                 .endsWith("2 readings, 0.1 s" + System.lineSeparator());

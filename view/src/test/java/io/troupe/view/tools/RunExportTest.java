@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Recording;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Scenario;
@@ -256,12 +257,13 @@ class RunExportTest {
         Path recording = folder.resolve("recording.txt");
         WorldSpec spec = ScenarioReader.read(ARENA).world();
         try (var world = World.create(spec, WorldSettings.DEFAULT)) {
-            try (var out = Files.newBufferedWriter(recording);
-                    var recorded = world.record(out)) {
+            try (var out = Files.newBufferedWriter(recording)) {
+                Recording recorded = world.record(out);
                 world.command(0, 0.5, 0);
                 for (int tick = 0; tick < 200; tick++) {
                     world.advance();
                 }
+                recorded.close();
             }
         }
         var run = new RunExport(recording, spec);
