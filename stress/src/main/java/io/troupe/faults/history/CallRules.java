@@ -80,7 +80,8 @@ final class CallRules {
         }
         long executionNanos = called.executionMillis() * 1_000_000 + TOLERANCE_NANOS;
         call.executed.stream()
-                .filter(executed -> executed.nanos() - call.called.nanos() > executionNanos)
+                .filter(executed -> pauses.sinceAcceptedNanos(executed.process(), call.called.nanos(), executed.nanos())
+                        > executionNanos)
                 .findAny()
                 .ifPresent(late -> broken.accept(Rule.NOT_LATE));
         for (Entry entry : call.settled) {

@@ -33,6 +33,20 @@ final class Pauses {
         return running;
     }
 
+    /**
+     * The time from one moment to another, without the pauses before which the process ran for a while: what it had
+     * accepted by then, it may begin after the pause.
+     */
+    long sinceAcceptedNanos(String process, long fromNanos, long toNanos) {
+        return toNanos
+                - fromNanos
+                - pauses.getOrDefault(process, List.of()).stream()
+                        .filter(pause -> pause.fromNanos > fromNanos && pause.toNanos <= toNanos)
+                        .filter(pause -> runningNanos(process, fromNanos, pause.fromNanos) > 0)
+                        .mapToLong(pause -> pause.toNanos - pause.fromNanos)
+                        .sum();
+    }
+
     /** The moment, or the end of the pause in which it is: a process that is frozen there goes on then. */
     long runsAgainAt(String process, long nanos) {
         return pauses.getOrDefault(process, List.of()).stream()

@@ -122,6 +122,20 @@ class HistoryCheckerTest {
     }
 
     @Test
+    void callThatAFrozenProcessExecutesAfterItsLimit() {
+        call(CallKind.SHORT).at(1_700, "a-1", failed(true)).at(6_000, "b-1", new Paused(5_500_000_000L));
+        at(6_001, "b-1", new Executed("a-1.1"));
+        assertBroken(Rule.NOT_LATE);
+    }
+
+    @Test
+    void callThatWasAcceptedBeforeItsProcessWasFrozen_isNotLate() {
+        call(CallKind.SHORT).at(1_700, "a-1", failed(true)).at(6_000, "b-1", new Paused(4_900_000_000L));
+        at(6_001, "b-1", new Executed("a-1.1"));
+        assertBroken();
+    }
+
+    @Test
     void callThatNobodyMade() {
         at(1_000, "b-1", new Executed("a-1.1"));
         assertBroken(Rule.SETTLED_ONCE);
