@@ -51,6 +51,7 @@ class ExportCommandTest extends CommandLineBench {
                 var out = Files.newBufferedWriter(directory.resolve("recording"));
                 var recording = world.record(out)) {
             world.advance();
+            assertThat(recording.hash()).as("checksum").isNotZero();
         }
         assertThat(printed("export --crowd 2 DIR/recording --csv DIR/tables"))
                 .endsWith("2 readings, 0.1 s" + System.lineSeparator());

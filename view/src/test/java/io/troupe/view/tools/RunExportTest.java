@@ -262,6 +262,7 @@ class RunExportTest {
                 for (int tick = 0; tick < 200; tick++) {
                     world.advance();
                 }
+                assertThat(recorded.hash()).as("checksum").isNotZero();
             }
         }
         var run = new RunExport(recording, spec);
