@@ -85,7 +85,7 @@ final class ViewedWorld {
     }
 
     private int steps(double distanceM) {
-        return (int) Math.clamp(Math.round(distanceM / stepM), 0, MOST_STEPS);
+        return Math.clamp(Math.round(distanceM / stepM), 0, MOST_STEPS);
     }
 
     /** The description for the page. */

@@ -47,7 +47,8 @@ final class Browser implements AutoCloseable {
 
     /** Whether this machine has the browser and its driver. */
     static boolean isInstalled() {
-        return Stream.of("chromedriver", "chromium").allMatch(Browser::isOnThePath);
+        return isOnThePath("chromedriver")
+                && Stream.of("chromium", "google-chrome", "chromium-browser").anyMatch(Browser::isOnThePath);
     }
 
     private static boolean isOnThePath(String program) {

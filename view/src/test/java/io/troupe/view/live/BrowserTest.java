@@ -365,7 +365,7 @@ class BrowserTest {
         }
     }
 
-    /** The elements with text of their own whose colour is too near to that of what is behind them. */
+    /** The elements whose text has a colour that is too near to that of what is behind it. */
     private static final String LOW_CONTRASTS = """
             (() => {
               const parse = text => text.match(/[\\d.]+/g).map(Number);
