@@ -25,7 +25,7 @@ final class CarriedCall extends Node {
         return cell;
     }
 
-    /** Runs a turn in the context; throws nothing of its own. */
+    /** Runs a turn in the context; throws nothing itself. */
     void run(Runnable turn) {
         Runnable end = context.get();
         try {

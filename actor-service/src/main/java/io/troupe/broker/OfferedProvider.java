@@ -80,7 +80,7 @@ final class OfferedProvider implements Provider {
         return revived ? Change.REVIVED : now.health() == Health.FAILED ? Change.NONE : Change.REACHABLE;
     }
 
-    /** It has failed, for this process: it is tried again after the next report of its own process. */
+    /** It has failed, for this process: it is tried again after the next report of its process. */
     void hasFailed() {
         mayBeTried = false;
     }

@@ -10,7 +10,7 @@ import org.jctools.queues.varhandle.MpscVarHandleArrayQueue;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The floor: what an actor library must do at least, and nothing else. Every message is an object of its own class,
+ * The floor: what an actor library must do at least, and nothing else. Every message is an object of a separate class,
  * with typed fields and one virtual method; a question and the promise of its answer are one object. There is a ring
  * for messages and one for callbacks, which run first, and a handler for the exceptions of each turn. The floor has no
  * proxies, no mailboxes, no life cycle, no supervision, no counters and no sleep.

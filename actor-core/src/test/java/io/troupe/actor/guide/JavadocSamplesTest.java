@@ -78,7 +78,8 @@ class JavadocSamplesTest extends InTestSpace {
     @Tag("threads")
     @Timeout(60)
     void actorPool_choosesAnActorForEachCall() throws Exception {
-        try (ActorPool<Greeter> pool = ActorPool.create(2, SpaceSettings.named("greeter"), Greeter.class, Polite::new)) {
+        try (ActorPool<Greeter> pool =
+                ActorPool.create(2, SpaceSettings.named("greeter"), Greeter.class, Polite::new)) {
             Greeter next = pool.roundRobin(); // each call goes to the next actor
             Greeter same = pool.byFirstArgument(); // calls for one name go to one actor
             log.add(next.greet("Ada").get(Duration.ofSeconds(10)));

@@ -15,7 +15,7 @@ import org.junit.jupiter.api.Test;
 class BenchmarkPagesTest {
     /** A workload or number of robots, a contender, a figure and a ratio, each with its quartiles. */
     private static final Pattern FULL_ROW =
-            Pattern.compile("\\| (\\S+) \\| (\\S+) \\| ([\\d,.]+) \\(.*?\\) \\| ([\\d,.]+) \\(.*");
+            Pattern.compile("\\| (\\S+) \\| ([a-z]\\S*) \\| ([\\d,.]+) \\(.*?\\) \\| ([\\d,.]+) \\(.*");
 
     @Test
     void ratiosOfActors_areThoseOfTheFullTable() throws IOException {

@@ -60,6 +60,14 @@ final class CallRules {
         calls.forEach(this::check);
     }
 
+    /** The time until a call is executed, without the pauses after it was accepted. */
+    private long sinceAcceptedNanos(Entry called, Entry executed) {
+        String process = executed.process();
+        return process.equals(called.process())
+                ? pauses.runningNanos(process, called.nanos(), executed.nanos())
+                : pauses.sinceAcceptedNanos(process, called.nanos(), executed.nanos());
+    }
+
     private void check(String name, Call call) {
         Consumer<Rule> broken = rule -> violations.accept(new Violation(rule, "call " + name, call.all()));
         if (call.executed.size() > 1) {
@@ -80,8 +88,7 @@ final class CallRules {
         }
         long executionNanos = called.executionMillis() * 1_000_000 + TOLERANCE_NANOS;
         call.executed.stream()
-                .filter(executed -> pauses.sinceAcceptedNanos(executed.process(), call.called.nanos(), executed.nanos())
-                        > executionNanos)
+                .filter(executed -> sinceAcceptedNanos(call.called, executed) > executionNanos)
                 .findAny()
                 .ifPresent(late -> broken.accept(Rule.NOT_LATE));
         for (Entry entry : call.settled) {

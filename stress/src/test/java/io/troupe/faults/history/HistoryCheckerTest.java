@@ -136,6 +136,13 @@ class HistoryCheckerTest {
     }
 
     @Test
+    void ownCallOfAProcessThatIsFrozenRightAfterIt_isNotLate() {
+        call(CallKind.SHORT).at(6_000, "a-1", new Paused(5_001_000_000L)).at(6_001, "a-1", new Executed("a-1.1"));
+        at(6_002, "a-1", answered());
+        assertBroken();
+    }
+
+    @Test
     void callThatNobodyMade() {
         at(1_000, "b-1", new Executed("a-1.1"));
         assertBroken(Rule.SETTLED_ONCE);

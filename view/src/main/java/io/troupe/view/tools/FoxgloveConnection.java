@@ -80,7 +80,7 @@ public final class FoxgloveConnection {
     /** By subscription: the channel. */
     private final Map<Long, Channel> subscriptions = new TreeMap<>();
 
-    /** Channels that somebody has subscribed to since the writer looked. */
+    /** Channels that the client has subscribed to since the writer looked. */
     private final Set<Channel> fresh = new HashSet<>();
 
     private List<Channel> channels = List.of();

@@ -57,7 +57,7 @@ final class McapExport implements RunListener, Closeable {
         switch (event) {
             case StateBegins begins -> channels.send(begins, sink);
             case Remark remark -> channels.send(remark, sink);
-            case Touch touch -> {} // a remark says the same
+            case Touch touch -> {} // a remark reports the same
         }
     }
 

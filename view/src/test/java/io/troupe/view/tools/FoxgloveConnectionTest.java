@@ -41,7 +41,7 @@ class FoxgloveConnectionTest {
                 }
             }
         };
-        var client = new InputStream() { // which leaves when it is told the end
+        var client = new InputStream() { // which leaves when it receives the end
                     @Override
                     public int read() {
                         try {
