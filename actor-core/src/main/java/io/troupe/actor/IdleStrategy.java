@@ -91,10 +91,7 @@ final class IdleStrategy extends IdlePhase {
         }
         if (fallAsleep(dispatcher)) {
             dispatcher.forgetServed();
-            long deadline = dispatcher.timers.nextDeadline();
-            long nanos = deadline == Long.MAX_VALUE || !clock.runsByItself()
-                    ? LONGEST_SLEEP_NANOS
-                    : Math.min(LONGEST_SLEEP_NANOS, deadline - clock.nanos());
+            long nanos = clock.runsByItself() ? dispatcher.timers.sleepNanos(LONGEST_SLEEP_NANOS) : LONGEST_SLEEP_NANOS;
             LockSupport.parkNanos(this, nanos);
         }
         if (!PHASE.compareAndSet(this, ASLEEP, AWAKE)) {

@@ -75,6 +75,23 @@ class TimerWheelTest {
         assertThatThrownBy(() -> wheel.set(() -> {}, 0, -1)).hasMessageContaining("-1 ns");
     }
 
+    @Test
+    void sleep_isUntilTheNextDeadline_butWithManyTimersUpToOneMillisecondLonger() {
+        assertThat(wheel.sleepNanos(MILLI)).isEqualTo(MILLI);
+        set("soon", 5_000, 0);
+        assertThat(wheel.sleepNanos(MILLI)).isEqualTo(5_000);
+        assertThat(wheel.sleepNanos(4_000)).isEqualTo(4_000);
+        IntStream.range(0, 999).forEach(number -> set("later", 60_000 * MILLI, 0));
+        assertThat(wheel.sleepNanos(MILLI)).as("1,000 timers").isEqualTo(100_000);
+        IntStream.range(0, 99_000).forEach(number -> set("later", 60_000 * MILLI, 0));
+        assertThat(wheel.sleepNanos(2 * MILLI)).as("100,000 timers").isEqualTo(MILLI);
+        advanceMillis(1);
+        assertThat(log).containsExactly("soon");
+        assertThat(wheel.sleepNanos(Long.MAX_VALUE))
+                .as("the far ones, or the start of their slot")
+                .isBetween(30_000 * MILLI, 60_000 * MILLI);
+    }
+
     /** Counts the comparisons of timers: the work that remains when slots are found by a bit scan. */
     private static final class CountingHeap extends TimerWheel.Heap {
         private long comparisons;
