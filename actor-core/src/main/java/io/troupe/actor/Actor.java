@@ -125,7 +125,10 @@ public abstract class Actor {
         return keyed;
     }
 
-    /** Runs a task once after a delay, unless this actor has stopped. */
+    /**
+     * Runs a task once after a delay, unless this actor has stopped. A space with thousands of timers wakes for several
+     * of them at once, up to 2 ms late.
+     */
     protected final Timer after(Duration delay, Runnable task) {
         return cell("after(..)").setTimer(delay, Duration.ZERO, Schedule.FIXED_RATE, task);
     }

@@ -38,8 +38,8 @@ public final class TimerWheel {
     private static final int DIGIT_BITS = 6;
     private static final int SLOTS = 1 << DIGIT_BITS;
     private static final int WHEELS = (Long.SIZE - TICK_BITS + DIGIT_BITS - 1) / DIGIT_BITS;
-    private static final long SLACK_NANOS_PER_TIMER = 100;
-    private static final long MOST_SLACK_NANOS = 1_000_000;
+    private static final long SLACK_NANOS_PER_TIMER = 200;
+    private static final long MOST_SLACK_NANOS = 2_000_000;
     private static final int NONE = -1;
     private static final int FEW = 16;
     private static final long MADE_UP_FOR_NANOS = 1_000_000_000;
@@ -165,7 +165,7 @@ public final class TimerWheel {
     /**
      * How long the thread may sleep if nothing else happens; at most the given time. Many timers that are due soon
      * after each other are run together, because waking a thread costs more than running dozens of them. So a timer may
-     * run later than its deadline, by a tenth of a microsecond for each timer that is set and by one millisecond at
+     * run later than its deadline, by a fifth of a microsecond for each timer that is set and by two milliseconds at
      * most.
      */
     public long sleepNanos(long longestNanos) {
