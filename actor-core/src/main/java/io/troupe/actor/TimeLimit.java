@@ -126,15 +126,18 @@ final class TimeLimit {
             expired = open;
             open = List.of();
         }
-        expired.forEach(this::reject);
-        Deferred<?> question = questions.getLast();
-        Throwable why = question.error(); // of one of these requests
-        if (why != null) {
-            rejectQuestions(why);
-        } else if (!question.isDone()) {
+        Throwable first = null;
+        for (Asked each : expired) {
+            Throwable error = reject(each);
+            first = first == null ? error : first;
+        }
+        if (first == null && !questions.getLast().isDone()) {
             home.limitExpired();
-            rejectQuestions(new TimeoutException(
-                    "no answer within " + limit + ": the promise of the function is still pending"));
+            first = new TimeoutException(
+                    "no answer within " + limit + ": the promise of the function is still pending");
+        }
+        if (first != null) {
+            rejectQuestions(first);
         }
     }
 
@@ -146,12 +149,18 @@ final class TimeLimit {
         rejectQuestions(new CancellationException("space " + home + " was closed before the question was answered"));
     }
 
-    private void reject(Asked asked) {
+    /** Rejects a request; returns the error, or null if it was settled before. */
+    private @Nullable Throwable reject(Asked asked) {
         Request<?> request = asked.request;
-        if (!request.isDone()
-                && request.reject(new TimeoutException("no answer to " + asked.caller + " within " + limit + " from "
-                        + request.name() + request.progressNow()))) {
-            home.limitExpired();
+        if (request.isDone()) {
+            return null;
         }
+        var error = new TimeoutException("no answer to " + asked.caller + " within " + limit + " from " + request.name()
+                + request.progressNow());
+        if (!request.reject(error)) {
+            return null;
+        }
+        home.limitExpired();
+        return error;
     }
 }

@@ -45,6 +45,10 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         RESCUE,
         /** Continues with promise {@code number} if there is one. */
         COMPOSE,
+        /** Limits a promise to {@code number} half milliseconds. */
+        LIMIT,
+        /** Likewise, with a value in place of the error. */
+        INSTEAD,
         /**
          * A call with a callback; {@code number} modulo 4 is 1 or 3 = one that can be cancelled, 2 or 3 = a request.
          * One that can be cancelled keeps {@code number} / 4 results, 0 = all. The script runs in the actor, except for

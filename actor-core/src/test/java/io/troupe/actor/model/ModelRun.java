@@ -194,7 +194,7 @@ final class ModelRun {
             Call call = dropsOldest() ? mailbox.removeFirst() : queued;
             mailbox.removeIf(each -> each == call);
             Instance now = instance;
-            if (call.answer != null && call.answer.isDone()) {
+            if (call.answer != null && (call.answer.isDone() || call.answer.isShed())) {
                 call.failCallback("CancellationException");
             } else if (now == null) {
                 turnAway(call, "ActorStoppedException", space.stopping ? "closed" : "stopped");
@@ -499,6 +499,13 @@ final class ModelRun {
                 }
             }
             case CANCEL -> space.history.add(told + cancel(promise));
+            case LIMIT, INSTEAD -> {
+                if (space.inside || promise.atHome) {
+                    limit(promise, act);
+                } else {
+                    space.history.add(told + "no clock");
+                }
+            }
             default -> promises.put(act.id(), listen(promise, act, self));
         }
     }
@@ -508,13 +515,17 @@ final class ModelRun {
         boolean done = promise.settle("!CancellationException");
         Timer delay = delays.get(promise);
         if (done && delay != null) {
-            if (space.inside) {
-                delay.cancel();
-            } else {
-                space.enqueue(Task.entry(delay::cancel, () -> {}));
-            }
+            withdraw(delay);
         }
         return done;
+    }
+
+    private void withdraw(Timer timer) {
+        if (space.inside) {
+            timer.cancel();
+        } else {
+            space.enqueue(Task.entry(timer::cancel, () -> {}));
+        }
     }
 
     private void delay(Act act) {
@@ -522,14 +533,32 @@ final class ModelRun {
         Runnable drop = () -> promise.settle("!CancellationException");
         var timer = new Timer(() -> promise.settle("=null"), drop, space.now + act.number(), 0);
         promises.put(act.id(), promise);
+        schedule(promise, timer, drop);
+    }
+
+    private void schedule(ModelPromise promise, Timer timer, Runnable ifClosed) {
         delays.put(promise, timer);
         if (!space.inside) {
-            space.enqueue(Task.entry(() -> space.begin(timer), drop));
+            space.enqueue(Task.entry(() -> space.begin(timer), ifClosed));
         } else if (space.closed) {
-            drop.run();
+            ifClosed.run();
         } else {
             space.begin(timer);
         }
+    }
+
+    /** A promise that follows the source, unless the time is over first. */
+    private void limit(ModelPromise source, Act act) {
+        var limited = ModelPromise.shared(space, true);
+        Runnable expire = () -> limited.expire(act.kind() == Kind.LIMIT ? "!TimeoutException" : "=" + act.id(), source);
+        Runnable drop = () -> limited.settle("!CancellationException");
+        var timer = new Timer(expire, drop, space.now + act.number(), 0);
+        promises.put(act.id(), limited);
+        schedule(limited, timer, drop);
+        source.register(new ModelPromise.Listener(limited, false, behind -> {
+            withdraw(timer);
+            limited.settle(String.valueOf(source.outcome));
+        }));
     }
 
     /** Registers a listener that plays a script, and returns the promise of its result. */

@@ -150,6 +150,10 @@ final class Programs {
                 var script = script(depth + 1, below, ending.notInListeners);
                 yield new Act(kind, made(promises, false), target, other, script);
             }
+            case LIMIT, INSTEAD -> {
+                int target = oneOf(promises);
+                yield Act.of(kind, made(promises, false), target, oneOf(DELAYS));
+            }
             case OPEN -> open(depth, below);
             case NEXT -> Act.of(kind, id, oneOf(streams), random.nextInt(60) == 0 ? 300 : 1 + random.nextInt(3));
             case FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> Act.of(kind, id, oneOf(streams), 0);
