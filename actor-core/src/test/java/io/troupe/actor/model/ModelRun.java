@@ -155,6 +155,9 @@ final class ModelRun {
         private @Nullable List<Held> held; // until all have been delivered
         private boolean holds;
         private boolean releasing;
+        private @Nullable Timer restartTimer;
+        private long startedAt;
+        private int failuresInARow; // without a run as long as the window in between
         private @Nullable String endedBy;
         private boolean begun;
         private boolean stopped;
@@ -239,7 +242,9 @@ final class ModelRun {
             long now = space.now;
             failures.removeIf(each -> each <= now - cast.windowTicks());
             failures.add(now);
-            if (cast.limit() >= 0 && failures.size() > cast.limit() || cast.directive() == Directive.STOP) {
+            failuresInARow = now - startedAt >= cast.windowTicks() ? 1 : failuresInARow + 1;
+            int counted = cast.firstPauseTicks() > 0 ? failuresInARow : failures.size();
+            if (cast.limit() >= 0 && counted > cast.limit() || cast.directive() == Directive.STOP) {
                 space.ends.add(() -> stopAfter(error));
             } else if (cast.directive() == Directive.RESTART) {
                 space.ends.add(this::restart);
@@ -267,6 +272,7 @@ final class ModelRun {
                 return;
             }
             instance = fresh;
+            startedAt = space.now;
             space.history.add(fresh.name + " starts");
             guarded(fresh, () -> play(born.script(), fresh));
         }
@@ -333,6 +339,9 @@ final class ModelRun {
 
         void stop() {
             if (!stopped) {
+                if (restartTimer != null) {
+                    restartTimer.cancel();
+                }
                 stopped = true;
                 space.living.remove(this);
                 endInstance();
@@ -359,8 +368,26 @@ final class ModelRun {
         }
 
         private void restart() {
-            if (!stopped) {
-                endInstance();
+            if (stopped) {
+                return;
+            }
+            endInstance();
+            if (cast.firstPauseTicks() == 0) {
+                startAgain();
+                return;
+            }
+            held = held == null ? new ArrayList<>() : held;
+            if (held.stream().anyMatch(each -> each.call == null)) {
+                stop();
+                return;
+            }
+            int pauseTicks = Math.min(Cast.LONGEST_PAUSE_TICKS, cast.firstPauseTicks() << (failuresInARow - 1));
+            restartTimer = new Timer(this::startAgain, () -> {}, space.now + pauseTicks, 0);
+            space.begin(restartTimer);
+        }
+
+        private void startAgain() {
+            if (!stopped && !space.stopping) {
                 start();
                 if (instance != null && held != null) {
                     releaseSoon();

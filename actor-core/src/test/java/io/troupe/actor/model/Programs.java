@@ -173,7 +173,8 @@ final class Programs {
     }
 
     private Act spawn(int actor, int depth) {
-        int variant = random.nextInt(3) == 0 ? random.nextInt(5) : random.nextInt(Act.Cast.VARIANTS);
+        int variant =
+                random.nextInt(3) == 0 ? random.nextInt(Act.Cast.SUPERVISIONS) : random.nextInt(Act.Cast.VARIANTS);
         var banned = union(EnumSet.of(Kind.SPAWN, Kind.THROW), OUTSIDE_ONLY);
         return new Act(Kind.SPAWN, ++lastId, actor, variant, script(depth + 2, banned));
     }
