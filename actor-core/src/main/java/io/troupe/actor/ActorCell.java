@@ -111,8 +111,20 @@ final class ActorCell extends Recipient {
     }
 
     /** The call with the context of its caller, if there is one to carry. */
-    private Node carried(Node call) {
-        var context = space.captureContext();
+    private Node carried(Message message) {
+        return carried(message, space.captureCallers());
+    }
+
+    /** A request shares the time limit of the turn in which it is sent. */
+    private Node carried(Request<?> request) {
+        TimeLimit limit = TimeLimit.current();
+        if (limit != null) {
+            limit.add(request);
+        }
+        return carried(request, space.capture(limit));
+    }
+
+    private Node carried(Node call, @Nullable Supplier<Runnable> context) {
         return context == null ? call : new CarriedCall(this, call, context);
     }
 

@@ -245,6 +245,42 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     }
 
     /**
+     * Asks a question with a time limit that is inherited by the questions asked to answer it.
+     *
+     * {@snippet :
+     * Promise<String> receipt = space.within(Duration.ofSeconds(2), () -> shop.buy("lamp", 20));
+     * }
+     *
+     * <p>The function, the turns of the requests that it sends, and the listeners registered meanwhile share the limit,
+     * and pass it on to the requests that they send in turn; also to other spaces, and to other hosts by a bus. When
+     * the limit is over, those requests that are not answered are rejected with a
+     * {@link java.util.concurrent.TimeoutException}, and those that still wait in a mailbox are not begun. Sequential
+     * bodies and coroutines share it, too; one-way messages, timers, tasks and callbacks do not. A limit within a
+     * longer one ends first; one within a shorter one ends with that.
+     *
+     * <p><b>Threads.</b> Any thread. On this space's thread the function runs immediately; otherwise it is queued like
+     * a message.
+     *
+     * <p><b>Cost.</b> Some 100 ns for each request and listener that has a limit; nothing for others.
+     *
+     * @return as the promise of the function, if that is settled in time; rejected with what the function throws
+     */
+    public <T extends @Nullable Object> Promise<T> within(
+            Duration limit, Supplier<? extends Promise<? extends T>> question) {
+        Objects.requireNonNull(limit, "limit");
+        return promises.within(limit, Objects.requireNonNull(question, "question"));
+    }
+
+    /**
+     * The time that is left for the current turn, by the shortest limit of {@link #within} that it has inherited; zero
+     * if that is over, null if there is none. For questions to others than actors.
+     */
+    public static @Nullable Duration timeLeft() {
+        TimeLimit limit = TimeLimit.current();
+        return limit == null ? null : limit.left();
+    }
+
+    /**
      * A publisher of Java's reactive streams, for libraries that have these: each subscriber calls the source once,
      * with a new callback, and receives its results.
      *

@@ -92,10 +92,21 @@ final class ProbedMetrics implements SpaceMetrics {
         return reports.deadLetters();
     }
 
+    @Override
+    public long shed() {
+        return reports.shed();
+    }
+
+    @Override
+    public long expired() {
+        return reports.expired();
+    }
+
     /** Calls the other methods, and so sends a probe. */
     @Override
     public String toString() {
-        return "served %d, waiting %d, latency %s, actors %d, timers %d, errors %d, dead letters %d"
-                .formatted(served(), waiting(), latency(), actors(), timers(), errors(), deadLetters());
+        return "served %d, waiting %d, latency %s, actors %d, timers %d, errors %d, dead letters %d, shed %d, expired %d"
+                .formatted(
+                        served(), waiting(), latency(), actors(), timers(), errors(), deadLetters(), shed(), expired());
     }
 }

@@ -104,6 +104,12 @@ final class RecorderEvents {
         @Label("Dead Letters")
         long deadLetters;
 
+        @Label("Shed Requests")
+        long shed;
+
+        @Label("Expired Time Limits")
+        long expired;
+
         void fill(SpaceHome from) {
             SpaceMetrics metrics = from.figures();
             space = from.toString();
@@ -114,6 +120,8 @@ final class RecorderEvents {
             timers = metrics.timers();
             errors = metrics.errors();
             deadLetters = metrics.deadLetters();
+            shed = metrics.shed();
+            expired = metrics.expired();
         }
     }
 

@@ -24,6 +24,8 @@ final class Reports {
     private final SpaceSettings settings;
     private final LongAdder errors = new LongAdder();
     private final LongAdder deadLetters = new LongAdder();
+    private final LongAdder shed = new LongAdder();
+    private final LongAdder expired = new LongAdder();
 
     Reports(SpaceHome space, SpaceSettings settings) {
         this.space = space;
@@ -36,6 +38,19 @@ final class Reports {
 
     long deadLetters() {
         return deadLetters.sum();
+    }
+
+    long shed() {
+        return shed.sum();
+    }
+
+    long expired() {
+        return expired.sum();
+    }
+
+    /** Counts a time limit that has passed. */
+    void limitExpired() {
+        expired.increment();
     }
 
     /**
@@ -115,8 +130,9 @@ final class Reports {
         }
     }
 
-    /** Ends the callbacks of a request that was cancelled or given up before it began. */
+    /** Counts a request that was cancelled or given up before it began, and ends its callbacks. */
     void skip(Request<?> request) {
+        shed.increment();
         endCallbacks(request, new CancellationException(request.name() + " was cancelled or given up before it began"));
     }
 

@@ -3,8 +3,6 @@ package io.troupe.actor;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import java.util.ArrayDeque;
-import java.util.Queue;
-import java.util.concurrent.ConcurrentLinkedQueue;
 import org.jspecify.annotations.Nullable;
 
 /** A callback argument as the actor sees it: what the actor sends becomes entries of the caller's callback queue. */
@@ -19,17 +17,18 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     private final Callback<T> reader;
     private final SpaceHome home;
     private final @Nullable Incarnation owner;
-    private final @Nullable Kept<T> kept; // for a reader that does not receive every result
+    // for a reader that does not receive every result, and as soon as another thread sends
+    private volatile @Nullable Waiting<T> waiting;
     private volatile boolean ended;
     private volatile boolean readerGone;
-    private volatile @Nullable Queue<Result> pending;
 
     private ReturningCallback(Callback<T> reader, SpaceHome home, @Nullable Incarnation owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
-        this.kept =
-                reader instanceof Stream<T> stream && stream.backlog().isBounded() ? new Kept<>(stream, home) : null;
+        this.waiting = reader instanceof Stream<T> stream && stream.backlog().isBounded()
+                ? new Waiting<>(home, stream.backlog().most(), stream::noteSkipped)
+                : null;
     }
 
     /** Wraps a callback argument; one that was wrapped before keeps its first reader. */
@@ -134,60 +133,41 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     private void queue(Result next) {
-        if (kept != null) {
-            kept.queue(next);
-            return;
-        }
-        Queue<Result> waiting = home.isCurrent() ? pending : pendingQueue();
-        if (waiting == null) {
+        Waiting<T> results = home.isCurrent() ? waiting : sharedQueue();
+        if (results == null) {
             home.enqueue(next);
         } else {
-            waiting.add(next);
-            home.enqueue(new Ticket<>(waiting));
+            results.queue(next);
         }
     }
 
-    private synchronized Queue<Result> pendingQueue() {
-        if (pending == null) {
-            pending = new ConcurrentLinkedQueue<>();
+    private synchronized Waiting<T> sharedQueue() {
+        Waiting<T> known = waiting;
+        if (known == null) {
+            known = new Waiting<>(home, Integer.MAX_VALUE, () -> {});
+            waiting = known;
         }
-        return pending;
-    }
-
-    /**
-     * The turn of the next queued result. Results sent by the space's own thread would overtake those that another
-     * thread put into the inbox before. So as soon as another thread sends, results wait in a separate queue, and only
-     * tickets are queued in the space.
-     */
-    private static final class Ticket<T extends @Nullable Object> extends Node {
-        private final Queue<ReturningCallback<T>.Result> waiting;
-
-        Ticket(Queue<ReturningCallback<T>.Result> waiting) {
-            this.waiting = waiting;
-        }
-
-        @Override
-        protected @Nullable Node serve() {
-            return waiting.remove().serve();
-        }
+        return known;
     }
 
     /**
-     * The queued results of a reader that keeps only the newest ones. A result that replaces another one is delivered
-     * for the ticket of an earlier one, so there are as many tickets as results. A sender whose stack overflows may
-     * leave a result without a ticket: the next sender queues it. Any thread.
+     * The queued results, of which the newest ones are kept; only tickets for them are queued in the space. Results
+     * sent by the space's own thread would otherwise overtake those that another thread put into the inbox before. A
+     * result that replaces another one is delivered for the ticket of an earlier one, so there are as many tickets as
+     * results. A sender whose stack overflows may leave a result without a ticket: the next sender queues it. Any
+     * thread.
      */
-    private static final class Kept<T extends @Nullable Object> {
-        private final Stream<T> reader;
+    private static final class Waiting<T extends @Nullable Object> {
         private final SpaceHome home;
         private final int most;
+        private final Runnable noteSkipped;
         private final ArrayDeque<ReturningCallback<T>.Result> results = new ArrayDeque<>(); // guarded by this
         private int tickets; // guarded by this; those in the space's queues
 
-        Kept(Stream<T> reader, SpaceHome home) {
-            this.reader = reader;
+        Waiting(SpaceHome home, int most, Runnable noteSkipped) {
             this.home = home;
-            this.most = reader.backlog().most();
+            this.most = most;
+            this.noteSkipped = noteSkipped;
         }
 
         synchronized void queue(ReturningCallback<T>.Result next) {
@@ -197,11 +177,11 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             }
             if (!next.isEnd() && results.size() == most) {
                 results.pollFirst();
-                reader.noteSkipped();
+                noteSkipped.run();
             }
             results.addLast(next);
             while (tickets < results.size()) {
-                home.enqueue(new KeptTicket()); // served now if the space is closed
+                home.enqueue(new Ticket()); // served now if the space is closed
                 tickets++;
             }
         }
@@ -212,7 +192,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             return results.pollFirst();
         }
 
-        private final class KeptTicket extends Node {
+        private final class Ticket extends Node {
             @Override
             protected @Nullable Node serve() {
                 var result = next();

@@ -29,6 +29,7 @@ final class SequentialBodies {
     <T extends @Nullable Object> Promise<T> start(Callable<? extends T> body, Owner owner) {
         var end = new Deferred<T>(space, null);
         var sequence = new Body<T>(space, owner, body, end);
+        sequence.limit = space.isCurrent() ? space.limit() : null;
         space.enqueueMessage(new Entry(() -> lend(sequence), () -> end.reject(closed())));
         return end;
     }
@@ -38,10 +39,13 @@ final class SequentialBodies {
         waiting.remove(sequence);
         running = sequence;
         space.begin(sequence.owner());
+        TimeLimit before = space.limit();
+        space.setLimit(sequence.limit);
         try {
             sequence.resume();
         } finally {
             running = null;
+            space.setLimit(before);
         }
     }
 
@@ -58,6 +62,7 @@ final class SequentialBodies {
                 promise,
                 sequence::hasEnded,
                 () -> space.enqueue(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));
+        sequence.limit = space.limit();
         while (!promise.isDone()) { // it may be resumed for a promise that it no longer waits for
             waiting.add(sequence);
             try {
@@ -114,6 +119,7 @@ final class SequentialBodies {
         private final Callable<? extends T> body;
         private final Deferred<T> end;
         private volatile boolean hasControl; // true while the body has control
+        private @Nullable TimeLimit limit; // while it waits; accessed by the thread that has control
         private @Nullable Thread spaceThread;
         private @Nullable Thread thread;
         private boolean begun;

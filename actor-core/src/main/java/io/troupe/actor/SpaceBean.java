@@ -37,6 +37,8 @@ final class SpaceBean implements DynamicMBean {
         figure("Timers", "timers that are set", () -> metrics.timers());
         figure("Errors", "errors reported to error handlers", metrics::errors);
         figure("DeadLetters", "messages that were not delivered", metrics::deadLetters);
+        figure("Shed", "requests that were not begun, because their callers had given them up", metrics::shed);
+        figure("Expired", "time limits of promises that have passed", metrics::expired);
     }
 
     private void figure(String name, String description, LongSupplier value) {

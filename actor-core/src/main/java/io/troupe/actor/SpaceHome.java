@@ -27,6 +27,8 @@ final class SpaceHome extends Home {
     private final NodeRing messages = new NodeRing();
     private final IdleStrategy idle = new IdleStrategy();
     private @Nullable Thread thread; // the thread that has control now; only that thread finds itself here
+    private @Nullable TimeLimit limit; // of the current turn; most turns have none
+    private @Nullable SpaceThread ownThread; // set once, before it is started
 
     @Nullable
     ActorSpace facade; // set once, by its constructor
@@ -58,7 +60,8 @@ final class SpaceHome extends Home {
     }
 
     void startThread() {
-        new SpaceThread(this, contexts == null, callbacks, messages, loop).start();
+        ownThread = new SpaceThread(this, contexts == null, callbacks, messages, loop);
+        ownThread.start();
     }
 
     // ---- queueing
@@ -160,13 +163,57 @@ final class SpaceHome extends Home {
     }
 
     @Override
+    public void limitExpired() {
+        reports.limitExpired();
+    }
+
+    @Override
     public void await(Node promise) {
         sequences.await((Promise<?>) promise);
     }
 
     @Override
     public @Nullable Supplier<Runnable> captureContext() {
+        TimeLimit now = limit; // a guess on other threads
+        return now == null ? captureCallers() : capture(isCurrent() ? now : null);
+    }
+
+    /** Captures the context of the calling thread, without its time limit; null if there is nothing to carry. */
+    @Nullable
+    Supplier<Runnable> captureCallers() {
         return contexts == null ? null : contexts.capture();
+    }
+
+    /** Captures the context of the calling thread, with that time limit, for a turn of this space. */
+    @Nullable
+    Supplier<Runnable> capture(@Nullable TimeLimit captured) {
+        Supplier<Runnable> callers = captureCallers();
+        return captured == null ? callers : () -> enterLimit(captured, callers);
+    }
+
+    private Runnable enterLimit(TimeLimit captured, @Nullable Supplier<Runnable> callers) {
+        captured.check();
+        TimeLimit before = limit;
+        setLimit(captured);
+        Runnable end = callers == null ? () -> {} : callers.get();
+        return () -> {
+            end.run();
+            setLimit(before);
+        };
+    }
+
+    /** The time limit of the current turn, or null; on this space's thread. */
+    @Nullable
+    TimeLimit limit() {
+        return limit;
+    }
+
+    /** Sets the time limit of the current turn; on this space's thread. */
+    void setLimit(@Nullable TimeLimit next) {
+        limit = next;
+        if (ownThread != null) {
+            ownThread.setDirect(next == null);
+        }
     }
 
     // ---- thread

@@ -39,4 +39,10 @@ public interface SpaceMetrics {
 
     /** Messages that were not delivered. */
     long deadLetters();
+
+    /** Requests that were not begun, because their callers had cancelled them or their time limits had passed. */
+    long shed();
+
+    /** Time limits of promises that have passed: those set in this space, or outside every space on its promises. */
+    long expired();
 }

@@ -53,6 +53,42 @@ final class SpacePromises {
         return delay.over;
     }
 
+    /** See {@link ActorSpace#within}. */
+    <T extends @Nullable Object> Promise<T> within(Duration limit, Supplier<? extends Promise<? extends T>> question) {
+        if (space.isCurrent()) {
+            return ask(TimeLimit.of(space, limit, space.limit()), question);
+        }
+        var common = TimeLimit.of(space, limit, TimeLimit.current());
+        var answer = new Deferred<T>(space, null);
+        common.limit(answer); // expires in time even if the space is stalled
+        space.enqueueMessage(new Entry(
+                () -> {
+                    space.beginForItself();
+                    common.check();
+                    if (!answer.isDone()) {
+                        answer.resolveFrom(ask(common, question));
+                    }
+                },
+                () -> answer.reject(new CancellationException("space " + space + " was closed before it asked"))));
+        return answer;
+    }
+
+    private <T extends @Nullable Object> Promise<T> ask(
+            TimeLimit common, Supplier<? extends Promise<? extends T>> question) {
+        var answer = new Deferred<T>(space, null);
+        common.limit(answer);
+        TimeLimit before = space.limit();
+        space.setLimit(common);
+        try {
+            answer.resolveFrom(Objects.requireNonNull(question.get(), "the function answered null, not a promise"));
+        } catch (Throwable thrown) {
+            answer.reject(thrown);
+        } finally {
+            space.setLimit(before);
+        }
+        return answer.eventually(common::answered);
+    }
+
     /** See {@link ActorSpace#retry}. */
     <T extends @Nullable Object> Promise<T> retry(
             int tries, Duration pause, Supplier<? extends Promise<? extends T>> attempt) {

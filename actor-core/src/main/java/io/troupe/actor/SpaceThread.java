@@ -11,7 +11,8 @@ import org.jspecify.annotations.Nullable;
  * short, and the same for all messages.
  */
 final class SpaceThread extends Thread implements DetachedNodes.Keeper {
-    private final @Nullable SpaceHome direct;
+    private final @Nullable SpaceHome space; // null if every call needs a context
+    private @Nullable SpaceHome direct; // null if calls need a context now
     private final NodeRing callbacks;
     private final NodeRing messages;
     private final SpaceLoop loop;
@@ -24,7 +25,8 @@ final class SpaceThread extends Thread implements DetachedNodes.Keeper {
      */
     SpaceThread(SpaceHome space, boolean isDirect, NodeRing callbacks, NodeRing messages, SpaceLoop loop) {
         super(null, null, space.toString(), 0, false);
-        this.direct = isDirect ? space : null;
+        this.space = isDirect ? space : null;
+        this.direct = this.space;
         this.loop = loop;
         this.callbacks = callbacks;
         this.messages = messages;
@@ -34,6 +36,16 @@ final class SpaceThread extends Thread implements DetachedNodes.Keeper {
     /** True if calls and callbacks of this thread for that space go straight into the rings. */
     boolean serves(SpaceHome which) {
         return direct == which;
+    }
+
+    /** True if no call of this thread needs a context now. */
+    boolean isDirect() {
+        return direct != null;
+    }
+
+    /** Sets whether calls go straight into the rings, unless every call needs a context; while its turn is running. */
+    void setDirect(boolean is) {
+        direct = is ? space : null;
     }
 
     NodeRing callbacks() {

@@ -196,7 +196,7 @@ class BacklogTest extends InTestSpace {
                 values.publish(call); // the JVM never links what is first used where the stack is exhausted
             }
             for (int round = 0; round < 20; round++) {
-                Thread deep = Thread.ofPlatform().start(() -> publishAtTheEnd(values, 0));
+                Thread deep = Thread.ofPlatform().start(() -> atTheEnd(() -> values.publish(7)));
                 deep.join();
             }
             values.publish(Integer.MAX_VALUE);
@@ -204,11 +204,41 @@ class BacklogTest extends InTestSpace {
         }
     }
 
-    private static void publishAtTheEnd(Topic<Integer> values, int depth) {
+    /** Every result that was stored is received before the end, though some had no ticket for a while. */
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void sending_atTheEndOfTheSendersStack_leavesNoResultBehind() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("deep"))) {
+            var ends = new CountDownLatch(20);
+            var received = new ArrayList<Integer>();
+            for (int round = 0; round < 20; round++) {
+                var last = new int[] {-1};
+                Callback<Integer> results = ReturningCallback.to(
+                        new Callback.Stream<>(value -> last[0] = value, error -> {
+                            received.add(last[0]);
+                            ends.countDown();
+                        }),
+                        space.home);
+                for (int call = 0; call < 3; call++) {
+                    results.next(call); // the JVM never links what is first used where the stack is exhausted
+                }
+                int depth = round;
+                Thread deep = Thread.ofPlatform().start(() -> atTheEnd(() -> results.next(100 + depth)));
+                deep.join();
+                results.next(1_000 + round);
+                results.finish();
+            }
+            await(ends);
+            assertThat(received).isEqualTo(IntStream.range(1_000, 1_020).boxed().toList());
+        }
+    }
+
+    private static void atTheEnd(Runnable call) {
         try {
-            publishAtTheEnd(values, depth + 1);
+            atTheEnd(call);
         } catch (StackOverflowError end) {
-            values.publish(depth); // overflows again, somewhere, until enough of the stack is free
+            call.run(); // overflows again, somewhere, until enough of the stack is free
         }
     }
 }

@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.IOException;
 import java.io.StringWriter;
@@ -45,6 +46,7 @@ final class Compiled {
     void compile(String... options) throws IOException {
         Files.createDirectories(classes);
         JavaCompiler compiler = ToolProvider.getSystemJavaCompiler();
+        assumeTrue(compiler != null, "a runtime without a compiler");
         var arguments = new ArrayList<>(List.of("-d", classes.toString(), "-parameters", "-proc:none"));
         arguments.addAll(options.length > 0 ? List.of(options) : List.of("-cp", System.getProperty("java.class.path")));
         var output = new StringWriter();

@@ -1,6 +1,7 @@
 package io.troupe.broker;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Deferred;
@@ -155,6 +156,8 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
     }
 
     private void take(PendingCall call) {
+        Duration left = ActorSpace.timeLeft();
+        call.untilNanos = left == null ? Long.MAX_VALUE : nowNanos() + left.toNanos();
         if (mismatch != null) {
             refuse(call, mismatch);
         } else if (canSend()) {
@@ -180,8 +183,19 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         while (canSend() && !waiting.isEmpty()) {
             PendingCall call = waiting.pollFirstEntry().getValue();
             call.cancelLimit();
-            send(call);
+            if (call.untilNanos == Long.MAX_VALUE) {
+                send(call);
+            } else { // its turn had a time limit, which the provider shares
+                space().within(Duration.ofNanos(call.untilNanos - nowNanos()), () -> {
+                    send(call);
+                    return Promise.done();
+                });
+            }
         }
+    }
+
+    private long nowNanos() {
+        return space().clock().nanos();
     }
 
     private void send(PendingCall call) {
@@ -336,6 +350,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         Promise<?> sent; // the provider's promise
 
         private boolean cancelled;
+        long untilNanos = Long.MAX_VALUE; // the end of the time limit of its turn, if that had one
 
         @Nullable
         Timer limit;

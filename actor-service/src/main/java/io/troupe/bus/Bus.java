@@ -1,6 +1,7 @@
 package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import io.troupe.bus.BusMessage.Failure;
@@ -215,10 +216,15 @@ public final class Bus implements AutoCloseable {
         }
     }
 
-    void request(BusMessage message, Duration limit) {
+    /** @param isShared true if the questions that the handler asks share the limit */
+    void request(BusMessage message, Duration limit, boolean isShared) {
         notifier.passed(message);
         var request = (Purpose.Request) message.purpose();
-        send(message, request.to(), nodes -> nodes.request(message, request, limit));
+        if (isShared && request.to().node().equals(name)) {
+            deliver(new MessageDelivery(message, incarnation, nanos(), 0, Home.nanosOf(limit), true));
+            return;
+        }
+        send(message, request.to(), nodes -> nodes.request(message, request, limit, isShared));
     }
 
     void notice(BusPort from, Address to, Operation<?, ?> operation, Record payload) {

@@ -99,7 +99,7 @@ final class FirstContacts {
                 bus.dropsOldValues(publication.topic()) || isLateFirst(frame, publication, series - 1);
             case Frames.Body.Mark(var publication, long series, var begunMicros) ->
                 isLateFirst(frame, publication, series);
-            case Frames.Body.Requested(var request, var kind, long limitMicros) -> limitMicros != 0;
+            case Frames.Body.Requested requested -> requested.limitMicros() != 0;
             default -> false;
         };
     }

@@ -24,6 +24,7 @@ import java.util.function.Function;
 final class Frames {
     private static final int VERSION = 1;
     private static final int COMMON_FIELDS = 7;
+    private static final int REQUEST_FIELDS = 5;
     private static final int EXPECTED_SIZE = 256;
 
     private static final int PUBLICATION = 0;
@@ -70,13 +71,18 @@ final class Frames {
         return out.toBytes();
     }
 
-    byte[] request(BusMessage message, Purpose.Request request, long limitMicros) {
-        var out = begin(REQUEST, message.from(), message.sequence(), 5);
+    /** @param isShared true if the questions that the handler asks share the limit */
+    byte[] request(BusMessage message, Purpose.Request request, long limitMicros, boolean isShared) {
+        var out = begin(REQUEST, message.from(), message.sequence(), isShared ? REQUEST_FIELDS + 1 : REQUEST_FIELDS);
         out.writeText(request.to().name());
         out.writeText(request.operation());
         out.writeLong(message.kind().ordinal());
         out.writeLong(limitMicros);
-        return complete(out, message.payload());
+        codec.write(message.payload().getClass(), message.payload(), out);
+        if (isShared) {
+            out.writeBoolean(true);
+        }
+        return out.toBytes();
     }
 
     byte[] notice(BusMessage message, Purpose.Notice notice) {
@@ -187,7 +193,8 @@ final class Frames {
             }
         }
 
-        record Requested(Purpose.Request purpose, Kind kind, long limitMicros) implements Body {}
+        /** @param isShared true if the questions that the handler asks share the limit */
+        record Requested(Purpose.Request purpose, Kind kind, long limitMicros, boolean isShared) implements Body {}
 
         record Noticed(Purpose.Notice purpose, Kind kind) implements Body {}
 
@@ -240,7 +247,12 @@ final class Frames {
                         new Purpose.Publication(in.readText()),
                         readNumber(in),
                         fields > 2 ? OptionalLong.of(readNumber(in)) : OptionalLong.empty());
-            case REQUEST -> new Body.Requested(readRequest(node, in), readKind(in), readNumber(in));
+            case REQUEST ->
+                new Body.Requested(
+                        readRequest(node, in),
+                        readKind(in),
+                        readNumber(in),
+                        fields > REQUEST_FIELDS); // the last is true
             case NOTICE ->
                 new Body.Noticed(new Purpose.Notice(new Address(node, in.readText()), in.readText()), readKind(in));
             case CANCELLATION -> new Body.Cancelled(readRequest(node, in));

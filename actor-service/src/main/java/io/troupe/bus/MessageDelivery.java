@@ -1,5 +1,7 @@
 package io.troupe.bus;
 
+import java.time.Duration;
+
 /**
  * A message on its way to a port, and what is known of its way so far.
  *
@@ -8,11 +10,31 @@ package io.troupe.bus;
  * @param ageNanos how long it had been on its way then
  * @param limitNanos how long after its arrival the requester waits for a reply; {@link Long#MAX_VALUE} if that is not
  *     limited, or known otherwise
+ * @param isLimitShared true if the questions that the handler asks share the limit
  */
-record MessageDelivery(BusMessage message, long incarnation, long arrivedNanos, long ageNanos, long limitNanos) {
+record MessageDelivery(
+        BusMessage message,
+        long incarnation,
+        long arrivedNanos,
+        long ageNanos,
+        long limitNanos,
+        boolean isLimitShared) {
+    MessageDelivery(BusMessage message, long incarnation, long arrivedNanos, long ageNanos, long limitNanos) {
+        this(message, incarnation, arrivedNanos, ageNanos, limitNanos, false);
+    }
+
     /** A message within this node. */
     static MessageDelivery within(BusMessage message, long incarnation, long nowNanos) {
         return new MessageDelivery(message, incarnation, nowNanos, 0, Long.MAX_VALUE);
+    }
+
+    MessageDelivery withSharedLimit() {
+        return new MessageDelivery(message, incarnation, arrivedNanos, ageNanos, limitNanos, true);
+    }
+
+    /** The time that is left of the limit; zero if it is over. */
+    Duration left(long nowNanos) {
+        return Duration.ofNanos(Math.max(0, limitNanos - (nowNanos - arrivedNanos)));
     }
 
     /** The age of the message now. */

@@ -1,5 +1,6 @@
 package io.troupe.bus;
 
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.internal.CancellableAnswer;
 import io.troupe.bus.internal.NotBegunException;
@@ -82,7 +83,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         }
         Promise<A> answer;
         try {
-            answer = handler.apply(operation.request().cast(request.message().payload()));
+            answer = call(request);
             if (answer == null) {
                 throw new NullPointerException("the answerer returned null, expected a promise");
             }
@@ -95,6 +96,40 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         }
         answer.toCompletableFuture() // notifies at once, on any thread, even if the actor has stopped
                 .whenComplete((value, error) -> settle(request, value, error));
+    }
+
+    /** Calls the handler. If the requester has asked for that, the questions that the handler asks share the limit. */
+    private @Nullable Promise<A> call(MessageDelivery request) throws Throwable {
+        Q question = operation.request().cast(request.message().payload());
+        ActorSpace here = ActorSpace.current();
+        if (!request.isLimitShared() || here == null) {
+            return handler.apply(question);
+        }
+        var called = new Called<Q, A>();
+        here.within(request.left(node.nanos()), () -> called.call(handler, question))
+                .handle((value, late) -> null);
+        if (called.thrown != null) {
+            throw called.thrown;
+        }
+        return called.answer;
+    }
+
+    /** What a handler returned or threw. */
+    private static final class Called<Q, A> {
+        @Nullable
+        Promise<A> answer;
+
+        @Nullable
+        Throwable thrown;
+
+        Promise<?> call(Function<? super Q, ? extends Promise<A>> handler, Q question) {
+            try {
+                answer = handler.apply(question);
+            } catch (Throwable failure) {
+                thrown = failure;
+            }
+            return answer == null ? Promise.done() : answer;
+        }
     }
 
     /** Notes the answer that is cancelled with a request; cancels it if that has happened meanwhile. */

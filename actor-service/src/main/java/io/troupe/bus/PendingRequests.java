@@ -26,11 +26,13 @@ final class PendingRequests {
     }
 
     <Q extends Record, A extends Record> Promise<A> ask(
-            BusPort requester, Address to, Operation<Q, A> operation, Q request, Duration limit) {
-        if (limit.isNegative() || limit.isZero()) {
+            BusPort requester, Address to, Operation<Q, A> operation, Q request, Duration longest) {
+        if (longest.isNegative() || longest.isZero()) {
             throw new IllegalArgumentException(
-                    "the limit for " + operation.name() + " is " + limit + ", expected more than zero");
+                    "the limit for " + operation.name() + " is " + longest + ", expected more than zero");
         }
+        Duration left = ActorSpace.timeLeft();
+        Duration limit = left == null || left.compareTo(longest) > 0 ? longest : left;
         var message = BusMessage.of(
                 operation.kind(),
                 requester.address(),
@@ -49,7 +51,7 @@ final class PendingRequests {
         if (closed != null) {
             reject(number, "the asker has left: " + closed, false);
         } else {
-            node.request(message, limit);
+            node.request(message, limit, left != null);
         }
         if (!waiting.answer().isDone()) {
             waiting.limit(limit, inTime -> expire(number, inTime, limit));

@@ -169,9 +169,9 @@ final class RemoteNodes implements BusEngine.Listener {
         }
     }
 
-    void request(BusMessage message, Purpose.Request request, Duration limit) {
+    void request(BusMessage message, Purpose.Request request, Duration limit, boolean isShared) {
         long limitMicros = limit.compareTo(UNLIMITED) > 0 ? 0 : Math.max(1, limit.toNanos() / 1_000);
-        byte[] frame = frames.request(message, request, limitMicros);
+        byte[] frame = frames.request(message, request, limitMicros, isShared);
         checked(frame, bytes -> engine.send(request.to().node(), message.sequence(), bytes));
     }
 
@@ -221,7 +221,7 @@ final class RemoteNodes implements BusEngine.Listener {
         var request = new Purpose.Request(new Address(node, FirstContacts.PORT), FirstContacts.OPERATION);
         var from = new Address(bus.node(), FirstContacts.PORT);
         var message = BusMessage.of(Operation.Kind.CONTROL, from, request, number, FirstContacts.NOTHING);
-        checked(frames.request(message, request, 0), bytes -> engine.send(node, number, bytes));
+        checked(frames.request(message, request, 0, false), bytes -> engine.send(node, number, bytes));
     }
 
     private void answerTime(Frames.Header header, Purpose.Request request) {
@@ -258,8 +258,8 @@ final class RemoteNodes implements BusEngine.Listener {
         long nowNanos = bus.nanos();
         publishers.ageNanos(header, nowNanos);
         switch (frame.body()) {
-            case Frames.Body.Requested(var request, var kind, long limitMicros)
-            when FirstContacts.isTime(request) -> answerTime(header, request);
+            case Frames.Body.Requested requested
+            when FirstContacts.isTime(requested.purpose()) -> answerTime(header, requested.purpose());
             case Frames.Body.Replied(var reply, var kind, long toIncarnation)
             when toIncarnation == incarnation && contacts.answered(header, reply.request()) -> {}
             case Frames.Body.Rejected(var rejection, var kind, long toIncarnation)
@@ -290,8 +290,8 @@ final class RemoteNodes implements BusEngine.Listener {
                         publication.topic(),
                         publishers.missingAtMark(
                                 header, publication.topic(), series, begunMicros, subscribedNanos(publication)));
-            case Frames.Body.Requested(var request, var kind, long limitMicros) ->
-                receiveRequest(frame, request, limitMicros, new Arrival(header.incarnation(), nowNanos, ageNanos));
+            case Frames.Body.Requested requested ->
+                receiveRequest(frame, requested, new Arrival(header.incarnation(), nowNanos, ageNanos));
             case Frames.Body.Noticed(var notice, var kind) ->
                 receiveNotice(frame, notice, new Arrival(header.incarnation(), nowNanos, ageNanos));
             case Frames.Body.Cancelled(var request) ->
@@ -334,8 +334,10 @@ final class RemoteNodes implements BusEngine.Listener {
         }
     }
 
-    private void receiveRequest(Frames.Frame frame, Purpose.Request request, long limitMicros, Arrival arrival) {
-        long limitNanos = limitMicros == 0 ? Long.MAX_VALUE : limitMicros * 1_000 - arrival.ageNanos;
+    private void receiveRequest(Frames.Frame frame, Frames.Body.Requested requested, Arrival arrival) {
+        Purpose.Request request = requested.purpose();
+        long limitNanos =
+                requested.limitMicros() == 0 ? Long.MAX_VALUE : requested.limitMicros() * 1_000 - arrival.ageNanos;
         Class<?> type = bus.requestType(request.to(), request.operation());
         BusMessage message;
         try {
@@ -347,7 +349,8 @@ final class RemoteNodes implements BusEngine.Listener {
                     "cannot read it: " + unreadable.getMessage());
             return;
         }
-        bus.receive(arrival.of(message, limitNanos));
+        MessageDelivery delivery = arrival.of(message, limitNanos);
+        bus.receive(requested.isShared() ? delivery.withSharedLimit() : delivery);
     }
 
     private void receiveNotice(Frames.Frame frame, Purpose.Notice notice, Arrival arrival) {

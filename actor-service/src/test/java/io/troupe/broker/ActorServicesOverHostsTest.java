@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Callback;
 import io.troupe.actor.promise.Promise;
@@ -70,6 +71,26 @@ class ActorServicesOverHostsTest extends HostsBench {
             expected.addAll(List.of("grey hears n" + i, "grey says " + i));
         }
         assertThat(diary.subList(1, diary.size())).isEqualTo(expected);
+    }
+
+    /** Asks an actor of its process how much time it has. */
+    interface Clerk {
+        Promise<String> timeLeft();
+    }
+
+    @Test
+    void timeLimit_isThatOfTheQuestionsThatTheProviderAsks_alsoIfTheCallWaitedForAProvider() {
+        Duration limit = Duration.ofSeconds(3);
+        Clerk helper = test.spawn(Clerk.class, () -> () -> Promise.of("" + ActorSpace.timeLeft()));
+        var clerk = near.services
+                .connect(Clerk.class, Need.ofService("robot 1", "clerk"))
+                .actor();
+        Promise<String> waited = test.space().within(limit, clerk::timeLeft);
+        test.advance(Duration.ofSeconds(1));
+        get(far.services.publish(test.space(), Clerk.class, "clerk", List.of(), () -> helper::timeLeft));
+        assertThat(get(waited)).isEqualTo("" + limit.minusSeconds(1));
+        assertThat(get(test.space().within(limit, clerk::timeLeft))).isEqualTo("" + limit);
+        assertThat(get(clerk.timeLeft())).isEqualTo("null");
     }
 
     sealed interface Shape {}

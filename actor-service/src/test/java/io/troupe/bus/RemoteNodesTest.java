@@ -3,6 +3,7 @@ package io.troupe.bus;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
@@ -14,6 +15,7 @@ import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Optional;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
@@ -91,7 +93,7 @@ class RemoteNodesTest {
     private byte[] request(long number, Duration limit, Record payload) {
         var purpose = new Purpose.Request(NEAR, "spell");
         var message = new BusMessage.Data(FAR, purpose, number, payload);
-        return farFrames.request(message, purpose, limit.toNanos() / 1_000);
+        return farFrames.request(message, purpose, limit.toNanos() / 1_000, false);
     }
 
     private byte[] reply(long request, long toIncarnation, Record payload) {
@@ -445,7 +447,7 @@ class RemoteNodesTest {
     @Test
     void requestForTheTime_isAnsweredAtOnce() {
         var purpose = new Purpose.Request(new Address("near", "bus"), "time");
-        arrives(farFrames.request(new BusMessage.Data(FAR, purpose, 9, FirstContacts.NOTHING), purpose, 0));
+        arrives(farFrames.request(new BusMessage.Data(FAR, purpose, 9, FirstContacts.NOTHING), purpose, 0, false));
         assertThat(engine.takeSent("far"))
                 .containsExactly(
                         "reply far: Replied[purpose=answer to far/b for time, kind=CONTROL, toIncarnation=77]");
@@ -470,7 +472,8 @@ class RemoteNodesTest {
         var answer = heard(port.ask(FAR, SPELL, new Count(1), SECOND));
         assertThat(engine.takeSent("far"))
                 .containsExactly(
-                        "send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=1000000]");
+                        "send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=1000000,"
+                                + " isShared=false]");
         test.crank();
         test.advance(SECOND.plusMillis(1));
         assertThat(answer.error()).isInstanceOf(BusTimeoutException.class);
@@ -481,10 +484,62 @@ class RemoteNodesTest {
     void request_withoutALimitThatMatters_carriesNone() {
         var answer = heard(port.ask(FAR, SPELL, new Count(1), Duration.ofDays(7_300)));
         assertThat(engine.takeSent("far"))
-                .containsExactly("send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=0]");
+                .containsExactly("send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=0,"
+                        + " isShared=false]");
         engine.why = "it is disconnected";
         answer.cancel();
         assertThat(engine.sent).as("no cancellation while disconnected").isEmpty();
+    }
+
+    @Test
+    void request_inATurnWithALimit_carriesTheRestOfIt_andThatItIsShared() {
+        List<Promise<Text>> asked = new ArrayList<>();
+        test.space()
+                .within(SECOND, () -> {
+                    test.clock().advance(Duration.ofMillis(400));
+                    asked.add(heard(port.ask(FAR, SPELL, new Count(1), SECOND)));
+                    return asked.getFirst();
+                })
+                .exceptionally(late -> new Text(""));
+        test.crank();
+        assertThat(engine.takeSent("far"))
+                .containsExactly("send far: Requested[purpose=question to far/b for spell, kind=DATA,"
+                        + " limitMicros=600000, isShared=true]");
+        test.advance(SECOND);
+        assertThat(asked.getFirst().error()).isInstanceOf(BusTimeoutException.class);
+        engine.sent.clear();
+    }
+
+    @Test
+    void requestWithASharedLimit_isHandledInATurnWithTheRestOfIt_alsoOnThisNode() {
+        List<Optional<Duration>> left = new ArrayList<>();
+        port.answer(SPELL, count -> {
+            left.add(Optional.ofNullable(ActorSpace.timeLeft()));
+            if (count.value() < 0) {
+                throw new IllegalStateException("not that");
+            }
+            return Promise.of(new Text("" + count.value()));
+        });
+        arrives(request(1, SECOND, new Count(1)));
+        farAnswersItsTime();
+        var purpose = new Purpose.Request(NEAR, "spell");
+        var message = new BusMessage.Data(FAR, purpose, 2, new Count(2));
+        arrives(farFrames.request(message, purpose, 1_000_000, true));
+        test.clock().advance(Duration.ofMillis(400));
+        test.crank();
+        var here = test.space().within(SECOND, () -> port.ask(NEAR, SPELL, new Count(3), SECOND.multipliedBy(2)));
+        assertThat(test.get(here)).isEqualTo(new Text("3"));
+        var failing = test.space().within(SECOND, () -> port.ask(NEAR, SPELL, new Count(-1), SECOND));
+        assertThat(test.error(failing)).isInstanceOf(RemoteFailure.class);
+        assertThat(left)
+                .containsExactly(
+                        Optional.empty(),
+                        Optional.of(Duration.ofMillis(600)),
+                        Optional.of(SECOND),
+                        Optional.of(SECOND));
+        engine.sent.clear();
+        test.crank();
+        assertThat(take(losses)).singleElement().asString().endsWith("failed: not that");
     }
 
     @Test

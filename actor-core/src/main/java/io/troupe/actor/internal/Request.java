@@ -119,6 +119,11 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return isDone() || !home().isCurrent() ? "" : receiver.progressOf(this);
     }
 
+    /** See {@link #progress}. */
+    public final String progressNow() {
+        return progress();
+    }
+
     /**
      * Settles this request with the outcome of the promise that the method returned.
      *

@@ -56,6 +56,7 @@ final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
         expired = true; // set before settling: a failure of the source must be reported from the moment this is settled
         if (instead != null ? settleValue(instead.value()) : settleError(timedOutError())) {
             source.timedOut();
+            home.limitExpired();
         } else {
             expired = false;
         }

@@ -423,6 +423,18 @@ class JavadocSamplesTest extends InTestSpace {
     }
 
     @Test
+    void actorSpace_asksWithALimit() {
+        Probe<Shop> probe = test.probe(Shop.class);
+        Shop shop = probe.actor();
+        ActorSpace space = test.space();
+        Promise<String> receipt = space.within(Duration.ofSeconds(2), () -> shop.buy("lamp", 20));
+        probe.expectCall("buy(lamp, 20)");
+        test.advance(Duration.ofSeconds(2));
+        assertThat(test.error(receipt)).hasMessageContaining("within PT2S");
+        probe.takeUnanswered();
+    }
+
+    @Test
     void promise_isChained() {
         Probe<Shop> probe = test.probe(Shop.class);
         Shop shop = probe.actor();

@@ -45,6 +45,10 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         RESCUE,
         /** Continues with promise {@code number} if there is one. */
         COMPOSE,
+        /** Limits a promise to {@code number} half milliseconds. */
+        LIMIT,
+        /** Likewise, with a value in place of the error. */
+        INSTEAD,
         /**
          * A call with a callback; {@code number} modulo 4 is 1 or 3 = one that can be cancelled, 2 or 3 = a request.
          * One that can be cancelled keeps {@code number} / 4 results, 0 = all. The script runs in the actor, except for
@@ -93,6 +97,7 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
      * @param windowTicks in half milliseconds
      * @param capacity of the mailbox; 0 = any
      * @param failingInstance the instance whose factory throws; 0 = none
+     * @param firstPauseTicks before a restart, doubled for each failure in a row; 0 = none
      */
     record Cast(
             Directive directive,
@@ -101,30 +106,38 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
             int capacity,
             Overflow overflow,
             boolean ownHandler,
-            int failingInstance) {
-        static final int VARIANTS = 5 * 6 * 2 * 4;
+            int failingInstance,
+            int firstPauseTicks) {
+        static final int SUPERVISIONS = 6;
+        static final int VARIANTS = SUPERVISIONS * 6 * 2 * 4;
+        static final int LONGEST_PAUSE_TICKS = 30;
 
         static Cast of(int variant) {
-            int supervision = variant % 5;
-            int mailbox = variant / 5 % 6;
-            int factory = variant / 60 % 4;
+            int supervision = variant % SUPERVISIONS;
+            int mailbox = variant / SUPERVISIONS % 6;
+            int factory = variant / (SUPERVISIONS * 12) % 4;
             return new Cast(
                     switch (supervision) {
                         case 1 -> Directive.STOP;
-                        case 2, 3 -> Directive.RESTART;
+                        case 2, 3, 5 -> Directive.RESTART;
                         default -> Directive.RESUME;
                     },
-                    supervision < 2 ? -1 : Math.min(1, supervision - 2),
+                    supervision < 2 ? -1 : supervision == 5 ? 3 : Math.min(1, supervision - 2),
                     10,
                     mailbox < 3 ? 0 : 2,
                     Overflow.values()[mailbox % 3],
-                    variant / 30 % 2 == 1,
-                    factory < 2 ? 0 : factory - 1);
+                    variant / (SUPERVISIONS * 6) % 2 == 1,
+                    factory < 2 ? 0 : factory - 1,
+                    supervision == 5 ? 4 : 0);
         }
 
         ActorSettings settings(String name) {
             int most = limit < 0 ? Integer.MAX_VALUE : limit;
-            var plain = ActorSettings.named(name).withSupervision(new Supervision(directive, most, ticks(windowTicks)));
+            var supervision = new Supervision(directive, most, ticks(windowTicks));
+            if (firstPauseTicks > 0) {
+                supervision = supervision.withPauses(ticks(firstPauseTicks), ticks(LONGEST_PAUSE_TICKS));
+            }
+            var plain = ActorSettings.named(name).withSupervision(supervision);
             return capacity == 0 ? plain : plain.withMailbox(capacity, overflow);
         }
 

@@ -69,6 +69,8 @@ class ActorModelTest {
                         "stream  of A hears !ActorStoppedException",
                         "stream  of A ends CancellationException",
                         "listener  of A hears !CancellationException",
+                        "promise  !TimeoutException",
+                        "unheard TimeoutException",
                         "promise  !IllegalStateException",
                         "promise  pending",
                         "too late: ",

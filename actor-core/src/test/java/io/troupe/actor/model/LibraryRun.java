@@ -14,6 +14,7 @@ import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.actor.time.Timer;
+import java.time.Duration;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -258,8 +259,20 @@ final class LibraryRun {
                 }
             }
             case CANCEL -> history.add(told + promise.cancel());
+            case LIMIT, INSTEAD -> {
+                try {
+                    promises.put(act.id(), limited(promise, act));
+                } catch (IllegalStateException noClock) {
+                    history.add(told + "no clock");
+                }
+            }
             default -> promises.put(act.id(), listen(promise, act, self));
         }
+    }
+
+    private static Promise<@Nullable Object> limited(Promise<@Nullable Object> promise, Act act) {
+        Duration limit = Cast.ticks(act.number());
+        return act.kind() == Act.Kind.LIMIT ? promise.orTimeout(limit) : promise.completeOnTimeout(act.id(), limit);
     }
 
     private Promise<@Nullable Object> listen(Promise<@Nullable Object> promise, Act act, @Nullable Peer self) {

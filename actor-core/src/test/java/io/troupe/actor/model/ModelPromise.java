@@ -33,6 +33,8 @@ final class ModelPromise {
     private boolean telling;
     private boolean fromAfar;
     private int onTheirWay;
+    private boolean expired; // settled because its time limit was over
+    private boolean givenUp; // a time limit of it has passed
 
     private ModelPromise(ModelSpace space, boolean atHome, boolean local, boolean isRequest) {
         this.space = space;
@@ -77,13 +79,28 @@ final class ModelPromise {
             return true;
         }
         outcome = end;
-        if (!listeners.isEmpty()) {
-            heard = true;
-        } else if (atHome && isError(end) && !end.equals("!CancellationException")) {
+        heard = listeners.stream().anyMatch(each -> !each.result.expired);
+        boolean reports = listeners.isEmpty() || !end.equals("!ActorStoppedException");
+        if (!heard && atHome && isError(end) && !end.equals("!CancellationException") && reports) {
             space.rejected(this);
         }
         tellAll();
         return true;
+    }
+
+    /** Settles it because its time limit is over, unless the source was settled before. */
+    void expire(String end, ModelPromise source) {
+        expired = outcome == null;
+        if (expired) {
+            settle(end);
+            source.givenUp = true;
+        }
+    }
+
+    /** A request, which has not begun: rejects it if the time limits of all its listeners have passed. */
+    boolean isShed() {
+        boolean shed = givenUp && !listeners.isEmpty() && listeners.stream().allMatch(each -> each.result.isDone());
+        return shed && settle("!CancellationException");
     }
 
     /** Listeners registered while others are being notified from outside are notified after them. */

@@ -155,6 +155,9 @@ final class ModelRun {
         private @Nullable List<Held> held; // until all have been delivered
         private boolean holds;
         private boolean releasing;
+        private @Nullable Timer restartTimer;
+        private long startedAt;
+        private int failuresInARow; // without a run as long as the window in between
         private @Nullable String endedBy;
         private boolean begun;
         private boolean stopped;
@@ -194,7 +197,7 @@ final class ModelRun {
             Call call = dropsOldest() ? mailbox.removeFirst() : queued;
             mailbox.removeIf(each -> each == call);
             Instance now = instance;
-            if (call.answer != null && call.answer.isDone()) {
+            if (call.answer != null && (call.answer.isDone() || call.answer.isShed())) {
                 call.failCallback("CancellationException");
             } else if (now == null) {
                 turnAway(call, "ActorStoppedException", space.stopping ? "closed" : "stopped");
@@ -239,7 +242,9 @@ final class ModelRun {
             long now = space.now;
             failures.removeIf(each -> each <= now - cast.windowTicks());
             failures.add(now);
-            if (cast.limit() >= 0 && failures.size() > cast.limit() || cast.directive() == Directive.STOP) {
+            failuresInARow = now - startedAt >= cast.windowTicks() ? 1 : failuresInARow + 1;
+            int counted = cast.firstPauseTicks() > 0 ? failuresInARow : failures.size();
+            if (cast.limit() >= 0 && counted > cast.limit() || cast.directive() == Directive.STOP) {
                 space.ends.add(() -> stopAfter(error));
             } else if (cast.directive() == Directive.RESTART) {
                 space.ends.add(this::restart);
@@ -267,6 +272,7 @@ final class ModelRun {
                 return;
             }
             instance = fresh;
+            startedAt = space.now;
             space.history.add(fresh.name + " starts");
             guarded(fresh, () -> play(born.script(), fresh));
         }
@@ -333,6 +339,9 @@ final class ModelRun {
 
         void stop() {
             if (!stopped) {
+                if (restartTimer != null) {
+                    restartTimer.cancel();
+                }
                 stopped = true;
                 space.living.remove(this);
                 endInstance();
@@ -359,8 +368,26 @@ final class ModelRun {
         }
 
         private void restart() {
-            if (!stopped) {
-                endInstance();
+            if (stopped) {
+                return;
+            }
+            endInstance();
+            if (cast.firstPauseTicks() == 0) {
+                startAgain();
+                return;
+            }
+            held = held == null ? new ArrayList<>() : held;
+            if (held.stream().anyMatch(each -> each.call == null)) {
+                stop();
+                return;
+            }
+            int pauseTicks = Math.min(Cast.LONGEST_PAUSE_TICKS, cast.firstPauseTicks() << (failuresInARow - 1));
+            restartTimer = new Timer(this::startAgain, () -> {}, space.now + pauseTicks, 0);
+            space.begin(restartTimer);
+        }
+
+        private void startAgain() {
+            if (!stopped && !space.stopping) {
                 start();
                 if (instance != null && held != null) {
                     releaseSoon();
@@ -499,6 +526,13 @@ final class ModelRun {
                 }
             }
             case CANCEL -> space.history.add(told + cancel(promise));
+            case LIMIT, INSTEAD -> {
+                if (space.inside || promise.atHome) {
+                    limit(promise, act);
+                } else {
+                    space.history.add(told + "no clock");
+                }
+            }
             default -> promises.put(act.id(), listen(promise, act, self));
         }
     }
@@ -508,13 +542,17 @@ final class ModelRun {
         boolean done = promise.settle("!CancellationException");
         Timer delay = delays.get(promise);
         if (done && delay != null) {
-            if (space.inside) {
-                delay.cancel();
-            } else {
-                space.enqueue(Task.entry(delay::cancel, () -> {}));
-            }
+            withdraw(delay);
         }
         return done;
+    }
+
+    private void withdraw(Timer timer) {
+        if (space.inside) {
+            timer.cancel();
+        } else {
+            space.enqueue(Task.entry(timer::cancel, () -> {}));
+        }
     }
 
     private void delay(Act act) {
@@ -522,14 +560,32 @@ final class ModelRun {
         Runnable drop = () -> promise.settle("!CancellationException");
         var timer = new Timer(() -> promise.settle("=null"), drop, space.now + act.number(), 0);
         promises.put(act.id(), promise);
+        schedule(promise, timer, drop);
+    }
+
+    private void schedule(ModelPromise promise, Timer timer, Runnable ifClosed) {
         delays.put(promise, timer);
         if (!space.inside) {
-            space.enqueue(Task.entry(() -> space.begin(timer), drop));
+            space.enqueue(Task.entry(() -> space.begin(timer), ifClosed));
         } else if (space.closed) {
-            drop.run();
+            ifClosed.run();
         } else {
             space.begin(timer);
         }
+    }
+
+    /** A promise that follows the source, unless the time is over first. */
+    private void limit(ModelPromise source, Act act) {
+        var limited = ModelPromise.shared(space, true);
+        Runnable expire = () -> limited.expire(act.kind() == Kind.LIMIT ? "!TimeoutException" : "=" + act.id(), source);
+        Runnable drop = () -> limited.settle("!CancellationException");
+        var timer = new Timer(expire, drop, space.now + act.number(), 0);
+        promises.put(act.id(), limited);
+        schedule(limited, timer, drop);
+        source.register(new ModelPromise.Listener(limited, false, behind -> {
+            withdraw(timer);
+            limited.settle(String.valueOf(source.outcome));
+        }));
     }
 
     /** Registers a listener that plays a script, and returns the promise of its result. */

@@ -150,6 +150,10 @@ final class Programs {
                 var script = script(depth + 1, below, ending.notInListeners);
                 yield new Act(kind, made(promises, false), target, other, script);
             }
+            case LIMIT, INSTEAD -> {
+                int target = oneOf(promises);
+                yield Act.of(kind, made(promises, false), target, oneOf(DELAYS));
+            }
             case OPEN -> open(depth, below);
             case NEXT -> Act.of(kind, id, oneOf(streams), random.nextInt(60) == 0 ? 300 : 1 + random.nextInt(3));
             case FINISH, FAIL, CANCEL_STREAM, LOOK_AT_STREAM -> Act.of(kind, id, oneOf(streams), 0);
@@ -169,7 +173,8 @@ final class Programs {
     }
 
     private Act spawn(int actor, int depth) {
-        int variant = random.nextInt(3) == 0 ? random.nextInt(5) : random.nextInt(Act.Cast.VARIANTS);
+        int variant =
+                random.nextInt(3) == 0 ? random.nextInt(Act.Cast.SUPERVISIONS) : random.nextInt(Act.Cast.VARIANTS);
         var banned = union(EnumSet.of(Kind.SPAWN, Kind.THROW), OUTSIDE_ONLY);
         return new Act(Kind.SPAWN, ++lastId, actor, variant, script(depth + 2, banned));
     }

@@ -31,6 +31,9 @@ class ActorSoakTest {
         CHAINS_AND_BODIES(round -> new ChainRaces(round).chains()),
         TOPICS_AND_STREAMS(StreamRaces::play),
         TIME_LIMITS(PromiseRaces::timeLimits),
+        SHARED_LIMITS(DeliveryRaces::sharedLimits),
+        HELD_AND_POOLED(DeliveryRaces::heldAndPooled),
+        NEWEST_ONLY(DeliveryRaces::newestOnly),
         END_OF_THE_STACK(ErrorRaces::endOfTheStack),
         FATAL_ERRORS(ErrorRaces::fatalErrors);
 

@@ -57,8 +57,16 @@ final class Round implements AutoCloseable {
 
     /** A space whose dead letters are counted at their marks. */
     ActorSpace space(String name, Consumer<String> onDeadLetter) {
-        var space = ActorSpace.create(SpaceSettings.named(prefix + name)
-                .withOnStall(Duration.ZERO, stall -> {})
+        return open(SpaceSettings.named(prefix + name), onDeadLetter);
+    }
+
+    /** A space whose actors have a quota. */
+    ActorSpace spaceWithQuota(String name, int calls) {
+        return open(SpaceSettings.named(prefix + name).withActorQuota(calls), mark -> {});
+    }
+
+    private ActorSpace open(SpaceSettings settings, Consumer<String> onDeadLetter) {
+        var space = ActorSpace.create(settings.withOnStall(Duration.ZERO, stall -> {})
                 .withOnError((where, error) -> errors.add(error))
                 .withOnDeadLetter(letter -> onDeadLetter.accept(letter.message())));
         spaces.add(space);

@@ -10,6 +10,7 @@ import io.troupe.actor.internal.loop.Owner
 import io.troupe.actor.promise.EventLoop
 import java.time.Duration
 import java.util.concurrent.CancellationException
+import java.util.function.Supplier
 import kotlin.coroutines.ContinuationInterceptor
 import kotlin.coroutines.CoroutineContext
 import kotlin.coroutines.resume
@@ -150,8 +151,9 @@ internal class OwnerDispatcher(val owner: Owner) : CoroutineDispatcher(), Delay 
     private fun closed() = CancellationException("space $home is closed")
 
     override fun scheduleResumeAfterDelay(timeMillis: Long, continuation: CancellableContinuation<Unit>) {
-        val withdraw =
-            home.schedule(nanos(timeMillis), { continuation.resume(Unit) }, { continuation.cancel(closed()) })
+        val carried = home.captureContext()
+        val resume = Runnable { inContext(carried) { continuation.resume(Unit) } }
+        val withdraw = home.schedule(nanos(timeMillis), resume) { continuation.cancel(closed()) }
         continuation.invokeOnCancellation { withdraw.run() }
     }
 
@@ -160,17 +162,29 @@ internal class OwnerDispatcher(val owner: Owner) : CoroutineDispatcher(), Delay 
         return DisposableHandle { withdraw.run() }
     }
 
+    /** Runs an action in the context that was captured, if there was one: its end is also the end of the turn. */
+    private inline fun inContext(carried: Supplier<Runnable>?, action: () -> Unit) {
+        val end = carried?.get()
+        try {
+            action()
+        } finally {
+            end?.run()
+        }
+    }
+
     private fun nanos(timeMillis: Long) = Home.nanosOf(Duration.ofMillis(timeMillis))
 
     override fun toString(): String = "dispatcher of $owner"
 
     private inner class Resumption(private val context: CoroutineContext, private val block: Runnable) : Node() {
+        private val carried = home.captureContext()
+
         override fun serve(): Node? {
             if (!beginTurn()) {
                 home.beginForItself()
                 context.cancel(closed())
             }
-            block.run()
+            inContext(carried) { block.run() }
             return null
         }
     }

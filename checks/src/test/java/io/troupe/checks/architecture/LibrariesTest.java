@@ -20,6 +20,7 @@ class LibrariesTest {
         "org.objenesis..,          io.troupe.actor",
         "kotlin..,                 io.troupe.actor.kotlin.. io.troupe.bench",
         "kotlinx..,                io.troupe.actor.kotlin.. io.troupe.bench",
+        "io.micrometer..,          io.troupe.actor.micrometer",
         "org.ojalgo..,             io.troupe.petri.structure",
         "org.eclipse.elk..,        io.troupe.petri.drawing",
         "org.eclipse.emf..,        io.troupe.petri.drawing",

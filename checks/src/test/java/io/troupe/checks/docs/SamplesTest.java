@@ -41,6 +41,7 @@ class SamplesTest {
                 "actor-service/README.md",
                 "actor-nats/README.md",
                 "actor-kotlin/README.md",
+                "actor-micrometer/README.md",
                 "playerlike-sim/README.md",
                 "services/README.md",
                 "verification/README.md",

@@ -124,6 +124,9 @@ public abstract class Home {
      */
     public abstract void await(Node promise);
 
+    /** Called when a time limit that was set here has passed; by any thread. */
+    public void limitExpired() {}
+
     // ---- owners
 
     /** Sets the owner on whose behalf this home's thread now runs. */

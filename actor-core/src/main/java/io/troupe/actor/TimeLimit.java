@@ -1,0 +1,166 @@
+package io.troupe.actor;
+
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.promise.Deferred;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import java.util.concurrent.CancellationException;
+import java.util.concurrent.TimeoutException;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * The time limit that a question shares with all questions that are asked to answer it; see {@link ActorSpace#within}.
+ *
+ * <p>A turn with a limit passes it on to the requests that it sends and to the listeners that it registers. When the
+ * limit is over, the requests that are not answered are rejected, so those that are still queued are not begun.
+ *
+ * <p><b>Threads.</b> Any thread; guarded by its own monitor. <b>Cost.</b> One timer, whatever the number of requests.
+ */
+final class TimeLimit {
+    private static final int FEW = 8;
+
+    private record Asked(Request<?> request, Owner caller) {}
+
+    private final SpaceHome home; // by whose clock
+    private final Duration limit;
+    private final long deadlineNanos;
+    private final List<Deferred<?>> questions = new ArrayList<>(2);
+    private List<Asked> open = new ArrayList<>(1);
+    private int sweepAt = FEW;
+    private @Nullable Runnable withdraw; // of the timer, while it is set
+    private boolean over;
+
+    private TimeLimit(SpaceHome home, Duration limit, long deadlineNanos) {
+        this.home = home;
+        this.limit = limit;
+        this.deadlineNanos = deadlineNanos;
+    }
+
+    /**
+     * Creates a limit.
+     *
+     * @param outer the limit of the current turn, which is not extended; or null
+     */
+    static TimeLimit of(SpaceHome home, Duration limit, @Nullable TimeLimit outer) {
+        Duration shorter = outer == null || outer.left().compareTo(limit) > 0 ? limit : outer.left();
+        long now = home.settings.clock().nanos();
+        long deadline = now + Home.nanosOf(shorter);
+        boolean overflows = !shorter.isNegative() && deadline < now;
+        return new TimeLimit(home, limit, overflows ? Long.MAX_VALUE : deadline);
+    }
+
+    /** The limit of the turn in which the calling thread is, or null. */
+    static @Nullable TimeLimit current() {
+        if (Thread.currentThread() instanceof SpaceThread thread && thread.isDirect()) {
+            return null; // the usual case, without a look at the thread-local
+        }
+        return Home.current() instanceof SpaceHome here ? here.limit() : null;
+    }
+
+    /** The time that is left; zero if the limit is over. */
+    Duration left() {
+        return Duration.ofNanos(
+                Math.max(0, deadlineNanos - home.settings.clock().nanos()));
+    }
+
+    /** Rejects this promise, too, when the limit is over: that of the question itself. On the thread of its caller. */
+    synchronized void limit(Deferred<?> question) {
+        questions.add(question);
+        setTimer();
+    }
+
+    private void setTimer() {
+        if (withdraw == null) {
+            withdraw = home.schedule(left().toNanos(), this::expire, this::abandon);
+        }
+    }
+
+    /** Rejects this request when the limit is over, unless it is answered by then. On the thread of its caller. */
+    void add(Request<?> request) {
+        Home here = Home.current();
+        var asked = new Asked(request, here == null ? home.itself() : here.owner());
+        synchronized (this) {
+            if (!over) {
+                if (open.size() >= sweepAt) {
+                    sweep();
+                    sweepAt = Math.max(FEW, 2 * open.size());
+                }
+                open.add(asked);
+                setTimer();
+                return;
+            }
+        }
+        reject(asked);
+    }
+
+    private void sweep() {
+        open.removeIf(each -> each.request.isDone());
+    }
+
+    /** Called when the question has been answered: removes the timer, unless other requests still need it. */
+    synchronized void answered() {
+        if (over) {
+            return;
+        }
+        sweep();
+        if (open.isEmpty() && withdraw != null) {
+            withdraw.run();
+            withdraw = null;
+        }
+    }
+
+    /** Rejects the requests that are not answered, if the limit is over: its timer may be late. */
+    void check() {
+        if (deadlineNanos - home.settings.clock().nanos() <= 0) {
+            expire();
+        }
+    }
+
+    private void expire() {
+        List<Asked> expired;
+        synchronized (this) {
+            over = true;
+            expired = open;
+            open = List.of();
+        }
+        Throwable first = null;
+        for (Asked each : expired) {
+            Throwable error = reject(each);
+            first = first == null ? error : first;
+        }
+        if (first == null && !questions.getLast().isDone()) {
+            home.limitExpired();
+            first = new TimeoutException(
+                    "no answer within " + limit + ": the promise of the function is still pending");
+        }
+        if (first != null) {
+            rejectQuestions(first);
+        }
+    }
+
+    private void rejectQuestions(Throwable why) {
+        questions.reversed().forEach(each -> each.reject(why)); // two if it was asked from outside
+    }
+
+    private void abandon() {
+        rejectQuestions(new CancellationException("space " + home + " was closed before the question was answered"));
+    }
+
+    /** Rejects a request; returns the error, or null if it was settled before. */
+    private @Nullable Throwable reject(Asked asked) {
+        Request<?> request = asked.request;
+        if (request.isDone()) {
+            return null;
+        }
+        var error = new TimeoutException("no answer to " + asked.caller + " within " + limit + " from " + request.name()
+                + request.progressNow());
+        if (!request.reject(error)) {
+            return null;
+        }
+        home.limitExpired();
+        return error;
+    }
+}
