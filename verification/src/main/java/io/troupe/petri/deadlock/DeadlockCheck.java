@@ -60,8 +60,6 @@ public final class DeadlockCheck {
         DEAD_TRANSITIONS,
         /** Leaves out places that disable nothing, because they always hold enough tokens. */
         FREE_PLACES,
-        /** Leaves out one of two places with the same arcs. */
-        EQUAL_PLACES,
         /** Leaves out one of two transitions with the same arcs, or one without an effect, if another stands for it. */
         EQUAL_TRANSITIONS,
         /** Fires at once what cannot be prevented from firing. */
@@ -69,7 +67,9 @@ public final class DeadlockCheck {
         /** Fuses transitions with those before, if they need nothing else. */
         FUSED_AFTER,
         /** Fuses transitions with those behind, if they do nothing else. */
-        FUSED_BEFORE
+        FUSED_BEFORE,
+        /** Leaves out places that always hold at least as many tokens as some others together. */
+        IMPLIED_PLACES
     }
 
     /** The result of {@link #decide}. */

@@ -26,6 +26,11 @@ final class Reducer {
     /** A fused transition may replace at most so many others. */
     private static final int MAX_PAIRS = 12;
 
+    /** How many places are tried to find those that imply one place. */
+    private static final int MIN_TRIES = 40;
+
+    private static final int MORE_TRIES = 4;
+
     private static final int MAX_FIRST_STEPS = 100_000;
 
     /** The firings of the original net that one transition of the smaller net stands for. */
@@ -158,23 +163,28 @@ final class Reducer {
         return new Reduced(reducer);
     }
 
+    /** Applies the rules in turns; a dear one only when no cheap one applies. */
     private void run() {
         for (var changed = true; changed && !cancelled.getAsBoolean(); ) {
             changed = false;
             for (var rule : Reduction.values()) {
-                if (rules.contains(rule)) {
-                    changed |= switch (rule) {
-                        case DEAD_TRANSITIONS -> removeDeadTransitions();
-                        case FREE_PLACES -> removeFreePlaces();
-                        case EQUAL_PLACES -> removeEqualPlaces();
-                        case EQUAL_TRANSITIONS -> removeEqualTransitions();
-                        case FIRST_STEPS -> takeFirstSteps();
-                        case FUSED_AFTER -> fuseAll(true);
-                        case FUSED_BEFORE -> fuseAll(false);
-                    };
+                if (rules.contains(rule) && !(changed && rule == Reduction.IMPLIED_PLACES)) {
+                    changed |= apply(rule);
                 }
             }
         }
+    }
+
+    private boolean apply(Reduction rule) {
+        return switch (rule) {
+            case DEAD_TRANSITIONS -> removeDeadTransitions();
+            case FREE_PLACES -> removeFreePlaces();
+            case EQUAL_TRANSITIONS -> removeEqualTransitions();
+            case FIRST_STEPS -> takeFirstSteps();
+            case FUSED_AFTER -> fuseAll(true);
+            case FUSED_BEFORE -> fuseAll(false);
+            case IMPLIED_PLACES -> removeImpliedPlaces();
+        };
     }
 
     private void add(Step step) {
@@ -272,41 +282,93 @@ final class Reducer {
         return changed;
     }
 
-    /** Of two places with the same arcs, the one with more tokens disables nothing that the other does not. */
-    private boolean removeEqualPlaces() {
+    /** A place that always has at least as many tokens as some others together disables nothing that they do not. */
+    private boolean removeImpliedPlaces() {
         var changed = false;
-        var known = new HashMap<List<Map<Integer, Integer>>, Integer>();
         for (var p = 0; p < tokens.length; p++) {
-            if (isGone[p]) {
-                continue;
-            }
-            var other = known.putIfAbsent(List.of(weightsIn(p), weightsOut(p)), p);
-            if (other == null) {
-                continue;
-            }
-            var more = tokens[p] >= tokens[other] && inhibited.get(p).isEmpty() ? p : other;
-            var less = more == p ? other : p;
-            if (tokens[more] >= tokens[less] && inhibited.get(more).isEmpty()) {
-                if (more == other) {
-                    known.put(List.of(weightsIn(p), weightsOut(p)), p);
-                }
-                removePlace(more);
+            if (!isGone[p] && inhibited.get(p).isEmpty() && new Implication(p).isFound()) {
+                removePlace(p);
                 changed = true;
             }
         }
         return changed;
     }
 
-    private Map<Integer, Integer> weightsIn(int place) {
-        var weights = new TreeMap<Integer, Integer>();
-        consumers.get(place).forEach(id -> weights.put(id, step(id).in.get(place)));
-        return weights;
-    }
+    /**
+     * Looks for places Q that imply a place p: p has at least the tokens of Q together at first, no firing changes p by
+     * less than it changes Q, and each transition that takes tokens from p takes as many from Q.
+     */
+    private final class Implication {
+        private final int place;
+        private final TreeSet<Integer> chosen = new TreeSet<>();
+        /** By transition: what it takes from p beyond what it takes from Q. */
+        private final TreeMap<Integer, Integer> uncovered = new TreeMap<>();
+        /** By transition: the change of p less that of Q. */
+        private final TreeMap<Integer, Integer> lead = new TreeMap<>();
 
-    private Map<Integer, Integer> weightsOut(int place) {
-        var weights = new TreeMap<Integer, Integer>();
-        producers.get(place).forEach(id -> weights.put(id, step(id).out.get(place)));
-        return weights;
+        /** The transitions that these make wrong. */
+        private final TreeSet<Integer> wronglyCovered = new TreeSet<>();
+
+        private final TreeSet<Integer> wronglyLed = new TreeSet<>();
+        private int surplus;
+        private int triesLeft;
+
+        Implication(int place) {
+            this.place = place;
+            surplus = tokens[place];
+            triesLeft = MIN_TRIES + MORE_TRIES * consumers.get(place).size();
+            add(place, -1);
+        }
+
+        /** Adds a place to Q, or, with {@code sign} -1, takes it out again. */
+        private void add(int q, int sign) {
+            for (var id : consumers.get(q)) {
+                var weight = sign * step(id).in.getOrDefault(q, 0);
+                note(wronglyCovered, id, uncovered.merge(id, -weight, Integer::sum) > 0);
+                note(wronglyLed, id, lead.merge(id, weight, Integer::sum) < 0);
+            }
+            for (var id : producers.get(q)) {
+                var weight = sign * step(id).out.getOrDefault(q, 0);
+                note(wronglyLed, id, lead.merge(id, -weight, Integer::sum) < 0);
+            }
+        }
+
+        private static void note(TreeSet<Integer> wrong, int id, boolean isWrong) {
+            if (isWrong) {
+                wrong.add(id);
+            } else {
+                wrong.remove(id);
+            }
+        }
+
+        boolean isFound() {
+            if (!wronglyCovered.isEmpty()) {
+                return isFoundWithOneOf(wronglyCovered.first(), false);
+            }
+            return wronglyLed.isEmpty() || isFoundWithOneOf(wronglyLed.first(), true);
+        }
+
+        /** Tries to add each place that a transition takes tokens from. */
+        private boolean isFoundWithOneOf(int id, boolean mustShrink) {
+            for (var q : step(id).in.keySet()) {
+                if (q == place || chosen.contains(q) || tokens[q] > surplus || mustShrink && step(id).change(q) >= 0) {
+                    continue;
+                }
+                if (--triesLeft < 0) {
+                    return false;
+                }
+                chosen.add(q);
+                surplus -= tokens[q];
+                add(q, 1);
+                if (isFound()) {
+                    return true;
+                }
+                add(q, -1);
+                surplus += tokens[q];
+                chosen.remove(q);
+            }
+            return false;
+        }
     }
 
     /**
@@ -318,8 +380,8 @@ final class Reducer {
         var known = new HashMap<List<Map<Integer, Integer>>, Integer>();
         for (var id : List.copyOf(steps.keySet())) {
             var step = step(id);
-            if (known.putIfAbsent(List.of(step.in, step.out, step.inhibitors), id) != null
-                    || step.in.equals(step.out) && isImplied(id, step)) {
+            var isImplied = step.in.equals(step.out) && isImplied(id, step);
+            if (isImplied || known.putIfAbsent(List.of(step.in, step.out, step.inhibitors), id) != null) {
                 remove(id);
                 changed = true;
             }

@@ -70,10 +70,7 @@ class DeadlockCheckTest {
 
     @Test
     void result_tellsWhyItIsNotKnown() {
-        var net = net("counter", "n lock=1 key", "up: > n key", "down: n lock key > lock").toBuilder()
-                .remove("up")
-                .transition("up", List.of("lock"), List.of("lock", "n", "key"))
-                .build();
+        var net = philosophers(6, true);
         assertThat(DeadlockCheck.decide(net, Set.of(), SearchLimits.markings(10)))
                 .isEqualTo(new Unknown(SearchEnd.LIMIT, 10));
         assertThat(DeadlockCheck.decide(net, LIMITS.cancelledBy(() -> true)))
