@@ -6,6 +6,7 @@ import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.deadlock.DeadlockCheck;
 import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.SiphonAnalysis;
 import io.troupe.petri.structure.Siphons;
@@ -19,9 +20,9 @@ import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Examines a net from a file, within limits of time and memory. The deadlock verdict comes first: by stubborn sets in
- * half of the time, and by siphons if that search is incomplete. Then the other results, and the pictures last. Each
- * result is reported as soon as it is known; a later failure does not invalidate it.
+ * Examines a net from a file, within limits of time and memory. The deadlock verdict comes first, in half of the time:
+ * by stubborn sets, and by {@link DeadlockCheck} if these are too many; then by siphons. Then the other results, and
+ * the pictures last. Each result is reported as soon as it is known; a later failure does not invalidate it.
  */
 final class NetExamination {
     /** Exit statuses by verdict. */
@@ -29,6 +30,9 @@ final class NetExamination {
 
     static final int CAN_DEADLOCK = 1;
     static final int UNKNOWN = 3;
+
+    /** A search that finds all dead markings, nearest first, is tried with so many markings. */
+    private static final int FEW_MARKINGS = 50_000;
 
     private static final int MARKINGS_PER_REPORT = 10_000;
     private static final int MAX_FIRINGS_PRINTED = 200;
@@ -87,35 +91,60 @@ final class NetExamination {
     int decide() {
         String why;
         try {
-            var search = DeadlockSearch.run(
-                    net,
-                    reporting(limits.sparing(limits.time().dividedBy(2)).search(Integer.MAX_VALUE), "dead markings"));
-            if (!search.deadlocks().isEmpty()) {
-                nearest = search.deadlocks().get(0);
-                results.accept(
-                        net.name() + ": can deadlock: " + search.deadlocks().size() + " dead "
-                                + (search.deadlocks().size() == 1 ? "marking" : "markings")
-                                + (search.end() == SearchEnd.COMPLETE ? "" : " so far") + ", the nearest "
-                                + nearest.marking() + " after " + firings(nearest) + "\n");
-                return CAN_DEADLOCK;
+            var search = DeadlockSearch.run(net, deadlockLimits(FEW_MARKINGS));
+            var dead = search.deadlocks();
+            if (!dead.isEmpty()) {
+                nearest = dead.getFirst();
+                return canDeadlock(
+                        dead.size() + " dead " + (dead.size() == 1 ? "marking" : "markings")
+                                + (search.end() == SearchEnd.COMPLETE ? "" : " so far") + ", the nearest ",
+                        nearest);
             }
             if (search.end() == SearchEnd.COMPLETE) {
-                results.accept(net.name() + ": proved: no reachable marking is dead (" + search.visitedMarkings()
-                        + " markings by stubborn sets)\n");
-                return PROVED;
+                return proved(search.visitedMarkings() + " markings by stubborn sets");
             }
-            why = "no dead marking among " + search.visitedMarkings() + " by stubborn sets, " + ended(search.end());
+            if (search.end() != SearchEnd.LIMIT) {
+                return decideBySiphons(unknown(search.visitedMarkings(), search.end()));
+            }
+            switch (DeadlockCheck.decide(net, deadlockLimits(Integer.MAX_VALUE))) {
+                case DeadlockCheck.CanDeadlock found -> {
+                    nearest = new DeadlockSearch.Deadlock(found.marking(), found.trace());
+                    return canDeadlock("", nearest);
+                }
+                case DeadlockCheck.Proved proof -> {
+                    return proved(proof.reason() + (proof.markings() == 0 ? "" : ", " + proof.markings() + " of them"));
+                }
+                case DeadlockCheck.Unknown unknown -> why = unknown(unknown.markings(), unknown.end());
+            }
         } catch (OutOfMemoryError e) {
             why = "the virtual machine has too little memory for a search";
         }
         return decideBySiphons(why);
     }
 
+    private SearchLimits deadlockLimits(int maxMarkings) {
+        return reporting(limits.sparing(limits.time().dividedBy(2)).search(maxMarkings), "dead markings");
+    }
+
+    private int canDeadlock(String which, DeadlockSearch.Deadlock deadlock) {
+        results.accept(
+                net.name() + ": can deadlock: " + which + deadlock.marking() + " after " + firings(deadlock) + "\n");
+        return CAN_DEADLOCK;
+    }
+
+    private int proved(String how) {
+        results.accept(net.name() + ": proved: no reachable marking is dead (" + how + ")\n");
+        return PROVED;
+    }
+
+    private String unknown(int markings, SearchEnd end) {
+        return "no dead marking among " + markings + " by stubborn sets, " + ended(end);
+    }
+
     private int decideBySiphons(String why) {
         var found = siphons();
         if (found != null && found.deadlock() instanceof DeadlockVerdict.NoDeadMarking) {
-            results.accept(net.name() + ": proved: no reachable marking is dead (by its siphons; " + why + ")\n");
-            return PROVED;
+            return proved("by its siphons; " + why);
         }
         results.accept(net.name() + ": not known whether it can deadlock: " + why + "\n");
         return UNKNOWN;

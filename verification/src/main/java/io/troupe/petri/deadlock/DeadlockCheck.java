@@ -12,6 +12,7 @@ import io.troupe.petri.Transition;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
+import java.util.Optional;
 import java.util.Set;
 
 /**
@@ -37,21 +38,21 @@ import java.util.Set;
  * {@link ArithmeticException}.
  */
 public final class DeadlockCheck {
-    private static final long SHORT_HUNT = 3_000_000;
+    private static final long MAX_FIRST_HUNT = 20_000_000;
+    private static final long FIRINGS_PER_TRANSITION = 1_000;
     private static final long LONG_HUNT = 30_000_000;
+    private static final int FEW_MARKINGS = 20_000;
 
     private final PetriNet net;
     private final FlatNet flat;
     private final SearchLimits limits;
-    private final Reducer.Reduced reduced;
-    private final FlatNet small;
+    private final Set<Reduction> reductions;
 
     private DeadlockCheck(PetriNet net, Set<Reduction> reductions, SearchLimits limits) {
         this.net = net;
         this.limits = limits;
+        this.reductions = reductions;
         flat = FlatNet.of(net);
-        reduced = Reducer.reduce(net, reductions, limits.cancelled());
-        small = FlatNet.of(reduced.net());
     }
 
     /** A rule that makes a net smaller and keeps whether it can deadlock. */
@@ -128,43 +129,64 @@ public final class DeadlockCheck {
     }
 
     private Result decide() {
-        if (neverDead()) {
-            return new Proved("a transition needs no tokens", 0);
+        var cheap = EnumSet.noneOf(Reduction.class);
+        cheap.addAll(reductions);
+        cheap.remove(Reduction.IMPLIED_PLACES);
+        var first = reduce(cheap);
+        if (neverDead(first)) {
+            return byReduction();
         }
-        var hunt = new CounterexampleHunt(small, limits.cancelled());
-        var short1 = hunt.run(SHORT_HUNT);
-        if (short1.isPresent()) {
-            return canDeadlock(short1.get());
+        var size = (long) first.net().transitions().size();
+        var found = hunt(first, Math.min(MAX_FIRST_HUNT, (size + FIRINGS_PER_TRANSITION) * size));
+        if (found.isPresent()) {
+            return found.get();
         }
-        var long1 = hunt.run(LONG_HUNT);
-        if (long1.isPresent()) {
-            return canDeadlock(long1.get());
+        var reduced = reductions.equals(cheap) ? first : reduce(reductions);
+        if (neverDead(reduced)) {
+            return byReduction();
         }
-        return search();
+        var few = search(reduced, limits.atMost(FEW_MARKINGS));
+        if (!(few instanceof Unknown unknown)
+                || unknown.end() != SearchEnd.LIMIT
+                || unknown.markings() < FEW_MARKINGS) {
+            return few;
+        }
+        return hunt(reduced, LONG_HUNT).<Result>map(dead -> dead).orElseGet(() -> search(reduced, limits));
     }
 
-    private boolean neverDead() {
-        for (var t = 0; t < small.transitions(); t++) {
-            if (small.inputs()[t].length == 0 && small.inhibitors()[t].length == 0) {
-                return true;
-            }
-        }
-        return false;
+    private Reducer.Reduced reduce(Set<Reduction> rules) {
+        return Reducer.reduce(net, rules, limits.cancelled());
     }
 
-    private Result search() {
-        var search = DeadlockSearch.run(reduced.net(), limits);
+    private static Proved byReduction() {
+        return new Proved("reductions leave a transition that needs no tokens", 0);
+    }
+
+    private static boolean neverDead(Reducer.Reduced reduced) {
+        return reduced.net().transitions().stream()
+                .anyMatch(t -> t.inputs().isEmpty() && t.inhibitors().isEmpty());
+    }
+
+    private Optional<CanDeadlock> hunt(Reducer.Reduced reduced, long firings) {
+        return new CounterexampleHunt(FlatNet.of(reduced.net()), limits.cancelled())
+                .run(firings)
+                .map(trace -> canDeadlock(reduced, trace));
+    }
+
+    private Result search(Reducer.Reduced reduced, SearchLimits within) {
+        var search = DeadlockSearch.run(reduced.net(), within);
         var dead = search.deadlocks();
         if (!dead.isEmpty()) {
             return canDeadlock(
+                    reduced,
                     dead.getFirst().trace().stream().mapToInt(Transition::index).toArray());
         }
         return search.end() == SearchEnd.COMPLETE
-                ? new Proved("all markings by stubborn sets", search.visitedMarkings())
+                ? new Proved("all markings of the reduced net by stubborn sets", search.visitedMarkings())
                 : new Unknown(search.end(), search.visitedMarkings());
     }
 
-    private CanDeadlock canDeadlock(int[] trace) {
+    private CanDeadlock canDeadlock(Reducer.Reduced reduced, int[] trace) {
         var whole = reduced.translate(trace);
         if (!TraceShortener.leadsToDeadMarking(flat, whole)) {
             throw new IllegalStateException(
