@@ -403,6 +403,26 @@ class SearchTest {
         assertThat(graph.size()).isLessThan(1 << 14);
     }
 
+    /** 2^16 markings with 2^19 edges, which alone would take 4 MiB. */
+    @Test
+    void exploration_withoutEdges_takesAtMost40BytesForEachMarkingBesideItself() {
+        var net = Nets.switches(16);
+        var markings = 1 << 16;
+        var words = 1; // 32 places, one bit each
+        var graph = ReachabilityGraph.exploreMarkings(
+                net, SearchLimits.markings(markings).within(markings * (words * 8L + 40)));
+        assertThat(graph.end()).isEqualTo(SearchEnd.COMPLETE);
+        assertThat(List.of(graph.size(), graph.edgeCount())).containsExactly(markings, 16 << 15);
+        var whole = ReachabilityGraph.explore(net);
+        for (var index : List.of(0, 1, 77, markings - 1)) {
+            assertThat(graph.state(index).successors())
+                    .hasToString(whole.state(index).successors().toString());
+        }
+        refused(
+                () -> Liveness.of(graph),
+                "the graph of net switches has no edges, expected one made by ReachabilityGraph.explore");
+    }
+
     @Test
     void deadlocks_areMadeWhenTheyAreAskedFor() {
         var search = DeadlockSearch.run(Nets.choices(12));

@@ -187,7 +187,7 @@ final class NetExamination {
                                     .sparing(limits.time().dividedBy(4))
                                     .search(ReachabilityGraph.DEFAULT_MAX_MARKINGS),
                             "all markings"));
-            results.accept(graph.summary() + "\n");
+            results.accept(widest(graph).summary() + "\n");
             results.accept(Liveness.of(graph).summary() + "\n");
         } catch (ArithmeticException e) {
             results.accept("the full graph is not known: " + e.getMessage() + "\n");
@@ -203,6 +203,21 @@ final class NetExamination {
                             : " minimal siphons found until the search stopped at its limit: ")
                     + words(found.deadlock()) + "\n");
         }
+    }
+
+    /** The graph, or one without edges that has more markings, if that is incomplete for want of memory or numbers. */
+    private ReachabilityGraph widest(ReachabilityGraph withEdges) {
+        if (withEdges.isComplete() || withEdges.end() == SearchEnd.CANCELLED) {
+            return withEdges;
+        }
+        var more = ReachabilityGraph.exploreMarkings(
+                net,
+                reporting(
+                        limits.withMemory(limits.memoryBytes() / 2)
+                                .sparing(limits.time().dividedBy(4))
+                                .search(Integer.MAX_VALUE),
+                        "all markings, without edges"));
+        return more.size() > withEdges.size() ? more : withEdges;
     }
 
     /** The siphons; null if they cannot be computed, which is reported. */
