@@ -171,7 +171,7 @@ public final class WiringCheck {
     /** The limits, and at most so many markings that visiting them costs about {@code most} steps. */
     private SearchLimits affordable(SearchLimits given, long most) {
         var cost = 1L + net.net().places().size() + net.net().transitions().size();
-        return given.atMost((int) Math.clamp(most / cost, MIN_MARKINGS, Integer.MAX_VALUE));
+        return given.atMost(Math.clamp(most / cost, MIN_MARKINGS, Integer.MAX_VALUE));
     }
 
     private Optional<Repair> repair() {
