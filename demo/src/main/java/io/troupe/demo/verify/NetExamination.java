@@ -6,6 +6,7 @@ import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.deadlock.Boundedness;
 import io.troupe.petri.deadlock.DeadlockCheck;
 import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.SiphonAnalysis;
@@ -14,6 +15,7 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
@@ -103,7 +105,7 @@ final class NetExamination {
             if (search.end() == SearchEnd.COMPLETE) {
                 return proved(search.visitedMarkings() + " markings by stubborn sets");
             }
-            if (search.end() != SearchEnd.LIMIT) {
+            if (search.end() == SearchEnd.CANCELLED) {
                 return decideBySiphons(unknown(search.visitedMarkings(), search.end()));
             }
             switch (DeadlockCheck.decide(net, deadlockLimits(Integer.MAX_VALUE))) {
@@ -127,8 +129,8 @@ final class NetExamination {
     }
 
     private int canDeadlock(String which, DeadlockSearch.Deadlock deadlock) {
-        results.accept(
-                net.name() + ": can deadlock: " + which + deadlock.marking() + " after " + firings(deadlock) + "\n");
+        results.accept(net.name() + ": can deadlock: " + which + deadlock.marking() + " after "
+                + shortened(deadlock.trace()) + "\n");
         return CAN_DEADLOCK;
     }
 
@@ -165,15 +167,14 @@ final class NetExamination {
                 .toPlainString();
     }
 
-    private static String firings(DeadlockSearch.Deadlock deadlock) {
-        var trace = deadlock.trace();
-        var printed = trace.stream()
+    private static String shortened(List<?> items) {
+        var printed = items.stream()
                 .limit(MAX_FIRINGS_PRINTED)
                 .map(String::valueOf)
                 .collect(Collectors.joining(", ", "[", ""));
         return printed
-                + (trace.size() > MAX_FIRINGS_PRINTED
-                        ? ", .. and " + (trace.size() - MAX_FIRINGS_PRINTED) + " more]"
+                + (items.size() > MAX_FIRINGS_PRINTED
+                        ? ", .. and " + (items.size() - MAX_FIRINGS_PRINTED) + " more]"
                         : "]");
     }
 
@@ -187,7 +188,7 @@ final class NetExamination {
                                     .sparing(limits.time().dividedBy(4))
                                     .search(ReachabilityGraph.DEFAULT_MAX_MARKINGS),
                             "all markings"));
-            results.accept(widest(graph).summary() + "\n");
+            results.accept((isUnbounded(graph) ? graph : widest(graph)).summary() + "\n");
             results.accept(Liveness.of(graph).summary() + "\n");
         } catch (ArithmeticException e) {
             results.accept("the full graph is not known: " + e.getMessage() + "\n");
@@ -203,6 +204,21 @@ final class NetExamination {
                             : " minimal siphons found until the search stopped at its limit: ")
                     + words(found.deadlock()) + "\n");
         }
+    }
+
+    /** Whether an incomplete graph has no end, which is reported. */
+    private boolean isUnbounded(ReachabilityGraph incomplete) {
+        if (incomplete.isComplete() || incomplete.end() == SearchEnd.CANCELLED) {
+            return false;
+        }
+        progress.accept("net " + net.name() + ": bounds");
+        if (Boundedness.of(net, limits.sparing(limits.time().dividedBy(4)).search(FEW_MARKINGS))
+                instanceof Boundedness.Unbounded growth) {
+            results.accept(net.name() + ": unbounded: " + shortened(growth.growing()) + " grow with each repetition of "
+                    + shortened(growth.repeated()) + " after " + shortened(growth.before()) + "\n");
+            return true;
+        }
+        return false;
     }
 
     /** The graph, or one without edges that has more markings, if that is incomplete for want of memory or numbers. */

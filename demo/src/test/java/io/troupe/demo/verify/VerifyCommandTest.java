@@ -109,6 +109,12 @@ class VerifyCommandTest extends CommandLineBench {
                 .contains("growing: not known whether it can deadlock: no dead marking among ")
                 .contains("then the memory was used up (--memory)\n", "growing: out of memory at ");
 
+        // thousands of markings, all with a way back
+        var consumed = PetriNet.builder("stock").place("on", 1).place("many");
+        consumed.transition("make", List.of("on"), List.of("on", "many")).transition("use", List.of("many"), List.of());
+        assertThat(verify(consumed.build(), "--memory 1")).isZero();
+        assertThat(out.toString()).contains("stock: unbounded: [many] grow with each repetition of [make] after []\n");
+
         var growing = PetriNet.builder("growing").place("a", 1).place("many");
         growing.transition("t", List.of("a"), List.of("a", "many"));
         assertThat(verify(growing.build(), "--memory 1")).isZero();

@@ -9,6 +9,7 @@ import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Transition;
+import io.troupe.petri.structure.Siphons;
 import java.util.Arrays;
 import java.util.EnumSet;
 import java.util.List;
@@ -42,6 +43,8 @@ public final class DeadlockCheck {
     private static final long FIRINGS_PER_TRANSITION = 1_000;
     private static final long LONG_HUNT = 30_000_000;
     private static final int FEW_MARKINGS = 20_000;
+    private static final int MAX_SIPHON_PLACES = 400;
+    private static final long MAX_SIPHON_STEPS = 2_000;
 
     private final PetriNet net;
     private final FlatNet flat;
@@ -151,7 +154,23 @@ public final class DeadlockCheck {
                 || unknown.markings() < FEW_MARKINGS) {
             return few;
         }
+        if (holdsTraps(reduced.net())) {
+            return new Proved("every siphon of the reduced net contains a marked trap", 0);
+        }
         return hunt(reduced, LONG_HUNT).<Result>map(dead -> dead).orElseGet(() -> search(reduced, limits));
+    }
+
+    /** Whether siphons prove that no marking is dead: in a dead marking the places without tokens are a siphon. */
+    private boolean holdsTraps(PetriNet smaller) {
+        var isOrdinary = smaller.transitions().stream()
+                .allMatch(t -> t.inhibitors().isEmpty() && t.inputs().stream().allMatch(arc -> arc.weight() == 1));
+        if (!isOrdinary || smaller.places().size() > MAX_SIPHON_PLACES) {
+            return false;
+        }
+        var siphons = Siphons.minimalSiphons(smaller, MAX_SIPHON_STEPS, limits.cancelled());
+        return siphons.isComplete()
+                && siphons.sets().stream()
+                        .allMatch(siphon -> Siphons.largestTrapIn(siphon).isMarked(smaller.initialMarking()));
     }
 
     private Reducer.Reduced reduce(Set<Reduction> rules) {

@@ -155,7 +155,7 @@ public final class WiringCheck {
      */
     private Deadlocks deadlocks() {
         var first = DeadlockSearch.run(net.net(), affordable(limits, DEFAULT_WORK / 10));
-        if (first.end() != SearchEnd.LIMIT) {
+        if (first.end() == SearchEnd.COMPLETE || first.end() == SearchEnd.CANCELLED) {
             return Deadlocks.of(first);
         }
         if (!first.deadlocks().isEmpty()) {
