@@ -1,5 +1,8 @@
 package io.troupe.bench;
 
+import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.requests;
+
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
 import io.troupe.common.measure.SampleStatistics;
 import io.troupe.common.measure.UsedHeap;
@@ -10,8 +13,11 @@ import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.RobotTeams;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.deadlock.DeadlockCheck;
 import io.troupe.petri.structure.Siphons;
 import io.troupe.petri.wiring.PaperWiring;
+import io.troupe.petri.wiring.Protocol;
+import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringResult;
 import java.lang.ref.Reference;
@@ -24,10 +30,13 @@ import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
 /**
- * Measures the searches over the paper's nets, and prints a table. Progress goes to stderr, one line for each finished
- * search.
+ * Measures the searches over the paper's nets and dining philosophers, and prints a table. Progress goes to stderr, one
+ * line for each finished search.
  */
-@Command(name = "MeasureNets", description = "Measures the searches over the paper's nets.", showDefaultValues = true)
+@Command(
+        name = "MeasureNets",
+        description = "Measures the searches over the paper's nets and dining philosophers.",
+        showDefaultValues = true)
 public final class MeasureNets implements Callable<Integer> {
     private static final int WARM_UPS = 3;
 
@@ -37,6 +46,11 @@ public final class MeasureNets implements Callable<Integer> {
             converter = AtLeastOne.class,
             description = "of each search, after " + WARM_UPS + " warm-ups")
     int repetitions = 7;
+
+    @Option(
+            names = "--large",
+            description = "measures only the full graph of 14 million markings and 143 million edges, once")
+    boolean large;
 
     public static void main(String... arguments) {
         System.exit(BenchmarkCommand.of(new MeasureNets()).execute(arguments));
@@ -54,16 +68,20 @@ public final class MeasureNets implements Callable<Integer> {
                 repetitions);
         System.out.println("| search | found | ms, median (quartiles) | per second | MiB kept by the result |");
         System.out.println("|---|---|---|---|---|");
+        if (large) {
+            System.out.println(measure(NetTask.large(), 0, 1));
+            return 0;
+        }
         for (NetTask task : NetTask.all()) {
-            System.out.println(measure(task, repetitions));
+            System.out.println(measure(task, WARM_UPS, repetitions));
         }
         return 0;
     }
 
     /** A row of the table. */
-    static String measure(NetTask task, int repetitions) {
+    static String measure(NetTask task, int warmUps, int repetitions) {
         List<Double> millis = new ArrayList<>();
-        for (int i = -WARM_UPS; i < repetitions; i++) {
+        for (int i = -warmUps; i < repetitions; i++) {
             long start = System.nanoTime();
             var found = task.work().get();
             double spent = (System.nanoTime() - start) / 1e6;
@@ -127,7 +145,97 @@ public final class MeasureNets implements Callable<Integer> {
                             "paper's net, minimal siphons", () -> siphons(PaperNets.uncorrected(PaperNets.Reading.A))),
                     new NetTask(
                             "corrected net, minimal siphons", () -> siphons(PaperNets.corrected(PaperNets.Reading.A))),
-                    new NetTask("6 robots, WiringCheck and its proposal", NetTask::check));
+                    new NetTask("6 robots, WiringCheck and its proposal", NetTask::check),
+                    new NetTask("12 robots stopping together, decision", () -> decide(RobotTeams.stoppingTogether(12))),
+                    new NetTask(
+                            "12 robots stopping one by one, decision", () -> decide(RobotTeams.stoppingOneByOne(12))),
+                    new NetTask("50 philosophers, decision", () -> decide(philosophers(50))),
+                    new NetTask("1,000 philosophers, decision", () -> decide(philosophers(1_000))),
+                    new NetTask(
+                            "50 philosophers as a wiring, decision",
+                            () -> decide(table(50, false).net())),
+                    new NetTask(
+                            "50 as a wiring, one left-handed, decision",
+                            () -> decide(table(50, true).net())));
+        }
+
+        static NetTask large() {
+            return new NetTask("15 philosophers, either fork first, markings without edges", () -> {
+                var graph = ReachabilityGraph.exploreMarkings(
+                        eitherForkFirst(15), SearchLimits.markings(Integer.MAX_VALUE));
+                return markings(
+                        graph.size(),
+                        graph.edgeCount() + " edges, " + graph.dead().size() + " dead, " + graph.end(),
+                        graph);
+            });
+        }
+
+        /** Each takes the left fork, then the right one, and puts both down. */
+        private static PetriNet philosophers(int count) {
+            var net = PetriNet.builder(count + " philosophers");
+            for (var i = 0; i < count; i++) {
+                net.place("thinks" + i, 1).place("holds" + i).place("eats" + i).place("fork" + i, 1);
+            }
+            for (var i = 0; i < count; i++) {
+                var left = "fork" + i;
+                var right = "fork" + (i + 1) % count;
+                net.transition("takeLeft" + i, List.of("thinks" + i, left), List.of("holds" + i));
+                net.transition("takeRight" + i, List.of("holds" + i, right), List.of("eats" + i));
+                net.transition("put" + i, List.of("eats" + i), List.of("thinks" + i, left, right));
+            }
+            return net.build();
+        }
+
+        /** Each takes either fork, then the other one: 3^n markings, two of them dead. */
+        private static PetriNet eitherForkFirst(int count) {
+            var net = PetriNet.builder(count + " philosophers, either fork first");
+            for (var i = 0; i < count; i++) {
+                net.place("thinks" + i, 1).place("left" + i).place("right" + i);
+                net.place("eats" + i).place("fork" + i, 1);
+            }
+            for (var i = 0; i < count; i++) {
+                var left = "fork" + i;
+                var right = "fork" + (i + 1) % count;
+                net.transition("takeLeft" + i, List.of("thinks" + i, left), List.of("left" + i));
+                net.transition("takeRight" + i, List.of("thinks" + i, right), List.of("right" + i));
+                net.transition("thenRight" + i, List.of("left" + i, right), List.of("eats" + i));
+                net.transition("thenLeft" + i, List.of("right" + i, left), List.of("eats" + i));
+                net.transition("put" + i, List.of("eats" + i), List.of("thinks" + i, left, right));
+            }
+            return net.build();
+        }
+
+        /** The forks are components too; with {@code leftHanded} the last philosopher takes them in the other order. */
+        private static Wiring table(int count, boolean leftHanded) {
+            var fork = Protocol.of("fork")
+                    .in("free", provides("take").then("taken"))
+                    .in("taken", provides("put").then("free"))
+                    .build();
+            var philosopher = Protocol.of("philosopher")
+                    .in("thinking", requests("first.take").then("holding"))
+                    .in("holding", requests("second.take").then("eating"))
+                    .in("eating", requests("first.put").then("leaving"))
+                    .in("leaving", requests("second.put").then("thinking"))
+                    .build();
+            var table = Wiring.of("table")
+                    .components("philosopher", count, philosopher)
+                    .components("fork", count, fork);
+            for (var i = 1; i <= count; i++) {
+                var isOther = leftHanded && i == count;
+                table.bind("philosopher" + i, isOther ? "second" : "first", "fork" + i);
+                table.bind("philosopher" + i, isOther ? "first" : "second", "fork" + (i % count + 1));
+            }
+            return table.build();
+        }
+
+        private static Found decide(PetriNet net) {
+            var result = DeadlockCheck.decide(net, LIMITS);
+            return switch (result) {
+                case DeadlockCheck.CanDeadlock dead ->
+                    new Found(dead.trace().size(), "firings", "can deadlock", result);
+                case DeadlockCheck.Proved proof -> markings(proof.markings(), "Proved", result);
+                case DeadlockCheck.Unknown unknown -> markings(unknown.markings(), "Unknown", result);
+            };
         }
 
         private static Found dead(PetriNet net) {

@@ -14,7 +14,7 @@ class MeasureNetsTest {
             return new MeasureNets.NetTask.Found(12_345, "markings", "none dead", runs);
         });
 
-        var row = MeasureNets.measure(task, 2);
+        var row = MeasureNets.measure(task, 3, 2);
 
         assertThat(runs).hasValue(3 + 2 + 1);
         assertThat(row).startsWith("| count | 12,345 markings; none dead | ");

@@ -30,7 +30,8 @@ public final class Composition {
      * <p>Several requests may be bound to one offer in the same call: they share its {@code before} and {@code after},
      * and so must give these the same names. This is right as long as the provider serves one request at a time. A new
      * transition takes the priority of the side that decides about it: {@code asking} that of the request,
-     * {@code accept} and {@code answer} that of the offer.
+     * {@code accept} and {@code answer} that of the offer. The inhibitor arcs of the request stay with {@code asking},
+     * those of the offer with {@code accept}.
      */
     public static PetriNet meld(PetriNet net, List<Meld> melds) {
         var result = net.toBuilder();
@@ -50,7 +51,8 @@ public final class Composition {
                 offers.put(meld.offer(), offer);
                 result.place(meld.before()).place(meld.after());
                 result.transition(
-                        meld.offer(), draft(offer.priority(), Map.of(meld.before(), 1), Map.of(meld.after(), 1)));
+                        meld.offer(),
+                        draft(offer.priority(), Map.of(meld.before(), 1), Map.of(meld.after(), 1), Map.of()));
             } else if (!shared.before().equals(meld.before()) || !shared.after().equals(meld.after())) {
                 throw new IllegalArgumentException("net " + net.name() + ": requests " + shared.request() + " and "
                         + meld.request() + " share offer " + meld.offer()
@@ -58,19 +60,23 @@ public final class Composition {
             }
             var offer = offers.get(meld.offer());
             var priority = offer.priority();
-            result.transition(meld.asking(), draft(request.priority(), request.in(), Map.of(meld.waiting(), 1)));
+            result.transition(
+                    meld.asking(),
+                    draft(request.priority(), request.in(), Map.of(meld.waiting(), 1), request.inhibitors()));
             result.transition(
                     meld.accept(),
                     draft(
                             priority,
                             sum(Map.of(meld.waiting(), 1), offer.in()),
-                            sum(Map.of(meld.pending(), 1), Map.of(meld.before(), 1))));
+                            sum(Map.of(meld.pending(), 1), Map.of(meld.before(), 1)),
+                            offer.inhibitors()));
             result.transition(
                     meld.answer(),
                     draft(
                             priority,
                             sum(Map.of(meld.pending(), 1), Map.of(meld.after(), 1)),
-                            sum(request.out(), offer.out())));
+                            sum(request.out(), offer.out()),
+                            Map.of()));
         }
         return result.build();
     }
@@ -90,17 +96,21 @@ public final class Composition {
         var priority = Integer.MAX_VALUE;
         Map<String, Integer> in = new LinkedHashMap<>();
         Map<String, Integer> out = new LinkedHashMap<>();
+        Map<String, Integer> inhibitors = new LinkedHashMap<>();
         for (var transition : transitions) {
             var part = result.take(transition);
             priority = Math.min(priority, part.priority());
             in = sum(in, part.in());
             out = sum(out, part.out());
+            part.inhibitors().forEach((place, weight) -> inhibitors.merge(place, weight, Math::min));
         }
-        return result.transition(fused, draft(priority, in, out)).build();
+        return result.transition(fused, draft(priority, in, out, inhibitors)).build();
     }
 
-    private static PetriNetBuilder.Draft draft(int priority, Map<String, Integer> in, Map<String, Integer> out) {
-        return new PetriNetBuilder.Draft(priority, new LinkedHashMap<>(in), new LinkedHashMap<>(out));
+    private static PetriNetBuilder.Draft draft(
+            int priority, Map<String, Integer> in, Map<String, Integer> out, Map<String, Integer> inhibitors) {
+        return new PetriNetBuilder.Draft(
+                priority, new LinkedHashMap<>(in), new LinkedHashMap<>(out), new LinkedHashMap<>(inhibitors));
     }
 
     private static Map<String, Integer> sum(Map<String, Integer> one, Map<String, Integer> other) {

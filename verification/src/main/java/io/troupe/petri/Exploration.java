@@ -163,6 +163,10 @@ final class Exploration {
         }
     }
 
+    boolean keepsEdges() {
+        return keepsEdges;
+    }
+
     /** The index of a marking's first edge; its edges end before {@link #edgeEnd}. */
     int edgeStart(int id) {
         return id < edgeStart.size() ? edgeStart.get(id) : edgeTarget.size();

@@ -2,12 +2,14 @@ package io.troupe.petri;
 
 import java.util.Arrays;
 
-/** A growable list of ints. */
+/** A growable list of ints in chunks: growing copies at most one chunk, and leaves no half of an array unused. */
 final class IntList {
-    /** The largest array length that every virtual machine supports. */
-    private static final int MAX_LENGTH = Integer.MAX_VALUE - 8;
+    private static final int CHUNK_BITS = 16;
+    private static final int CHUNK = 1 << CHUNK_BITS;
 
-    private int[] values;
+    /** All chunks are full but the last; the first one may be shorter, as long as it is the only one. */
+    private int[][] chunks;
+
     private int size;
 
     IntList() {
@@ -15,31 +17,47 @@ final class IntList {
     }
 
     IntList(int capacity) {
-        values = new int[capacity];
+        chunks = new int[][] {new int[Math.min(capacity, CHUNK)]};
     }
 
     void add(int value) {
-        if (size == values.length) {
-            if (size == MAX_LENGTH) {
-                throw new OutOfMemoryError("a list of " + size + " numbers"); // ends the search early
-            }
-            values = Arrays.copyOf(values, grown());
+        if (size == Integer.MAX_VALUE) {
+            throw new OutOfMemoryError("a list of " + size + " numbers"); // ends the search early
         }
-        values[size++] = value;
+        var number = size >>> CHUNK_BITS;
+        if (number == chunks.length) {
+            var more = Arrays.copyOf(chunks, number + 1);
+            more[number] = new int[CHUNK];
+            chunks = more;
+        }
+        var chunk = chunks[number];
+        var offset = size & CHUNK - 1;
+        if (offset == chunk.length) {
+            chunk = Arrays.copyOf(chunk, grown(offset));
+            chunks[number] = chunk;
+        }
+        chunk[offset] = value;
+        size++;
     }
 
-    private int grown() {
-        return (int) Math.min(MAX_LENGTH, size + Math.max(4L, size >> 1));
+    private static int grown(int length) {
+        return Math.min(CHUNK, length + Math.max(4, length >> 1));
     }
 
-    /** The bytes needed while {@code more} values are added, including the copy made when the array grows. */
+    /** The bytes needed while {@code more} values are added, including the copy made when a chunk grows. */
     long bytesWith(int more) {
-        var grows = values.length - size < more;
-        return Integer.BYTES * (values.length + (grows ? Math.max(grown(), (long) size + more) : 0L));
+        var last = chunks[chunks.length - 1].length;
+        var room = (long) (chunks.length - 1) * CHUNK + last;
+        var needed = (long) size + more;
+        if (needed <= room) {
+            return Integer.BYTES * room;
+        }
+        var copy = last < CHUNK ? last : 0;
+        return Integer.BYTES * (Math.ceilDiv(needed, CHUNK) * CHUNK + copy);
     }
 
     int get(int index) {
-        return values[index];
+        return chunks[index >>> CHUNK_BITS][index & CHUNK - 1];
     }
 
     int size() {
@@ -47,6 +65,10 @@ final class IntList {
     }
 
     int[] toArray() {
-        return Arrays.copyOf(values, size);
+        var all = new int[size];
+        for (var start = 0; start < size; start += CHUNK) {
+            System.arraycopy(chunks[start >>> CHUNK_BITS], 0, all, start, Math.min(CHUNK, size - start));
+        }
+        return all;
     }
 }

@@ -33,7 +33,16 @@ public final class Liveness {
                 .toList();
     }
 
+    /**
+     * Computes the terminal components.
+     *
+     * @throws IllegalArgumentException if the graph was explored without edges
+     */
     public static Liveness of(ReachabilityGraph graph) {
+        if (!graph.hasEdges()) {
+            throw new IllegalArgumentException("the graph of net " + graph.net().name()
+                    + " has no edges, expected one made by ReachabilityGraph.explore");
+        }
         return new Liveness(graph);
     }
 

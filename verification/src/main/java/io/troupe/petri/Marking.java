@@ -54,6 +54,16 @@ public final class Marking {
         return true;
     }
 
+    /** Whether a place holds as many tokens as the weight of one of these inhibitor arcs. */
+    boolean inhibits(List<Arc> arcs) {
+        for (var arc : arcs) {
+            if (tokens[arc.place().index()] >= arc.weight()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
     int[] toArray() {
         return tokens.clone();
     }

@@ -11,7 +11,7 @@ import java.util.function.UnaryOperator;
 import org.jspecify.annotations.Nullable;
 
 /**
- * A place/transition net with weighted arcs, an initial marking and optional priorities of transitions.
+ * A place/transition net with weighted arcs, inhibitor arcs, an initial marking and optional priorities of transitions.
  *
  * <p><b>Role.</b> Built by {@link #builder}, read by {@link Pnml}, composed by {@link Composition}, searched by
  * {@link ReachabilityGraph}.
@@ -27,6 +27,7 @@ public final class PetriNet {
     private final String name;
     private final List<Place> places;
     private final List<Transition> transitions;
+    private final boolean isPrioritised;
     private final Map<String, Place> placesByName = new LinkedHashMap<>();
     private final Map<String, Transition> transitionsByName = new LinkedHashMap<>();
 
@@ -34,6 +35,8 @@ public final class PetriNet {
         this.name = name;
         this.places = List.copyOf(places);
         this.transitions = List.copyOf(transitions);
+        isPrioritised =
+                transitions.stream().mapToInt(Transition::priority).distinct().count() > 1;
         places.forEach(place -> placesByName.put(place.name(), place));
         transitions.forEach(transition -> transitionsByName.put(transition.name(), transition));
     }
@@ -65,11 +68,17 @@ public final class PetriNet {
         return transitions;
     }
 
-    /** The number of arcs, whatever their weights. */
+    /** The number of arcs, whatever their weights; inhibitor arcs are included. */
     public int arcCount() {
         return transitions.stream()
-                .mapToInt(t -> t.inputs().size() + t.outputs().size())
+                .mapToInt(t ->
+                        t.inputs().size() + t.outputs().size() + t.inhibitors().size())
                 .sum();
+    }
+
+    /** Whether the net has an inhibitor arc. Some theorems about nets do not hold with them. */
+    public boolean hasInhibitors() {
+        return transitions.stream().anyMatch(t -> !t.inhibitors().isEmpty());
     }
 
     public Place place(String placeName) {
@@ -101,12 +110,25 @@ public final class PetriNet {
         return new Marking(places, tokens);
     }
 
-    /** The enabled transitions: those that have their tokens while no transition of higher priority has its tokens. */
+    /**
+     * The enabled transitions: those that have their tokens and are not inhibited, while this is true of no transition
+     * of higher priority.
+     */
     public List<Transition> enabled(Marking marking) {
         marking.requirePlaces(places, name);
-        var ready = transitions.stream().filter(t -> marking.holds(t.inputs())).toList();
+        var ready = transitions.stream()
+                .filter(t -> marking.holds(t.inputs()) && !marking.inhibits(t.inhibitors()))
+                .toList();
         var top = ready.stream().mapToInt(Transition::priority).max().orElse(0);
         return ready.stream().filter(t -> t.priority() == top).toList();
+    }
+
+    private boolean mayFire(Marking marking, Transition transition) {
+        if (isPrioritised) {
+            return enabled(marking).contains(transition);
+        }
+        marking.requirePlaces(places, name);
+        return marking.holds(transition.inputs()) && !marking.inhibits(transition.inhibitors());
     }
 
     /**
@@ -120,7 +142,7 @@ public final class PetriNet {
         if (!transition.equals(transitionsByName.get(transition.name()))) {
             throw new IllegalArgumentException("transition " + transition + " is not of net " + name);
         }
-        if (!enabled(marking).contains(transition)) {
+        if (!mayFire(marking, transition)) {
             throw new IllegalStateException(whyNot(marking, transition));
         }
         var tokens = marking.toArray();
@@ -149,6 +171,12 @@ public final class PetriNet {
                 reasons.add(arc.place() + " holds " + held + " of " + arc.weight());
             }
         }
+        for (var arc : transition.inhibitors()) {
+            var held = marking.tokens(arc.place());
+            if (held >= arc.weight()) {
+                reasons.add(arc.place() + " holds " + held + ", expected fewer than " + arc.weight());
+            }
+        }
         if (reasons.isEmpty()) {
             var first = enabled(marking).get(0);
             reasons.add(first + " has priority " + first.priority() + " over " + transition.priority());
@@ -168,8 +196,8 @@ public final class PetriNet {
     String structure() {
         var lines = new TreeSet<String>();
         places.forEach(place -> lines.add("place " + place + " " + place.tokens()));
-        transitions.forEach(t -> lines.add(
-                "transition " + t + " " + t.priority() + " " + sorted(t.inputs()) + " -> " + sorted(t.outputs())));
+        transitions.forEach(t -> lines.add("transition " + t + " " + t.priority() + " " + sorted(t.inputs()) + " -> "
+                + sorted(t.outputs()) + (t.inhibitors().isEmpty() ? "" : " unless " + sorted(t.inhibitors()))));
         return String.join("\n", lines);
     }
 

@@ -28,7 +28,7 @@ public final class PetriNetBuilder {
     private final Map<String, Draft> transitions = new LinkedHashMap<>();
 
     /** A transition that is being built: weights by the name of the place. */
-    record Draft(int priority, Map<String, Integer> in, Map<String, Integer> out) {}
+    record Draft(int priority, Map<String, Integer> in, Map<String, Integer> out, Map<String, Integer> inhibitors) {}
 
     PetriNetBuilder(String name) {
         this.name = requireNonNull(name, "name");
@@ -51,19 +51,23 @@ public final class PetriNetBuilder {
     /** Adds a transition of priority 0 without arcs. */
     public PetriNetBuilder transition(String transitionName) {
         requireNew(transitionName);
-        transitions.put(transitionName, new Draft(0, new LinkedHashMap<>(), new LinkedHashMap<>()));
+        transitions.put(
+                transitionName, new Draft(0, new LinkedHashMap<>(), new LinkedHashMap<>(), new LinkedHashMap<>()));
         return this;
     }
 
     /** Adds a transition of priority 0 with an arc of weight 1 from each of {@code in} and to each of {@code out}. */
     public PetriNetBuilder transition(String transitionName, Collection<String> in, Collection<String> out) {
-        return transition(transitionName, new Draft(0, weightOne(transitionName, in), weightOne(transitionName, out)));
+        return transition(
+                transitionName,
+                new Draft(0, weightOne(transitionName, in), weightOne(transitionName, out), new LinkedHashMap<>()));
     }
 
     PetriNetBuilder transition(String transitionName, Draft draft) {
         requireNew(transitionName);
         draft.in().keySet().forEach(place -> requirePlace(transitionName, place));
         draft.out().keySet().forEach(place -> requirePlace(transitionName, place));
+        draft.inhibitors().keySet().forEach(place -> requirePlace(transitionName, place));
         transitions.put(transitionName, draft);
         return this;
     }
@@ -93,10 +97,26 @@ public final class PetriNetBuilder {
         return this;
     }
 
+    /** Adds an inhibitor arc of weight 1: the transition may fire only while the place is empty. */
+    public PetriNetBuilder inhibitor(String placeName, String transitionName) {
+        return inhibitor(placeName, transitionName, 1);
+    }
+
+    /** Adds an inhibitor arc: the transition may fire only while the place holds fewer than {@code weight} tokens. */
+    public PetriNetBuilder inhibitor(String placeName, String transitionName, int weight) {
+        var arc = "inhibitor arc " + requireNonNull(placeName, "placeName") + " -> " + transitionName;
+        var inhibitors = draft(transitionName).inhibitors();
+        require(places.containsKey(placeName), arc + ": there is no place called " + placeName);
+        require(weight > 0, arc + " has weight " + weight + ", expected 1 or more");
+        require(!inhibitors.containsKey(placeName), arc + " is there already; the smallest weight is enough");
+        inhibitors.put(placeName, weight);
+        return this;
+    }
+
     /** Sets the priority of a transition; a higher number goes first. */
     public PetriNetBuilder priority(String transitionName, int priority) {
         var draft = draft(transitionName);
-        transitions.put(transitionName, new Draft(priority, draft.in(), draft.out()));
+        transitions.put(transitionName, new Draft(priority, draft.in(), draft.out(), draft.inhibitors()));
         return this;
     }
 
@@ -110,7 +130,11 @@ public final class PetriNetBuilder {
         net.transitions()
                 .forEach(t -> transition(
                         rename.apply(t.name()),
-                        new Draft(t.priority(), weights(t.inputs(), rename), weights(t.outputs(), rename))));
+                        new Draft(
+                                t.priority(),
+                                weights(t.inputs(), rename),
+                                weights(t.outputs(), rename),
+                                weights(t.inhibitors(), rename))));
         return this;
     }
 
@@ -140,7 +164,12 @@ public final class PetriNetBuilder {
         places.forEach((placeName, tokens) -> built.put(placeName, new Place(built.size(), placeName, tokens)));
         var fired = new ArrayList<Transition>();
         transitions.forEach((transitionName, draft) -> fired.add(new Transition(
-                fired.size(), transitionName, draft.priority(), arcs(draft.in(), built), arcs(draft.out(), built))));
+                fired.size(),
+                transitionName,
+                draft.priority(),
+                arcs(draft.in(), built),
+                arcs(draft.out(), built),
+                arcs(draft.inhibitors(), built))));
         return new PetriNet(name, List.copyOf(built.values()), fired);
     }
 

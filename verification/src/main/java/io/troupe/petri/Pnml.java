@@ -20,19 +20,26 @@ import javax.xml.stream.XMLStreamException;
  * skipped. Priorities, which the standard lacks, are written as a {@code <toolspecific>} element that only this class
  * reads; other tools ignore it.
  *
+ * <p>An inhibitor arc is read in each of the notations in use: the attribute or child {@code type}, or the child
+ * {@code arctype}, has the value {@code inhibitor}. It is written in all three, because tools read different ones, in a
+ * net of the type {@code inhibitorptnet}. Of several between the same two nodes the smallest weight counts.
+ *
  * <p>Files of other tools (pm4py, WoPeD, PIPE, ProM, LoLA, Yasper and others) that keep to the standard only in part
  * are read with a warning, as long as they contain a P/T net. Accepted are a missing namespace, another type of net,
  * places outside of pages, and arcs without ids or with repeated ones. Final markings are dropped with a warning.
  *
  * <p><b>Errors.</b> Any other document throws {@link PnmlException} with the line and the reason. So do a document type
  * declaration, since nothing outside the document is ever read, and every element and attribute that could change the
- * meaning of the net, such as an inhibitor arc in any notation.
+ * meaning of the net, such as a reset arc.
  *
  * <p><b>Source.</b> ISO/IEC 15909-2, grammar of 2009.
  */
 public final class Pnml {
     static final String NAMESPACE = "http://www.pnml.org/version-2009/grammar/pnml";
     static final String NET_TYPE = "http://www.pnml.org/version-2009/grammar/ptnet";
+    /** The published extension of the standard for nets with inhibitor arcs; tools without them reject it. */
+    static final String INHIBITOR_NET_TYPE = "http://www.pnml.org/version-2009/extensions/inhibitorptnet";
+
     static final String TOOL = "io.troupe.petri";
 
     private Pnml() {}

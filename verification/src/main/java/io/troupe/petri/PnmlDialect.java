@@ -19,7 +19,7 @@ final class PnmlDialect {
 
     /** The last part of the net types under which other tools write plain place/transition nets, in lower case. */
     private static final Set<String> NET_TYPES =
-            Set.of("ptnet", "ptnetb", "basicpnml.rng", "pnmlcoremodel", "p/t net", "epnml-1.1");
+            Set.of("ptnet", "inhibitorptnet", "ptnetb", "basicpnml.rng", "pnmlcoremodel", "p/t net", "epnml-1.1");
 
     /** Attributes that only name or draw an element; any value is accepted. */
     private static final Set<String> DRAWN =
@@ -50,6 +50,13 @@ final class PnmlDialect {
     static boolean isNetType(String type) {
         var lower = type.toLowerCase(Locale.ROOT);
         return NET_TYPES.contains(lower) || NET_TYPES.contains(lower.substring(lower.lastIndexOf('/') + 1));
+    }
+
+    /** Whether this attribute or child of an arc makes it an inhibitor arc; tools write it in three ways. */
+    static boolean isInhibitor(String name, @Nullable String value) {
+        return (name.equals("type") || name.equals("arctype"))
+                && value != null
+                && value.strip().equals("inhibitor");
     }
 
     static boolean isDrawn(String attribute) {

@@ -25,7 +25,7 @@ final class PnmlDocument {
     record Reference(Kind kind, String id, String target, int line) {}
 
     /** An arc, with the ids of its ends. */
-    record Link(String id, String source, String target, int weight, int line) {}
+    record Link(String id, String source, String target, int weight, boolean inhibits, int line) {}
 
     private record Ends(String from, String to) {}
 
@@ -69,10 +69,21 @@ final class PnmlDocument {
         references.values().forEach(reference -> resolve(reference.id(), reference.line()));
         var weights = new LinkedHashMap<Ends, Integer>();
         var lines = new HashMap<Ends, Integer>();
+        var inhibitors = new LinkedHashMap<Ends, Integer>();
         for (var link : links) {
             var from = resolve(link.source(), link.line());
             var to = resolve(link.target(), link.line());
             var ends = byLabel ? new Ends(from.label(), to.label()) : new Ends(from.id(), to.id());
+            if (link.inhibits()) {
+                if (from.kind() != Kind.PLACE || to.kind() != Kind.TRANSITION) {
+                    throw bad(
+                            "inhibitor arc " + link.id() + " goes from " + ends.from() + " to " + ends.to()
+                                    + ", expected from a place to a transition",
+                            link.line());
+                }
+                inhibitors.merge(ends, link.weight(), Math::min);
+                continue;
+            }
             var weight = (long) weights.getOrDefault(ends, 0) + link.weight();
             if (weight > Integer.MAX_VALUE) {
                 throw bad(
@@ -84,6 +95,7 @@ final class PnmlDocument {
             lines.put(ends, link.line());
         }
         weights.forEach((ends, weight) -> at(lines.get(ends), () -> net.arc(ends.from(), ends.to(), weight)));
+        inhibitors.forEach((ends, weight) -> net.inhibitor(ends.from(), ends.to(), weight));
         return net.build();
     }
 

@@ -156,7 +156,7 @@ final class PnmlReader {
         if (!PnmlDialect.isNetType(type)) {
             throw bad("net " + id + " is of type \"" + type + "\", expected \"" + Pnml.NET_TYPE + "\"");
         }
-        if (!type.equals(Pnml.NET_TYPE)) {
+        if (!type.equals(Pnml.NET_TYPE) && !type.equals(Pnml.INHIBITOR_NET_TYPE)) {
             warn("type", "net " + id + " is of type \"" + type + "\", read as a place/transition net");
         }
         requireAttributes(Set.of("id", "type"));
@@ -324,6 +324,7 @@ final class PnmlReader {
             warn("arc id", "id " + id + " of an arc is used twice");
         }
         var weight = 1;
+        var inhibits = "inhibitor".equals(xml.getAttributeValue(null, "type"));
         var name = "1";
         var seen = new HashSet<String>();
         while (nextChild()) {
@@ -336,9 +337,14 @@ final class PnmlReader {
                 case "inscription" -> weight = number(plain(number(element)), 1, "the weight of " + arc);
                 case "name" -> name = orEmpty(text());
                 case "type", "arctype", "tagged" -> {
-                    var value = xml.getAttributeValue(null, "value");
-                    requireNeutral(element, value == null ? text() : value, arc);
-                    if (value != null) {
+                    var attribute = xml.getAttributeValue(null, "value");
+                    var value = attribute == null ? text() : attribute;
+                    if (PnmlDialect.isInhibitor(element, value)) {
+                        inhibits = true;
+                    } else {
+                        requireNeutral(element, value, arc);
+                    }
+                    if (attribute != null) {
                         skip();
                     }
                 }
@@ -356,7 +362,7 @@ final class PnmlReader {
                     arc + " is called \"" + name + "\" and has no <inscription>, expected one if that is its weight",
                     start);
         }
-        document.add(new PnmlDocument.Link(id.isBlank() ? from + " -> " + to : id, from, to, weight, start));
+        document.add(new PnmlDocument.Link(id.isBlank() ? from + " -> " + to : id, from, to, weight, inhibits, start));
     }
 
     /** Checks that every attribute is in {@code known}, only draws the element, or has a value without effect. */
@@ -370,6 +376,11 @@ final class PnmlReader {
             }
             var what = "<" + xml.getLocalName() + ">"
                     + orEmpty(xml.getAttributeValue(null, "id")).replaceFirst("^", " ");
+            if (isPlain
+                    && xml.getLocalName().equals("arc")
+                    && PnmlDialect.isInhibitor(name, xml.getAttributeValue(i))) {
+                continue;
+            }
             if (isPlain && PnmlDialect.mayBeNeutral(name)) {
                 requireNeutral(name, xml.getAttributeValue(i), what.strip());
             } else {

@@ -21,7 +21,8 @@ final class PnmlWriter {
     String write() {
         line("<?xml version=\"1.0\" encoding=\"UTF-8\"?>");
         line("<pnml xmlns=\"" + Pnml.NAMESPACE + "\">");
-        line("  <net id=\"" + newId(net.name()) + "\" type=\"" + Pnml.NET_TYPE + "\">");
+        line("  <net id=\"" + newId(net.name()) + "\" type=\""
+                + (net.hasInhibitors() ? Pnml.INHIBITOR_NET_TYPE : Pnml.NET_TYPE) + "\">");
         line("    " + label("name", net.name()));
         line("    <page id=\"" + newId("page") + "\">");
         net.places()
@@ -35,6 +36,7 @@ final class PnmlWriter {
             transition
                     .outputs()
                     .forEach(arc -> arc(transition.name(), arc.place().name(), arc.weight()));
+            transition.inhibitors().forEach(arc -> inhibitor(arc.place().name(), transition.name(), arc.weight()));
         }
         line("    </page>");
         line("  </net>");
@@ -54,9 +56,19 @@ final class PnmlWriter {
     }
 
     private void arc(String from, String to, int weight) {
-        var head = "      <arc id=\"" + newId("a" + ++arcs) + "\" source=\"" + ids.get(from) + "\" target=\""
-                + ids.get(to) + "\"";
+        var head = arcHead(from, to);
         line(weight == 1 ? head + "/>" : head + ">" + label("inscription", String.valueOf(weight)) + "</arc>");
+    }
+
+    private void inhibitor(String from, String to, int weight) {
+        line(arcHead(from, to) + " type=\"inhibitor\">"
+                + (weight == 1 ? "" : label("inscription", String.valueOf(weight)))
+                + "<type value=\"inhibitor\"/>" + label("arctype", "inhibitor") + "</arc>");
+    }
+
+    private String arcHead(String from, String to) {
+        return "      <arc id=\"" + newId("a" + ++arcs) + "\" source=\"" + ids.get(from) + "\" target=\"" + ids.get(to)
+                + "\"";
     }
 
     private void line(String line) {

@@ -184,6 +184,7 @@ public final class ProgressSearch {
                     looping[t.index()] = true;
                     t.inputs().forEach(arc -> around[arc.place().index()] = true);
                     t.outputs().forEach(arc -> around[arc.place().index()] = true);
+                    t.inhibitors().forEach(arc -> around[arc.place().index()] = true);
                 }
             }
             var places = net.places().stream()

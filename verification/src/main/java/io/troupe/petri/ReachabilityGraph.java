@@ -21,8 +21,8 @@ import java.util.stream.IntStream;
  *
  * <p><b>Order.</b> Breadth first; at equal distance in the order of the transitions of the net.
  *
- * <p><b>Cost.</b> For each marking about 20 bytes, and one bit for every place of a safe net (more bits if the tokens
- * require it); 8 bytes for each edge. Time in proportion to markings x transitions.
+ * <p><b>Cost.</b> For each marking 16 to 24 bytes, and one bit for every place of a safe net (more bits if the tokens
+ * require it); 8 bytes for each edge, unless edges are not stored. Time in proportion to markings x transitions.
  */
 public final class ReachabilityGraph {
     /** The limit of {@link #explore(PetriNet)}. */
@@ -57,11 +57,20 @@ public final class ReachabilityGraph {
         return explore(net, new FiringRules(net), limits);
     }
 
+    /**
+     * Explores within {@code limits} without storing the edges, which are most of the memory of a large graph.
+     * Successors are computed by firing, each time they are read. {@link Liveness} needs stored edges.
+     *
+     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     */
+    public static ReachabilityGraph exploreMarkings(PetriNet net, SearchLimits limits) {
+        return withoutEdges(net, new FiringRules(net), limits);
+    }
+
     static ReachabilityGraph explore(PetriNet net, Expansion expansion, SearchLimits limits) {
         return explore(net, expansion, limits, true);
     }
 
-    /** Explores without storing edges: states have no successors, and liveness cannot be computed. */
     static ReachabilityGraph withoutEdges(PetriNet net, Expansion expansion, SearchLimits limits) {
         return explore(net, expansion, limits, false);
     }
@@ -114,10 +123,21 @@ public final class ReachabilityGraph {
          * One edge for each transition that may fire in this marking; some or all are missing if the marking is open.
          */
         public List<Edge> successors() {
+            if (!found.keepsEdges()) {
+                return computedSuccessors();
+            }
             return IntStream.range(found.edgeStart(index), found.edgeEnd(index))
                     .mapToObj(edge -> new Edge(
                             net().transitions().get(found.edgeTransition.get(edge)),
                             new State(found.edgeTarget.get(edge))))
+                    .toList();
+        }
+
+        private List<Edge> computedSuccessors() {
+            var marking = marking();
+            return net().enabled(marking).stream()
+                    .flatMap(t ->
+                            ReachabilityGraph.this.find(net().fire(marking, t)).map(to -> new Edge(t, to)).stream())
                     .toList();
         }
 
@@ -172,6 +192,11 @@ public final class ReachabilityGraph {
     /** How many of these markings are {@link State#isOpen open}; 0 if the graph is complete. */
     public int openCount() {
         return found.openCount();
+    }
+
+    /** Whether edges are stored; if not, successors are computed on each access. */
+    public boolean hasEdges() {
+        return found.keepsEdges();
     }
 
     Exploration found() {

@@ -1,9 +1,12 @@
 package io.troupe.petri;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.Arrays;
 import java.util.BitSet;
 import java.util.List;
 import java.util.stream.IntStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Follows only the transitions of one strong stubborn set from each marking (Valmari 1988).
@@ -13,9 +16,10 @@ import java.util.stream.IntStream;
  * inside the set, and no dead marking is missed. A set is closed under two rules:
  *
  * <ul>
- *   <li>for a ready member, add all transitions that take tokens which it needs; and, of the places that it takes
- *       tokens from, all users;
- *   <li>for a member that is not ready, add all transitions that put tokens on one place that lacks them.
+ *   <li>for a ready member, add all transitions that take tokens which it needs, or put tokens where they inhibit it;
+ *       and all transitions that need the tokens that it takes, or are inhibited by the tokens that it puts;
+ *   <li>for a member that is not ready, add all transitions that put tokens on one place that lacks them, or that take
+ *       tokens from one place that inhibits it.
  * </ul>
  *
  * <p>The set is computed from each ready transition, and the one with the fewest ready members is used. With
@@ -23,10 +27,12 @@ import java.util.stream.IntStream;
  */
 final class StubbornSets implements Expansion {
     private final FiringRules rules;
-    /** By transition: the transitions that may disable it or that need the tokens it takes. */
+    /** By transition: the transitions that may disable it, or that it may disable. */
     private final int[][] rivals;
     /** By place: the transitions that put more tokens on it than they take. */
     private final int[][] feeders;
+    /** By place: the transitions that take more tokens from it than they put. */
+    private final int[][] drainers;
 
     private final int[] ready;
     private final int[] members;
@@ -39,24 +45,29 @@ final class StubbornSets implements Expansion {
     StubbornSets(PetriNet net) {
         rules = new FiringRules(net);
         var transitions = net.transitions();
-        var takers = new IntList[net.places().size()];
-        var puts = new IntList[net.places().size()];
-        for (var place = 0; place < takers.length; place++) {
-            takers[place] = new IntList(0);
-            puts[place] = new IntList(0);
-        }
+        var users = lists(net);
+        var puts = lists(net);
+        var takes = lists(net);
+        var inhibited = lists(net);
         for (var t : transitions) {
             for (var arc : t.inputs()) {
-                takers[arc.place().index()].add(t.index());
+                users[arc.place().index()].add(t.index());
+                if (takesFrom(arc.place(), t)) {
+                    takes[arc.place().index()].add(t.index());
+                }
             }
             for (var arc : t.outputs()) {
-                if (arc.weight() > weight(t.inputs(), arc.place())) {
+                if (putsOn(arc.place(), t)) {
                     puts[arc.place().index()].add(t.index());
                 }
             }
+            t.inhibitors().forEach(arc -> inhibited[arc.place().index()].add(t.index()));
         }
         feeders = Arrays.stream(puts).map(IntList::toArray).toArray(int[][]::new);
-        rivals = transitions.stream().map(t -> rivals(t, transitions, takers)).toArray(int[][]::new);
+        drainers = Arrays.stream(takes).map(IntList::toArray).toArray(int[][]::new);
+        rivals = transitions.stream()
+                .map(t -> rivals(t, transitions, users, inhibited))
+                .toArray(int[][]::new);
         ready = new int[transitions.size()];
         members = new int[transitions.size()];
         readyMembers = new int[transitions.size()];
@@ -64,19 +75,38 @@ final class StubbornSets implements Expansion {
         isMember = new boolean[transitions.size()];
     }
 
-    /** The transitions that share an input place with t, except where neither changes the tokens on that place. */
-    private static int[] rivals(Transition t, List<Transition> transitions, IntList[] takers) {
+    private static IntList[] lists(PetriNet net) {
+        return net.places().stream().map(place -> new IntList(0)).toArray(IntList[]::new);
+    }
+
+    /**
+     * The transitions that share an input place with t, except where neither changes the tokens on that place; those
+     * that inhibit t, and those that t inhibits.
+     */
+    private int[] rivals(Transition t, List<Transition> transitions, IntList[] users, IntList[] inhibited) {
         var found = new BitSet();
         for (var arc : t.inputs()) {
             var place = arc.place();
-            var takes = arc.weight() > weight(t.outputs(), place);
-            for (var other : takers[place.index()].toArray()) {
+            var takes = takesFrom(place, t);
+            for (var other : users[place.index()].toArray()) {
                 if (takes || takesFrom(place, transitions.get(other))) {
                     found.set(other);
                 }
             }
         }
+        for (var arc : t.inhibitors()) {
+            IntStream.of(feeders[arc.place().index()]).forEach(found::set);
+        }
+        for (var arc : t.outputs()) {
+            if (putsOn(arc.place(), t)) {
+                IntStream.of(inhibited[arc.place().index()].toArray()).forEach(found::set);
+            }
+        }
         return found.stream().toArray();
+    }
+
+    private static boolean putsOn(Place place, Transition transition) {
+        return weight(transition.outputs(), place) > weight(transition.inputs(), place);
     }
 
     private static boolean takesFrom(Place place, Transition transition) {
@@ -159,29 +189,41 @@ final class StubbornSets implements Expansion {
                 }
                 add(rivals[t]);
             } else {
-                add(feeders[lacking(t, tokens)]);
+                add(enablers(t, tokens));
             }
         }
         return found;
     }
 
-    /** Of the places that lack tokens for t, the one that adds the fewest members. */
-    private int lacking(int t, int[] tokens) {
-        var best = -1;
+    /**
+     * The transitions that can remove one reason why t is not ready: of all reasons, the one that adds fewest members.
+     */
+    private int[] enablers(int t, int[] tokens) {
+        int @Nullable [] best = null;
         var fewest = Integer.MAX_VALUE;
         for (var i = 0; i < rules.inputs[t].length; i++) {
             var place = rules.inputs[t][i];
-            if (tokens[place] < rules.inputWeights[t][i]) {
-                var added = (int) IntStream.of(feeders[place])
-                        .filter(feeder -> !isMember[feeder])
-                        .count();
-                if (added < fewest) {
-                    fewest = added;
-                    best = place;
-                }
+            if (tokens[place] < rules.inputWeights[t][i] && added(feeders[place]) < fewest) {
+                best = feeders[place];
+                fewest = added(best);
             }
         }
-        return best;
+        for (var i = 0; i < rules.inhibitors[t].length; i++) {
+            var place = rules.inhibitors[t][i];
+            if (tokens[place] >= rules.inhibitorWeights[t][i] && added(drainers[place]) < fewest) {
+                best = drainers[place];
+                fewest = added(best);
+            }
+        }
+        return requireNonNull(best, "a transition that is not ready has a reason");
+    }
+
+    private int added(int[] transitions) {
+        var count = 0;
+        for (var t : transitions) {
+            count += isMember[t] ? 0 : 1;
+        }
+        return count;
     }
 
     private void add(int[] transitions) {

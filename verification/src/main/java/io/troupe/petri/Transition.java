@@ -12,12 +12,16 @@ import java.util.List;
  * @param priority usually 0; a transition may not fire while one of higher priority has its tokens
  * @param inputs the tokens that one firing takes, each place once
  * @param outputs the tokens that one firing puts, each place once
+ * @param inhibitors the places that must hold fewer tokens than the weight of the arc, each place once; a firing takes
+ *     nothing from them
  */
-public record Transition(int index, String name, int priority, List<Arc> inputs, List<Arc> outputs) {
+public record Transition(
+        int index, String name, int priority, List<Arc> inputs, List<Arc> outputs, List<Arc> inhibitors) {
     public Transition {
         requireNonNull(name, "name");
         inputs = List.copyOf(inputs);
         outputs = List.copyOf(outputs);
+        inhibitors = List.copyOf(inhibitors);
     }
 
     /** The name. */

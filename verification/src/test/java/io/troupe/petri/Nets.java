@@ -128,6 +128,22 @@ public final class Nets {
         return random.nextInt(3) == 0 ? tangle(random, random.nextInt(3) == 0) : components(random);
     }
 
+    /** The net with some inhibitor arcs of weight 1 or 2. */
+    public static PetriNet inhibited(PetriNet net, Random random) {
+        var copy = net.toBuilder();
+        for (var t : net.transitions()) {
+            while (random.nextInt(3) == 0) {
+                var place =
+                        net.places().get(random.nextInt(net.places().size())).name();
+                copy.remove(t.name()).transition(t.name()).priority(t.name(), t.priority());
+                t.inputs().forEach(arc -> copy.arc(arc.place().name(), t.name(), arc.weight()));
+                t.outputs().forEach(arc -> copy.arc(t.name(), arc.place().name(), arc.weight()));
+                copy.inhibitor(place, t.name(), 1 + random.nextInt(2));
+            }
+        }
+        return copy.build();
+    }
+
     /** Any arcs and weights, often unbounded. */
     private static PetriNet tangle(Random random, boolean prioritised) {
         var net = PetriNet.builder("tangle");

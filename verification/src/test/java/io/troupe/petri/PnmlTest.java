@@ -112,8 +112,8 @@ class PnmlTest {
             <place id='p'/>~<place id='q'/>~<arc id='a' source='p' target='q'/> | 4 | joins two places
             <place id='p'/>~<arc id='a' source='p' target='gone'/> | 3 | there is no place or transition with id gone
             <place id='p'/>~<arc id='a' source='p'/> | 3 | <arc> has no target
-            <place id='p'/><transition id='t'/>~<arc id='a' source='p' target='t'><type value='inhibitor'/></arc> | \
-            3 | type of arc a is "inhibitor", expected normal in a place/transition net
+            <place id='p'/><transition id='t'/>~<arc id='a' source='p' target='t'><type value='test'/></arc> | \
+            3 | type of arc a is "test", expected normal in a place/transition net
             <transition id='t'><initialMarking><text>1</text></initialMarking></transition> | 2 | \
             <initialMarking> in transition t
             <referencePlace id='r' ref='s'/>~<referencePlace id='s' ref='r'/>~<arc id='a' source='r' target='r'/> | \
@@ -149,11 +149,13 @@ class PnmlTest {
                 .hasMessageNotContaining("\n");
     }
 
-    /** As above. An inhibitor arc as TAPAAL writes it, read as an ordinary arc, would change the dead markings. */
+    /** As above. A timed or a reset arc, read as an ordinary arc, would change the dead markings. */
     @ParameterizedTest
     @CsvSource(delimiter = '|', textBlock = """
-            <place id='p'/><transition id='t'/>~<arc id='a' source='p' target='t' type='inhibitor'/> | \
-            x:3: type of <arc> a is "inhibitor", expected normal in a place/transition net
+            <place id='p'/><transition id='t'/>~<arc id='a' source='t' target='p' type='inhibitor'/> | \
+            x:3: inhibitor arc a goes from t to p, expected from a place to a transition
+            <place id='p'/><transition id='t'/>~<arc id='a' source='p' target='t' type='timed'/> | \
+            x:3: type of <arc> a is "timed", expected normal in a place/transition net
             <place id='p'/><transition id='t'/>\
             <arc id='a' source='p' target='t'><arctype><text>reset</text></arctype></arc> | \
             x:2: arctype of arc a is "reset", expected normal in a place/transition net
@@ -186,6 +188,47 @@ class PnmlTest {
         assertThat(read(STANDARD, priority.formatted("t") + priority.formatted("u"))
                         .transitions())
                 .hasSize(2);
+    }
+
+    /** Read as an ordinary arc, an inhibitor arc would change the dead markings. */
+    @ParameterizedTest
+    @ValueSource(
+            strings = {
+                "<arc id='a' source='p' target='t' type='inhibitor'><inscription><text>3</text></inscription></arc>",
+                "<arc id='a' source='p' target='t'><inscription><text>3</text></inscription><type value='inhibitor'/></arc>",
+                "<arc id='a' source='p' target='t'><inscription><text>3</text></inscription>"
+                        + "<arctype><text>inhibitor</text></arctype></arc>"
+                        + "<arc id='b' source='p' target='t'><type><text>inhibitor</text></type>"
+                        + "<inscription><text>4</text></inscription></arc>"
+            })
+    void inhibitorArc_inEachNotation_isReadWithItsWeight(String arc) {
+        var net = read(STANDARD, NODES + arc);
+        assertThat(net.structure()).isEqualTo("place p 0\ntransition t 0 [] -> [] unless [p*3]");
+        assertThat(warnings).isEmpty();
+    }
+
+    @Test
+    void inhibitorArc_isWrittenInAllNotations() {
+        var net = PetriNet.builder("guarded")
+                .place("p", 1)
+                .transition("t")
+                .inhibitor("p", "t", 2)
+                .build();
+        assertThat(Pnml.toText(net)).isEqualTo("""
+            <?xml version="1.0" encoding="UTF-8"?>
+            <pnml xmlns="http://www.pnml.org/version-2009/grammar/pnml">
+              <net id="guarded" type="http://www.pnml.org/version-2009/extensions/inhibitorptnet">
+                <name><text>guarded</text></name>
+                <page id="page">
+                  <place id="p"><name><text>p</text></name><initialMarking><text>1</text></initialMarking></place>
+                  <transition id="t"><name><text>t</text></name></transition>
+                  <arc id="a1" source="p" target="t" type="inhibitor"><inscription><text>2</text></inscription>\
+            <type value="inhibitor"/><arctype><text>inhibitor</text></arctype></arc>
+                </page>
+              </net>
+            </pnml>
+            """);
+        assertThat(Pnml.parse("x", Pnml.toText(net)).sameStructureAs(net)).isTrue();
     }
 
     @Test

@@ -393,7 +393,7 @@ class SearchTest {
                 .transition("last", List.of("key"), List.of())
                 .priority("last", 1)
                 .build();
-        var limits = SearchLimits.markings(1 << 20).within(2 << 20);
+        var limits = SearchLimits.markings(1 << 20).within(1 << 20);
         var search = DeadlockSearch.run(net, limits);
         var graph = ReachabilityGraph.explore(net, limits);
         assertThat(search.end()).isEqualTo(SearchEnd.COMPLETE);
@@ -401,6 +401,26 @@ class SearchTest {
         assertThat(search.visitedEdges()).isEqualTo(14 << 13);
         assertThat(graph.end()).isEqualTo(SearchEnd.MEMORY);
         assertThat(graph.size()).isLessThan(1 << 14);
+    }
+
+    /** 2^17 markings with 17 x 2^16 edges, which alone would take 68 bytes for each marking. */
+    @Test
+    void exploration_withoutEdges_takesAtMost40BytesForEachMarkingBesideItself() {
+        var net = Nets.switches(17);
+        var markings = 1 << 17;
+        var words = 1; // 34 places, one bit each
+        var graph = ReachabilityGraph.exploreMarkings(
+                net, SearchLimits.markings(markings).within(markings * (words * 8L + 40)));
+        assertThat(graph.end()).isEqualTo(SearchEnd.COMPLETE);
+        assertThat(List.of(graph.size(), graph.edgeCount())).containsExactly(markings, 17 << 16);
+        var whole = ReachabilityGraph.explore(net);
+        for (var index : List.of(0, 1, 77, markings - 1)) {
+            assertThat(graph.state(index).successors())
+                    .hasToString(whole.state(index).successors().toString());
+        }
+        refused(
+                () -> Liveness.of(graph),
+                "the graph of net switches has no edges, expected one made by ReachabilityGraph.explore");
     }
 
     @Test

@@ -81,6 +81,7 @@ class ArrowsTest {
         "petri..,               common..",
         "petri,                 common..",
         "petri.structure,       petri",
+        "petri.deadlock,        petri petri.structure",
         "view..,                actor.. bus broker.. player.. sim.. services.. common.."
     })
     void room_importsOnlyTheRoomsThatItMay(String from, String to) {

@@ -6,6 +6,8 @@ import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.deadlock.Boundedness;
+import io.troupe.petri.deadlock.DeadlockCheck;
 import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.SiphonAnalysis;
 import io.troupe.petri.structure.Siphons;
@@ -13,15 +15,16 @@ import java.io.IOException;
 import java.math.BigDecimal;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Examines a net from a file, within limits of time and memory. The deadlock verdict comes first: by stubborn sets in
- * half of the time, and by siphons if that search is incomplete. Then the other results, and the pictures last. Each
- * result is reported as soon as it is known; a later failure does not invalidate it.
+ * Examines a net from a file, within limits of time and memory. The deadlock verdict comes first, in half of the time:
+ * by stubborn sets, and by {@link DeadlockCheck} if these are too many; then by siphons. Then the other results, and
+ * the pictures last. Each result is reported as soon as it is known; a later failure does not invalidate it.
  */
 final class NetExamination {
     /** Exit statuses by verdict. */
@@ -29,6 +32,9 @@ final class NetExamination {
 
     static final int CAN_DEADLOCK = 1;
     static final int UNKNOWN = 3;
+
+    /** A search that finds all dead markings, nearest first, is tried with so many markings. */
+    private static final int FEW_MARKINGS = 50_000;
 
     private static final int MARKINGS_PER_REPORT = 10_000;
     private static final int MAX_FIRINGS_PRINTED = 200;
@@ -87,35 +93,60 @@ final class NetExamination {
     int decide() {
         String why;
         try {
-            var search = DeadlockSearch.run(
-                    net,
-                    reporting(limits.sparing(limits.time().dividedBy(2)).search(Integer.MAX_VALUE), "dead markings"));
-            if (!search.deadlocks().isEmpty()) {
-                nearest = search.deadlocks().get(0);
-                results.accept(
-                        net.name() + ": can deadlock: " + search.deadlocks().size() + " dead "
-                                + (search.deadlocks().size() == 1 ? "marking" : "markings")
-                                + (search.end() == SearchEnd.COMPLETE ? "" : " so far") + ", the nearest "
-                                + nearest.marking() + " after " + firings(nearest) + "\n");
-                return CAN_DEADLOCK;
+            var search = DeadlockSearch.run(net, deadlockLimits(FEW_MARKINGS));
+            var dead = search.deadlocks();
+            if (!dead.isEmpty()) {
+                nearest = dead.getFirst();
+                return canDeadlock(
+                        dead.size() + " dead " + (dead.size() == 1 ? "marking" : "markings")
+                                + (search.end() == SearchEnd.COMPLETE ? "" : " so far") + ", the nearest ",
+                        nearest);
             }
             if (search.end() == SearchEnd.COMPLETE) {
-                results.accept(net.name() + ": proved: no reachable marking is dead (" + search.visitedMarkings()
-                        + " markings by stubborn sets)\n");
-                return PROVED;
+                return proved(search.visitedMarkings() + " markings by stubborn sets");
             }
-            why = "no dead marking among " + search.visitedMarkings() + " by stubborn sets, " + ended(search.end());
+            if (search.end() == SearchEnd.CANCELLED) {
+                return decideBySiphons(unknown(search.visitedMarkings(), search.end()));
+            }
+            switch (DeadlockCheck.decide(net, deadlockLimits(Integer.MAX_VALUE))) {
+                case DeadlockCheck.CanDeadlock found -> {
+                    nearest = new DeadlockSearch.Deadlock(found.marking(), found.trace());
+                    return canDeadlock("", nearest);
+                }
+                case DeadlockCheck.Proved proof -> {
+                    return proved(proof.reason() + (proof.markings() == 0 ? "" : ", " + proof.markings() + " of them"));
+                }
+                case DeadlockCheck.Unknown unknown -> why = unknown(unknown.markings(), unknown.end());
+            }
         } catch (OutOfMemoryError e) {
             why = "the virtual machine has too little memory for a search";
         }
         return decideBySiphons(why);
     }
 
+    private SearchLimits deadlockLimits(int maxMarkings) {
+        return reporting(limits.sparing(limits.time().dividedBy(2)).search(maxMarkings), "dead markings");
+    }
+
+    private int canDeadlock(String which, DeadlockSearch.Deadlock deadlock) {
+        results.accept(net.name() + ": can deadlock: " + which + deadlock.marking() + " after "
+                + shortened(deadlock.trace()) + "\n");
+        return CAN_DEADLOCK;
+    }
+
+    private int proved(String how) {
+        results.accept(net.name() + ": proved: no reachable marking is dead (" + how + ")\n");
+        return PROVED;
+    }
+
+    private String unknown(int markings, SearchEnd end) {
+        return "no dead marking among " + markings + " by stubborn sets, " + ended(end);
+    }
+
     private int decideBySiphons(String why) {
         var found = siphons();
         if (found != null && found.deadlock() instanceof DeadlockVerdict.NoDeadMarking) {
-            results.accept(net.name() + ": proved: no reachable marking is dead (by its siphons; " + why + ")\n");
-            return PROVED;
+            return proved("by its siphons; " + why);
         }
         results.accept(net.name() + ": not known whether it can deadlock: " + why + "\n");
         return UNKNOWN;
@@ -136,15 +167,14 @@ final class NetExamination {
                 .toPlainString();
     }
 
-    private static String firings(DeadlockSearch.Deadlock deadlock) {
-        var trace = deadlock.trace();
-        var printed = trace.stream()
+    private static String shortened(List<?> items) {
+        var printed = items.stream()
                 .limit(MAX_FIRINGS_PRINTED)
                 .map(String::valueOf)
                 .collect(Collectors.joining(", ", "[", ""));
         return printed
-                + (trace.size() > MAX_FIRINGS_PRINTED
-                        ? ", .. and " + (trace.size() - MAX_FIRINGS_PRINTED) + " more]"
+                + (items.size() > MAX_FIRINGS_PRINTED
+                        ? ", .. and " + (items.size() - MAX_FIRINGS_PRINTED) + " more]"
                         : "]");
     }
 
@@ -158,7 +188,7 @@ final class NetExamination {
                                     .sparing(limits.time().dividedBy(4))
                                     .search(ReachabilityGraph.DEFAULT_MAX_MARKINGS),
                             "all markings"));
-            results.accept(graph.summary() + "\n");
+            results.accept((isUnbounded(graph) ? graph : widest(graph)).summary() + "\n");
             results.accept(Liveness.of(graph).summary() + "\n");
         } catch (ArithmeticException e) {
             results.accept("the full graph is not known: " + e.getMessage() + "\n");
@@ -174,6 +204,36 @@ final class NetExamination {
                             : " minimal siphons found until the search stopped at its limit: ")
                     + words(found.deadlock()) + "\n");
         }
+    }
+
+    /** Whether an incomplete graph has no end, which is reported. */
+    private boolean isUnbounded(ReachabilityGraph incomplete) {
+        if (incomplete.isComplete() || incomplete.end() == SearchEnd.CANCELLED) {
+            return false;
+        }
+        progress.accept("net " + net.name() + ": bounds");
+        if (Boundedness.of(net, limits.sparing(limits.time().dividedBy(4)).search(FEW_MARKINGS))
+                instanceof Boundedness.Unbounded growth) {
+            results.accept(net.name() + ": unbounded: " + shortened(growth.growing()) + " grow with each repetition of "
+                    + shortened(growth.repeated()) + " after " + shortened(growth.before()) + "\n");
+            return true;
+        }
+        return false;
+    }
+
+    /** The graph, or one without edges that has more markings, if that is incomplete for want of memory or numbers. */
+    private ReachabilityGraph widest(ReachabilityGraph withEdges) {
+        if (withEdges.isComplete() || withEdges.end() == SearchEnd.CANCELLED) {
+            return withEdges;
+        }
+        var more = ReachabilityGraph.exploreMarkings(
+                net,
+                reporting(
+                        limits.withMemory(limits.memoryBytes() / 2)
+                                .sparing(limits.time().dividedBy(4))
+                                .search(Integer.MAX_VALUE),
+                        "all markings, without edges"));
+        return more.size() > withEdges.size() ? more : withEdges;
     }
 
     /** The siphons; null if they cannot be computed, which is reported. */

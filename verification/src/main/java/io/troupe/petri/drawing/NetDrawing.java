@@ -180,12 +180,15 @@ public final class NetDrawing {
         private void arcs(Transition transition) {
             var node = "t" + transition.index();
             var coloured = highlighted.contains(transition);
-            transition.inputs().forEach(arc -> arc("p" + arc.place().index(), node, arc.weight(), coloured));
-            transition.outputs().forEach(arc -> arc(node, "p" + arc.place().index(), arc.weight(), coloured));
+            transition.inputs().forEach(arc -> arc("p" + arc.place().index(), node, arc.weight(), coloured, ""));
+            transition.outputs().forEach(arc -> arc(node, "p" + arc.place().index(), arc.weight(), coloured, ""));
+            transition
+                    .inhibitors()
+                    .forEach(arc -> arc("p" + arc.place().index(), node, arc.weight(), coloured, "arrowhead=odot "));
         }
 
-        private void arc(String from, String to, int weight, boolean coloured) {
-            dot.append("  ").append(from).append(" -> ").append(to).append(" [");
+        private void arc(String from, String to, int weight, boolean coloured, String head) {
+            dot.append("  ").append(from).append(" -> ").append(to).append(" [").append(head);
             dot.append(weight == 1 ? "" : "label=\"" + weight + "\" ");
             dot.append(coloured ? "color=\"" + Palette.PATH + "\" penwidth=2" : "");
             dot.append("];\n");

@@ -1,5 +1,6 @@
 package io.troupe.petri.drawing;
 
+import io.troupe.petri.Arc;
 import io.troupe.petri.Marking;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
@@ -15,6 +16,7 @@ import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 /** Lays out and writes one net. */
 final class NetSvg {
     static final double FONT_PX = 12;
+    private static final double INHIBITOR_RADIUS = 3.5;
     private static final double SMALL_FONT_PX = 9;
     static final double RADIUS = 13;
     private static final double BOX_HEIGHT = 22;
@@ -47,12 +49,9 @@ final class NetSvg {
             components.get(this.components.get(i)).forEach(place -> tints.put(place, tint));
         }
         for (var transition : net.transitions()) {
-            transition
-                    .inputs()
-                    .forEach(arc -> arcs.add(new ArcWriter.DrawnArc(transition, arc.place(), true, arc.weight())));
-            transition
-                    .outputs()
-                    .forEach(arc -> arcs.add(new ArcWriter.DrawnArc(transition, arc.place(), false, arc.weight())));
+            transition.inputs().forEach(arc -> arcs.add(ArcWriter.DrawnArc.input(transition, arc)));
+            transition.outputs().forEach(arc -> arcs.add(ArcWriter.DrawnArc.output(transition, arc)));
+            transition.inhibitors().forEach(arc -> arcs.add(ArcWriter.DrawnArc.inhibitor(transition, arc)));
         }
         layout = layout();
         var legend = this.components.isEmpty() ? 0 : LEGEND_PX;
@@ -219,7 +218,19 @@ final class NetSvg {
     /** Writes the arcs of a net. */
     private static final class ArcWriter {
         /** An arc to draw. */
-        record DrawnArc(Transition transition, Place place, boolean input, int weight) {
+        record DrawnArc(Transition transition, Place place, boolean input, boolean inhibits, int weight) {
+            static DrawnArc input(Transition transition, Arc arc) {
+                return new DrawnArc(transition, arc.place(), true, false, arc.weight());
+            }
+
+            static DrawnArc output(Transition transition, Arc arc) {
+                return new DrawnArc(transition, arc.place(), false, false, arc.weight());
+            }
+
+            static DrawnArc inhibitor(Transition transition, Arc arc) {
+                return new DrawnArc(transition, arc.place(), true, true, arc.weight());
+            }
+
             String from() {
                 return input ? place.name() : transition.name();
             }
@@ -253,14 +264,22 @@ final class NetSvg {
 
         private void arc(int number, DrawnArc arc, boolean coloured) {
             page.group(
-                    coloured ? "arc path" : "arc",
-                    arc.from() + " → " + arc.to() + (arc.weight == 1 ? "" : ", weight " + arc.weight));
+                    (arc.inhibits ? "inhibitor " : "") + (coloured ? "arc path" : "arc"),
+                    arc.from()
+                            + (arc.inhibits ? " inhibits " : " → ")
+                            + arc.to()
+                            + (arc.weight == 1 ? "" : ", weight " + arc.weight));
             var route = new ArrayList<>(layout.route(number));
             var corner = layout.node(arc.place.index());
             var centre = new PixelPoint(corner.x() + RADIUS, corner.y() + RADIUS);
             var end = arc.input ? 0 : route.size() - 1;
             route.set(end, ontoCircle(route.get(end), route.get(arc.input ? 1 : end - 1), centre));
-            page.arrow(route, coloured ? Palette.PATH : Palette.LINE, coloured ? 2 : 1, 8);
+            var colour = coloured ? Palette.PATH : Palette.LINE;
+            if (arc.inhibits) {
+                page.inhibitor(route, colour, coloured ? 2 : 1, INHIBITOR_RADIUS);
+            } else {
+                page.arrow(route, colour, coloured ? 2 : 1, 8);
+            }
             var label = layout.label(number);
             if (label != null) {
                 weight(arc.weight, label, coloured);

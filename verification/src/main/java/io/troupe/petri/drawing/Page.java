@@ -55,6 +55,18 @@ final class Page {
         head(route.get(end - 1), route.get(end), colour, headPx);
     }
 
+    /** Draws a line along {@code route} that ends in a small circle, the sign of an inhibitor arc. */
+    void inhibitor(List<PixelPoint> route, String colour, double widthPx, double radiusPx) {
+        var end = route.size() - 1;
+        var centre = nearer(route.get(end), route.get(end - 1), 2 * radiusPx);
+        var shortened = new ArrayList<>(route);
+        shortened.set(end, nearer(route.get(end), route.get(end - 1), 4 * radiusPx));
+        line(along(shortened), colour, widthPx);
+        svg.add(
+                "<circle class=\"head\" cx=\"%s\" cy=\"%s\" r=\"%s\" fill=\"white\" stroke=\"%s\" stroke-width=\"%s\"/>",
+                centre.x(), centre.y(), radiusPx, colour, widthPx);
+    }
+
     /** Draws an arrow along a cubic curve. */
     void arrow(Curve curve, String colour, double widthPx, double headPx) {
         var shortened = nearer(curve.to, curve.second, headPx);

@@ -11,7 +11,7 @@ public sealed interface EmptySiphonVerdict {
      * {@link SiphonVerdict.HoldsMarkedTrap} and {@link SiphonVerdict.HoldsTokens}.
      *
      * @param excludesDeadMarkings whether no reachable marking is dead as a consequence; true if the net has
-     *     transitions, and all their input arcs have weight 1
+     *     transitions, all their input arcs have weight 1, and there are no inhibitor arcs
      */
     record NoneCanBeEmptied(boolean excludesDeadMarkings) implements EmptySiphonVerdict {}
 

@@ -133,6 +133,10 @@ public record SiphonAnalysis(PetriNet net, MinimalSets siphons, List<SiphonVerdi
         if (net.transitions().isEmpty()) {
             return Optional.of("net " + net.name() + " has no transitions: its only marking is dead");
         }
+        if (net.hasInhibitors()) {
+            return Optional.of(
+                    "net " + net.name() + " has inhibitor arcs, so a dead marking need not have an empty siphon");
+        }
         return net.transitions().stream()
                 .flatMap(t -> t.inputs().stream()
                         .filter(arc -> arc.weight() > 1)

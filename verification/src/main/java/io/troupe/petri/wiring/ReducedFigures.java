@@ -3,19 +3,26 @@ package io.troupe.petri.wiring;
 import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.SearchEnd;
+import io.troupe.petri.deadlock.DeadlockCheck;
 
 /**
- * The figures of a search by stubborn sets, which visits some of the markings and misses no dead one.
+ * The figures of a search that visits some of the markings: by stubborn sets, which miss no dead one; or, for a large
+ * net, those of {@link DeadlockCheck}.
  *
+ * @param method how these markings were chosen
  * @param markings the number of visited markings
  * @param edges the number of firings that were followed
  * @param deadMarkings the number of dead ones among these
  * @param end why the search ended; {@link SearchEnd#COMPLETE} if there are no other dead markings
  * @param showsBlocks whether these markings also decide if a component can be blocked while others go on
  */
-public record ReducedFigures(int markings, int edges, int deadMarkings, SearchEnd end, boolean showsBlocks) {
+public record ReducedFigures(
+        String method, int markings, int edges, int deadMarkings, SearchEnd end, boolean showsBlocks) {
+    private static final String STUBBORN_SETS = "stubborn sets";
+
     static ReducedFigures of(DeadlockSearch search) {
         return new ReducedFigures(
+                STUBBORN_SETS,
                 search.visitedMarkings(),
                 search.visitedEdges(),
                 search.deadlocks().size(),
@@ -25,7 +32,19 @@ public record ReducedFigures(int markings, int edges, int deadMarkings, SearchEn
 
     /** The figures of a search of a wiring without dead markings. */
     static ReducedFigures of(ProgressSearch search) {
-        return new ReducedFigures(search.visitedMarkings(), search.visitedEdges(), 0, search.end(), true);
+        return new ReducedFigures(
+                STUBBORN_SETS, search.visitedMarkings(), search.visitedEdges(), 0, search.end(), true);
+    }
+
+    /** The figures of a proof that there are no dead markings. */
+    static ReducedFigures of(DeadlockCheck.Proved proof) {
+        return new ReducedFigures("reductions", proof.markings(), 0, 0, SearchEnd.COMPLETE, false);
+    }
+
+    /** The figures of a counterexample: its own markings. */
+    static ReducedFigures of(DeadlockCheck.CanDeadlock found) {
+        var steps = found.trace().size();
+        return new ReducedFigures("a hunt", steps + 1, steps, 1, SearchEnd.LIMIT, false);
     }
 
     /** Whether all dead markings were found. */
@@ -36,7 +55,7 @@ public record ReducedFigures(int markings, int edges, int deadMarkings, SearchEn
     /** In one line. */
     @Override
     public String toString() {
-        return markings + " markings by stubborn sets" + Figures.endNote(end) + ", " + deadMarkings + " dead"
+        return markings + " markings by " + method + Figures.endNote(end) + ", " + deadMarkings + " dead"
                 + (isComplete() ? " and no others" : " so far")
                 + (showsBlocks ? ", enough to see blocks too" : "");
     }

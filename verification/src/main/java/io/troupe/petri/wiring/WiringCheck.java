@@ -5,6 +5,8 @@ import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.deadlock.DeadlockCheck;
+import io.troupe.petri.deadlock.DeadlockCheck.CanDeadlock;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -18,9 +20,10 @@ import java.util.Optional;
  *
  * <p>The nets of the components are melded, first of every two that call each other, then of all. A pair is searched in
  * full. In the whole, a search by stubborn sets finds all dead markings, with a shortest trace to each, among a small
- * part of the markings. If there are none, another search decides whether some components can be blocked while others
- * go on. The full graph, within the limit, adds its figures and how a block begins, and decides what the other searches
- * could not. The result reports what was beyond all limits. In a unit test:
+ * part of the markings. If the net is too large for that, {@link DeadlockCheck} finds one of them, or proves that there
+ * is none. If there are none, another search decides whether some components can be blocked while others go on. The
+ * full graph, within the limit, adds its figures and how a block begins, and decides what the other searches could not.
+ * The result reports what was beyond all limits. In a unit test:
  *
  * {@snippet :
  * @Test
@@ -53,11 +56,29 @@ public final class WiringCheck {
      */
     private static final int MAX_MARKINGS_IF_KNOWN = 300_000;
 
-    private WiringCheck() {}
+    /** Markings times places and transitions: the searches of a large net visit fewer markings in the same time. */
+    private static final long DEFAULT_WORK = 100_000_000;
 
-    /** Visits up to {@link #DEFAULT_MAX_MARKINGS} markings in each search. */
+    private static final int MIN_MARKINGS = 1_000;
+
+    private final Wiring wiring;
+    private final WiringNet net;
+    private final SearchLimits limits;
+    private final long work;
+
+    private WiringCheck(Wiring wiring, SearchLimits limits, long work) {
+        this.wiring = wiring;
+        this.limits = limits;
+        this.work = work;
+        net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
+    }
+
+    /**
+     * Visits up to {@link #DEFAULT_MAX_MARKINGS} markings in each search, and fewer if the net has more than 200 places
+     * and transitions.
+     */
     public static WiringResult check(Wiring wiring) {
-        return check(wiring, DEFAULT_MAX_MARKINGS);
+        return new WiringCheck(wiring, SearchLimits.markings(DEFAULT_MAX_MARKINGS), DEFAULT_WORK).result();
     }
 
     /** Visits up to {@code maxMarkings} (1 or more) markings in each search. */
@@ -70,28 +91,55 @@ public final class WiringCheck {
      * cancelled, the result contains what was found until then.
      */
     public static WiringResult check(Wiring wiring, SearchLimits limits) {
+        return new WiringCheck(wiring, limits, Long.MAX_VALUE).result();
+    }
+
+    /**
+     * What is known about dead markings.
+     *
+     * @param nearest all dead markings, or the nearest ones
+     * @param found one dead marking of a large net
+     */
+    private record Deadlocks(
+            ReducedFigures figures, List<DeadlockSearch.Deadlock> nearest, Optional<CanDeadlock> found) {
+        static Deadlocks of(DeadlockSearch search) {
+            return new Deadlocks(ReducedFigures.of(search), search.deadlocks(), Optional.empty());
+        }
+
+        boolean isEmpty() {
+            return nearest.isEmpty() && found.isEmpty();
+        }
+
+        boolean mayBeFree() {
+            return isEmpty() && figures.isComplete();
+        }
+    }
+
+    private WiringResult result() {
         var pairs = new PairCheck(wiring, limits).results();
-        var net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
-        var search = DeadlockSearch.run(net.net(), limits);
-        var dead = search.deadlocks();
-        var mayBeFree = dead.isEmpty() && search.end() == SearchEnd.COMPLETE;
-        var progress =
-                mayBeFree ? Optional.of(ProgressSearch.run(net.net(), limits)) : Optional.<ProgressSearch>empty();
+        var dead = deadlocks();
+        var progress = dead.mayBeFree()
+                ? Optional.of(ProgressSearch.run(net.net(), affordable(limits, work)))
+                : Optional.<ProgressSearch>empty();
         var settled = progress.filter(found -> found.end() == SearchEnd.COMPLETE);
         var isKnown = settled.isPresent() || !dead.isEmpty();
-        var graph = ReachabilityGraph.explore(net.net(), isKnown ? limits.atMost(MAX_MARKINGS_IF_KNOWN) : limits);
+        var graph = ReachabilityGraph.explore(
+                net.net(),
+                isKnown ? affordable(limits.atMost(MAX_MARKINGS_IF_KNOWN), DEFAULT_WORK) : affordable(limits, work));
         var whole = new WiringSearch(wiring, net, graph);
         var figures = whole.figures();
-        var reduced = settled.map(ReducedFigures::of).orElse(ReducedFigures.of(search));
-        var deadlocks = dead.isEmpty() ? whole.deadlocks() : whole.deadlocks(dead);
+        var reduced = settled.map(ReducedFigures::of).orElse(dead.figures());
+        var deadlocks = dead.found()
+                .map(each -> List.of(whole.deadlock(each)))
+                .orElseGet(() -> dead.isEmpty() ? whole.deadlocks() : whole.deadlocks(dead.nearest()));
         var blocks = figures.isComplete()
                 ? whole.blocks()
                 : whole.blocks(settled.map(ProgressSearch::losses).orElse(List.of()));
         if (!deadlocks.isEmpty()) {
-            return new WiringResult.Deadlock(figures, reduced, pairs, deadlocks, blocks, repair(wiring, limits));
+            return new WiringResult.Deadlock(figures, reduced, pairs, deadlocks, blocks, repair());
         }
         if (!blocks.isEmpty()) {
-            return new WiringResult.Blocked(figures, reduced, pairs, blocks, repair(wiring, limits));
+            return new WiringResult.Blocked(figures, reduced, pairs, blocks, repair());
         }
         if (figures.isComplete() || settled.isPresent()) {
             return new WiringResult.Proved(figures, reduced, pairs);
@@ -101,7 +149,32 @@ public final class WiringCheck {
                 : new WiringResult.Unknown(figures, reduced, pairs);
     }
 
-    private static Optional<Repair> repair(Wiring wiring, SearchLimits limits) {
+    /**
+     * All dead markings with shortest traces, if the net is small or they are near. Otherwise one of them, or a proof
+     * that there is none.
+     */
+    private Deadlocks deadlocks() {
+        var first = DeadlockSearch.run(net.net(), affordable(limits, DEFAULT_WORK / 10));
+        if (first.end() == SearchEnd.COMPLETE || first.end() == SearchEnd.CANCELLED) {
+            return Deadlocks.of(first);
+        }
+        if (!first.deadlocks().isEmpty()) {
+            return Deadlocks.of(DeadlockSearch.run(net.net(), affordable(limits, work)));
+        }
+        return switch (DeadlockCheck.decide(net.net(), affordable(limits, work))) {
+            case CanDeadlock found -> new Deadlocks(ReducedFigures.of(found), List.of(), Optional.of(found));
+            case DeadlockCheck.Proved proof -> new Deadlocks(ReducedFigures.of(proof), List.of(), Optional.empty());
+            case DeadlockCheck.Unknown unknown -> Deadlocks.of(first);
+        };
+    }
+
+    /** The limits, and at most so many markings that visiting them costs about {@code most} steps. */
+    private SearchLimits affordable(SearchLimits given, long most) {
+        var cost = 1L + net.net().places().size() + net.net().transitions().size();
+        return given.atMost(Math.clamp(most / cost, MIN_MARKINGS, Integer.MAX_VALUE));
+    }
+
+    private Optional<Repair> repair() {
         var together = wiring.withSynchronisedStop();
         var stops = new LinkedHashMap<String, List<String>>();
         for (var component : wiring.components()) {
@@ -113,7 +186,7 @@ public final class WiringCheck {
         if (wiring.stopsTogether() || stops.isEmpty() || !SynchronisedStop.isFeasible(together)) {
             return Optional.empty();
         }
-        return Optional.of(new Repair(together, stops, check(together, limits)));
+        return Optional.of(new Repair(together, stops, new WiringCheck(together, limits, work).result()));
     }
 
     /**

@@ -92,6 +92,7 @@ final class WiringNet {
         for (var transition : net.transitions()) {
             shape.add(arcs(transition.inputs()));
             shape.add(arcs(transition.outputs()));
+            shape.add(arcs(transition.inhibitors()));
         }
         return shape;
     }

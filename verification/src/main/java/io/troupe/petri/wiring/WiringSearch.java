@@ -6,6 +6,7 @@ import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.ReachabilityGraph.State;
+import io.troupe.petri.deadlock.DeadlockCheck;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -43,6 +44,11 @@ final class WiringSearch {
                 .limit(MAX_COUNTEREXAMPLES)
                 .map(state -> explainer.explain(state.marking(), state.shortestTrace(), true, net.chosen()))
                 .toList();
+    }
+
+    /** The counterexample of a dead marking that need not be the nearest. */
+    Counterexample deadlock(DeadlockCheck.CanDeadlock found) {
+        return explainer.explain(found.marking(), found.trace(), false, net.chosen());
     }
 
     /** The counterexamples of these dead markings, in their order. */

@@ -323,13 +323,16 @@ class PaperWiringTest {
         assertThat(result.repair().orElseThrow().isDeadlockFree()).isTrue();
     }
 
+    /** 50 markings are too few for the searches of the whole, but not for a hunt. */
     @Test
-    void limits_thatEndBothSearches_leaveItUnknown() {
-        var result = WiringCheck.check(PaperWiring.robots(6), 50);
-        assertThat(result).isInstanceOf(Unknown.class);
-        assertThat(result.reduced().end()).isEqualTo(SearchEnd.LIMIT);
+    void limits_thatEndTheSearches_leaveTheHuntForOneDeadlock() {
+        var result = (Deadlock) WiringCheck.check(PaperWiring.robots(6), 50);
+        assertThat(result.reduced().method()).isEqualTo("a hunt");
         assertThat(result.figures().markings()).isEqualTo(50);
-        assertThat(result.toString()).contains("not known", "50 markings (stopped at this limit)");
+        assertThat(result.counterexample().isShortest()).isFalse();
+        assertThat(result.toString()).contains("can deadlock", "50 markings (stopped at this limit)");
+        var unknown = new Unknown(result.figures(), result.reduced(), List.of());
+        assertThat(unknown.toString()).contains("not known", "50 markings (stopped at this limit)");
     }
 
     @Test
@@ -359,7 +362,7 @@ class PaperWiringTest {
         var wiring = Wiring.of("clocks").components("clock", 8, ticking).build();
         var result = WiringCheck.check(wiring, 100);
         assertThat(result).isInstanceOf(DeadlockFree.class);
-        assertThat(result.reduced()).isEqualTo(new ReducedFigures(3, 3, 0, SearchEnd.COMPLETE, false));
+        assertThat(result.reduced()).isEqualTo(new ReducedFigures("stubborn sets", 3, 3, 0, SearchEnd.COMPLETE, false));
         assertThat(result.toString()).contains("never all wait for ever", "not known whether one can");
     }
 

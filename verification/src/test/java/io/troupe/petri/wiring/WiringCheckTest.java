@@ -12,6 +12,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.wiring.WiringResult.Blocked;
 import io.troupe.petri.wiring.WiringResult.Deadlock;
+import io.troupe.petri.wiring.WiringResult.DeadlockFree;
 import io.troupe.petri.wiring.WiringResult.Proved;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -116,6 +117,11 @@ class WiringCheckTest {
     }
 
     private static Wiring philosophers(int count) {
+        return philosophers(count, false);
+    }
+
+    /** With {@code leftHanded} the last philosopher takes the forks in the other order. */
+    private static Wiring philosophers(int count, boolean leftHanded) {
         var fork = Protocol.of("fork")
                 .in("free", provides("take").then("taken"))
                 .in("taken", provides("put").then("free"))
@@ -128,7 +134,9 @@ class WiringCheckTest {
                 .build();
         var table = Wiring.of("table").components("phil", count, philosopher).components("fork", count, fork);
         for (var i = 1; i <= count; i++) {
-            table.bind("phil" + i, "left", "fork" + i).bind("phil" + i, "right", "fork" + (i % count + 1));
+            var isOther = leftHanded && i == count;
+            table.bind("phil" + i, isOther ? "right" : "left", "fork" + i);
+            table.bind("phil" + i, isOther ? "left" : "right", "fork" + (i % count + 1));
         }
         return table.build();
     }
@@ -149,6 +157,18 @@ class WiringCheckTest {
                 .extracting(Wait::component)
                 .containsExactlyInAnyOrder("phil1", "fork2", "phil2", "fork3", "phil3", "fork1");
         assertThat(counterexample.toString()).contains("* fork2 (taken) waits to be called: put by phil2");
+    }
+
+    /** 12 philosophers have more markings than a search of them all may visit. */
+    @Test
+    void manyPhilosophers_deadlock_andOneLeftHandedPreventsIt() {
+        var dead = (Deadlock) WiringCheck.check(philosophers(30));
+        assertThat(dead.counterexample().firings()).hasSize(5 * 30);
+        assertThat(dead.counterexample().isShortest()).isFalse();
+        assertThat(dead.counterexample().circle()).hasSize(2 * 30);
+        assertThat(dead.reduced()).hasToString("151 markings by a hunt (stopped at this limit), 1 dead so far");
+        var free = (DeadlockFree) WiringCheck.check(philosophers(30, true), 2000);
+        assertThat(free.reduced()).hasToString("0 markings by reductions, 0 dead and no others");
     }
 
     @Test

@@ -1,0 +1,219 @@
+package io.troupe.petri.deadlock;
+
+import static java.util.Objects.requireNonNull;
+
+import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.Marking;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.SearchEnd;
+import io.troupe.petri.SearchLimits;
+import io.troupe.petri.Transition;
+import io.troupe.petri.structure.Siphons;
+import java.util.Arrays;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Optional;
+import java.util.Set;
+
+/**
+ * Decides whether a net can deadlock: whether it can reach a marking in which no transition may fire. It needs far
+ * fewer markings than {@link DeadlockSearch}, but finds one dead marking and not all of them, and its trace is not
+ * always a shortest one.
+ *
+ * <p>The net is reduced first, by rules that keep whether it can deadlock. Then come, from cheap to dear, a short hunt
+ * for a counterexample, proofs without a search, a longer hunt, and last all markings of the reduced net by stubborn
+ * sets. A trace that was found is translated to the net, and firings that it does not need are left out.
+ *
+ * {@snippet :
+ * var result = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
+ * assertThat(result).isInstanceOf(DeadlockCheck.Proved.class);
+ * }
+ *
+ * <p><b>Threads.</b> Thread-safe.
+ *
+ * <p><b>Cost.</b> The hunts and proofs have limits of their own, a second or two together for a net of some thousand
+ * places. The last search is that of {@link DeadlockSearch#run} on the reduced net.
+ *
+ * <p><b>Errors.</b> A place that can hold more than {@link Integer#MAX_VALUE} tokens throws
+ * {@link ArithmeticException}.
+ */
+public final class DeadlockCheck {
+    private static final long MAX_FIRST_HUNT = 20_000_000;
+    private static final long FIRINGS_PER_TRANSITION = 1_000;
+    private static final long LONG_HUNT = 30_000_000;
+    private static final int FEW_MARKINGS = 20_000;
+    private static final int MAX_SIPHON_PLACES = 400;
+    private static final long MAX_SIPHON_STEPS = 2_000;
+
+    private final PetriNet net;
+    private final FlatNet flat;
+    private final SearchLimits limits;
+    private final Set<Reduction> reductions;
+
+    private DeadlockCheck(PetriNet net, Set<Reduction> reductions, SearchLimits limits) {
+        this.net = net;
+        this.limits = limits;
+        this.reductions = reductions;
+        flat = FlatNet.of(net);
+    }
+
+    /** A rule that makes a net smaller and keeps whether it can deadlock. */
+    public enum Reduction {
+        /** Leaves out transitions that never fire, because nothing puts the tokens that they need. */
+        DEAD_TRANSITIONS,
+        /** Leaves out places that disable nothing, because they always hold enough tokens. */
+        FREE_PLACES,
+        /** Leaves out one of two transitions with the same arcs, or one without an effect, if another stands for it. */
+        EQUAL_TRANSITIONS,
+        /** Fires at once what cannot be prevented from firing. */
+        FIRST_STEPS,
+        /** Fuses transitions with those before, if they need nothing else. */
+        FUSED_AFTER,
+        /** Fuses transitions with those behind, if they do nothing else. */
+        FUSED_BEFORE,
+        /** Leaves out places that always hold at least as many tokens as some others together. */
+        IMPLIED_PLACES
+    }
+
+    /** The result of {@link #decide}. */
+    public sealed interface Result {}
+
+    /**
+     * The net can deadlock.
+     *
+     * @param marking a reachable marking in which no transition may fire
+     * @param trace a firing sequence that leads there from the initial marking; no single firing can be left out of it
+     */
+    public record CanDeadlock(Marking marking, List<Transition> trace) implements Result {
+        public CanDeadlock {
+            requireNonNull(marking, "marking");
+            trace = List.copyOf(trace);
+        }
+    }
+
+    /**
+     * No reachable marking is dead.
+     *
+     * @param reason in words
+     * @param markings how many markings of the reduced net were visited for the proof; 0 without a search
+     */
+    public record Proved(String reason, int markings) implements Result {
+        public Proved {
+            requireNonNull(reason, "reason");
+        }
+    }
+
+    /**
+     * Not known.
+     *
+     * @param end why the search ended
+     * @param markings how many markings of the reduced net were visited; none of them is dead
+     */
+    public record Unknown(SearchEnd end, int markings) implements Result {
+        public Unknown {
+            requireNonNull(end, "end");
+        }
+    }
+
+    /** Searches up to {@link ReachabilityGraph#DEFAULT_MAX_MARKINGS} markings of the reduced net. */
+    public static Result decide(PetriNet net) {
+        return decide(net, SearchLimits.markings(ReachabilityGraph.DEFAULT_MAX_MARKINGS));
+    }
+
+    /** Searches within {@code limits}, which apply to the last search; cancellation ends all of them. */
+    public static Result decide(PetriNet net, SearchLimits limits) {
+        return decide(net, EnumSet.allOf(Reduction.class), limits);
+    }
+
+    /** Searches within {@code limits} with only these {@code reductions}. */
+    public static Result decide(PetriNet net, Set<Reduction> reductions, SearchLimits limits) {
+        return new DeadlockCheck(net, reductions, limits).decide();
+    }
+
+    private Result decide() {
+        var cheap = EnumSet.noneOf(Reduction.class);
+        cheap.addAll(reductions);
+        cheap.remove(Reduction.IMPLIED_PLACES);
+        var first = reduce(cheap);
+        if (neverDead(first)) {
+            return byReduction();
+        }
+        var size = (long) first.net().transitions().size();
+        var found = hunt(first, Math.min(MAX_FIRST_HUNT, (size + FIRINGS_PER_TRANSITION) * size));
+        if (found.isPresent()) {
+            return found.get();
+        }
+        var reduced = reductions.equals(cheap) ? first : reduce(reductions);
+        if (neverDead(reduced)) {
+            return byReduction();
+        }
+        var few = search(reduced, limits.atMost(FEW_MARKINGS));
+        if (!(few instanceof Unknown unknown)
+                || unknown.end() != SearchEnd.LIMIT
+                || unknown.markings() < FEW_MARKINGS) {
+            return few;
+        }
+        if (holdsTraps(reduced.net())) {
+            return new Proved("every siphon of the reduced net contains a marked trap", 0);
+        }
+        return hunt(reduced, LONG_HUNT).<Result>map(dead -> dead).orElseGet(() -> search(reduced, limits));
+    }
+
+    /** Whether siphons prove that no marking is dead: in a dead marking the places without tokens are a siphon. */
+    private boolean holdsTraps(PetriNet smaller) {
+        var isOrdinary = smaller.transitions().stream()
+                .allMatch(t -> t.inhibitors().isEmpty() && t.inputs().stream().allMatch(arc -> arc.weight() == 1));
+        if (!isOrdinary || smaller.places().size() > MAX_SIPHON_PLACES) {
+            return false;
+        }
+        var siphons = Siphons.minimalSiphons(smaller, MAX_SIPHON_STEPS, limits.cancelled());
+        return siphons.isComplete()
+                && siphons.sets().stream()
+                        .allMatch(siphon -> Siphons.largestTrapIn(siphon).isMarked(smaller.initialMarking()));
+    }
+
+    private Reducer.Reduced reduce(Set<Reduction> rules) {
+        return Reducer.reduce(net, rules, limits.cancelled());
+    }
+
+    private static Proved byReduction() {
+        return new Proved("reductions leave a transition that needs no tokens", 0);
+    }
+
+    private static boolean neverDead(Reducer.Reduced reduced) {
+        return reduced.net().transitions().stream()
+                .anyMatch(t -> t.inputs().isEmpty() && t.inhibitors().isEmpty());
+    }
+
+    private Optional<CanDeadlock> hunt(Reducer.Reduced reduced, long firings) {
+        return new CounterexampleHunt(FlatNet.of(reduced.net()), limits.cancelled())
+                .run(firings)
+                .map(trace -> canDeadlock(reduced, trace));
+    }
+
+    private Result search(Reducer.Reduced reduced, SearchLimits within) {
+        var search = DeadlockSearch.run(reduced.net(), within);
+        var dead = search.deadlocks();
+        if (!dead.isEmpty()) {
+            return canDeadlock(
+                    reduced,
+                    dead.getFirst().trace().stream().mapToInt(Transition::index).toArray());
+        }
+        return search.end() == SearchEnd.COMPLETE
+                ? new Proved("all markings of the reduced net by stubborn sets", search.visitedMarkings())
+                : new Unknown(search.end(), search.visitedMarkings());
+    }
+
+    private CanDeadlock canDeadlock(Reducer.Reduced reduced, int[] trace) {
+        var whole = reduced.translate(trace);
+        if (!TraceShortener.leadsToDeadMarking(flat, whole)) {
+            throw new IllegalStateException(
+                    "net " + net.name() + ": the trace of the reduced net leads to no dead marking");
+        }
+        var transitions = Arrays.stream(new TraceShortener(flat).shorten(whole))
+                .mapToObj(net.transitions()::get)
+                .toList();
+        return new CanDeadlock(net.fire(net.initialMarking(), transitions), transitions);
+    }
+}

@@ -1,0 +1,162 @@
+package io.troupe.petri.deadlock;
+
+import static io.troupe.petri.Nets.net;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.petri.Nets;
+import io.troupe.petri.PetriNet;
+import io.troupe.petri.ReachabilityGraph;
+import io.troupe.petri.SearchEnd;
+import io.troupe.petri.SearchLimits;
+import io.troupe.petri.Transition;
+import io.troupe.petri.deadlock.DeadlockCheck.CanDeadlock;
+import io.troupe.petri.deadlock.DeadlockCheck.Proved;
+import io.troupe.petri.deadlock.DeadlockCheck.Reduction;
+import io.troupe.petri.deadlock.DeadlockCheck.Unknown;
+import java.util.EnumMap;
+import java.util.EnumSet;
+import java.util.List;
+import java.util.Random;
+import java.util.Set;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
+
+/** The whole decision, and the reductions, hunts and proofs by themselves, compared with the full graph. */
+class DeadlockCheckTest {
+    private static final SearchLimits LIMITS = SearchLimits.markings(3000);
+
+    /**
+     * Each philosopher takes the fork of the same number first; with {@code leftHanded} the last one takes it second.
+     */
+    private static PetriNet philosophers(int count, boolean leftHanded) {
+        var net = PetriNet.builder("philosophers");
+        for (var i = 0; i < count; i++) {
+            net.place("thinks" + i, 1).place("holds" + i).place("eats" + i).place("fork" + i, 1);
+        }
+        for (var i = 0; i < count; i++) {
+            var swaps = leftHanded && i == count - 1;
+            var first = "fork" + (swaps ? (i + 1) % count : i);
+            var second = "fork" + (swaps ? i : (i + 1) % count);
+            net.transition("first" + i, List.of("thinks" + i, first), List.of("holds" + i));
+            net.transition("second" + i, List.of("holds" + i, second), List.of("eats" + i));
+            net.transition("put" + i, List.of("eats" + i), List.of("thinks" + i, first, second));
+        }
+        return net.build();
+    }
+
+    private static boolean isDead(PetriNet net, List<Transition> trace) {
+        return net.enabled(net.fire(net.initialMarking(), trace)).isEmpty();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2", "5", "50", "300"})
+    void philosophers_deadlockInOneFiringEach(int count) {
+        var net = philosophers(count, false);
+        var result = (CanDeadlock) DeadlockCheck.decide(net, SearchLimits.markings(1));
+        assertThat(result.trace()).hasSize(count);
+        assertThat(result.marking().marked())
+                .hasSize(count)
+                .allMatch(place -> place.name().startsWith("holds"));
+        assertThat(isDead(net, result.trace())).isTrue();
+    }
+
+    @ParameterizedTest
+    @CsvSource({"2", "6"})
+    void oneLeftHandedPhilosopher_preventsIt(int count) {
+        var result = (Proved) DeadlockCheck.decide(philosophers(count, true));
+        assertThat(result.markings()).isLessThan(1000);
+    }
+
+    @Test
+    void result_tellsWhyItIsNotKnown() {
+        var net = philosophers(6, true);
+        assertThat(DeadlockCheck.decide(net, Set.of(), SearchLimits.markings(10)))
+                .isEqualTo(new Unknown(SearchEnd.LIMIT, 10));
+        assertThat(DeadlockCheck.decide(net, LIMITS.cancelledBy(() -> true)))
+                .isInstanceOfSatisfying(
+                        Unknown.class, unknown -> assertThat(unknown.end()).isEqualTo(SearchEnd.CANCELLED));
+        assertThat(DeadlockCheck.decide(net("free", "n", "up: > n")))
+                .isEqualTo(new Proved("reductions leave a transition that needs no tokens", 0));
+        assertThat(((CanDeadlock) DeadlockCheck.decide(net("still", "n"))).trace())
+                .isEmpty();
+    }
+
+    /** Every rule alone and all together: the same verdict as the full graph, and traces that can be translated. */
+    @Test
+    void reductions_ofRandomNets_keepWhetherTheyCanDeadlock() {
+        var used = new EnumMap<Reduction, Integer>(Reduction.class);
+        var smaller = 0;
+        var dead = 0;
+        for (var seed = 1L; seed <= 3000; seed++) {
+            var random = new Random(seed);
+            var plain = seed % 3 == 0 ? Nets.sparse(seed, 2) : Nets.any(random);
+            var net = seed % 2 == 0 ? Nets.inhibited(plain, random) : plain;
+            var graph = ReachabilityGraph.explore(net, LIMITS);
+            if (!graph.isComplete()) {
+                continue;
+            }
+            for (var rule : Reduction.values()) {
+                used.merge(rule, compare(seed, net, graph, Set.of(rule)) ? 1 : 0, Integer::sum);
+            }
+            smaller += compare(seed, net, graph, EnumSet.allOf(Reduction.class)) ? 1 : 0;
+            dead += graph.dead().isEmpty() ? 0 : 1;
+        }
+        assertThat(used).as("uses of the rules").hasSize(Reduction.values().length);
+        assertThat(used.values()).as("%s", used).allMatch(count -> count > 60);
+        assertThat(smaller).isGreaterThan(1000);
+        assertThat(dead).isGreaterThan(500);
+    }
+
+    /** Whether the reduced net is smaller. */
+    private static boolean compare(long seed, PetriNet net, ReachabilityGraph graph, Set<Reduction> rules) {
+        var reduced = Reducer.reduce(net, rules, () -> false);
+        var small = ReachabilityGraph.explore(reduced.net(), LIMITS);
+        assertThat(small.dead().isEmpty())
+                .as("seed %d, %s: %s", seed, rules, reduced.net())
+                .isEqualTo(graph.dead().isEmpty());
+        for (var state : small.dead().subList(0, Math.min(20, small.dead().size()))) {
+            var trace =
+                    state.shortestTrace().stream().mapToInt(Transition::index).toArray();
+            assertThat(TraceShortener.leadsToDeadMarking(FlatNet.of(net), reduced.translate(trace)))
+                    .as("seed %d, %s", seed, rules)
+                    .isTrue();
+        }
+        return reduced.net().places().size() < net.places().size()
+                || reduced.net().transitions().size() < net.transitions().size()
+                || !reduced.net()
+                        .initialMarking()
+                        .toString()
+                        .equals(net.initialMarking().toString());
+    }
+
+    @Test
+    void decisions_ofRandomNets_areThoseOfTheFullGraph() {
+        var found = 0;
+        var proved = 0;
+        for (var seed = 1L; seed <= 1500; seed++) {
+            var random = new Random(-seed);
+            var net = seed % 2 == 0 ? Nets.inhibited(Nets.any(random), random) : Nets.any(random);
+            var graph = ReachabilityGraph.explore(net, LIMITS);
+            if (!graph.isComplete()) {
+                continue;
+            }
+            switch (DeadlockCheck.decide(net, LIMITS)) {
+                case CanDeadlock dead -> {
+                    found++;
+                    assertThat(isDead(net, dead.trace())).as("seed %d", seed).isTrue();
+                    assertThat(net.fire(net.initialMarking(), dead.trace())).isEqualTo(dead.marking());
+                    var nearest = graph.dead().getFirst().shortestTrace().size();
+                    assertThat(dead.trace()).as("seed %d", seed).hasSizeGreaterThanOrEqualTo(nearest);
+                }
+                case Proved proof -> {
+                    proved++;
+                    assertThat(graph.dead()).as("seed %d: %s", seed, proof).isEmpty();
+                }
+                case Unknown unknown -> assertThat(unknown).as("seed %d", seed).isNull();
+            }
+        }
+        assertThat(found).isGreaterThan(400);
+        assertThat(proved).isGreaterThan(200);
+    }
+}
