@@ -1,11 +1,14 @@
 package io.troupe.petri.bip;
 
 import static java.util.Objects.requireNonNull;
+import static java.util.stream.Collectors.toSet;
 
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;
+import java.util.stream.Stream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The behaviour of a component: an automaton whose steps are labelled with ports. A step happens only as a part of an
@@ -19,12 +22,13 @@ import java.util.Set;
  *
  * <p><b>Order.</b> Places and ports are in the order in which the steps name them, the initial place first.
  *
- * <p><b>Errors.</b> Names have letters, digits and underscores, and are no words of the BIP language; anything else,
- * and a step that is there already, throws {@link IllegalArgumentException}.
+ * <p><b>Errors.</b> Names have letters, digits and underscores, and are no words of the BIP language. Two steps from
+ * one place have different ports, and no port is called like a place. Anything else throws
+ * {@link IllegalArgumentException}.
  *
  * @param name the name of the type
  * @param initial the place in which it starts
- * @param steps its steps; several for one port and place are a choice
+ * @param steps its steps
  */
 public record AtomType(String name, String initial, List<Step> steps) {
     /** A step from one place to another. */
@@ -39,13 +43,23 @@ public record AtomType(String name, String initial, List<Step> steps) {
         Names.require("atom type", name);
         Names.require("place of " + name, initial);
         steps = List.copyOf(steps);
-        var distinct = new LinkedHashSet<Step>();
+        var leaving = new LinkedHashSet<String>();
         for (var step : steps) {
             Names.require("port of " + name, step.port());
             Names.require("place of " + name, step.from());
             Names.require("place of " + name, step.to());
-            if (!distinct.add(step)) {
-                throw new IllegalArgumentException(name + " has the step \"" + step + "\" twice, expected it once");
+            if (!leaving.add(step.port() + " " + step.from())) {
+                throw new IllegalArgumentException(name + " has two steps on " + step.port() + " from " + step.from()
+                        + ", expected one; for a choice use two ports");
+            }
+        }
+        var places = steps.stream()
+                .flatMap(step -> Stream.of(step.from(), step.to()))
+                .collect(toSet());
+        for (var step : steps) {
+            if (places.contains(step.port()) || step.port().equals(initial)) {
+                throw new IllegalArgumentException(
+                        name + " has a port and a place called " + step.port() + ", expected different names");
             }
         }
     }
@@ -77,12 +91,14 @@ public record AtomType(String name, String initial, List<Step> steps) {
         return steps.stream().map(Step::port).distinct().toList();
     }
 
-    /** The places to which a port leads from a place; none if the port is not enabled there. */
-    List<String> targets(String port, String from) {
+    /** The place to which a port leads from a place; null if the port is not enabled there. */
+    @Nullable
+    String target(String port, String from) {
         return steps.stream()
                 .filter(step -> step.port().equals(port) && step.from().equals(from))
                 .map(Step::to)
-                .toList();
+                .findFirst()
+                .orElse(null);
     }
 
     /** The places in which a port is enabled. */

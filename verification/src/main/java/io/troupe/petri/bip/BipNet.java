@@ -14,8 +14,8 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * The Petri net of a model: a place for each place of each component, a transition for each interaction and each choice
- * of steps. Its reachable markings are the states of the model, and its firings are the interactions.
+ * The Petri net of a model: a place for each place of each component, a transition for each interaction and each
+ * combination of steps. Its reachable markings are the states of the model, and its firings are the interactions.
  *
  * <p>Maximal progress and priorities become conditions of transitions, not priorities of the net: those would also hold
  * back interactions that the model does not compare. A transition that has to wait while a port of another component is
@@ -122,7 +122,7 @@ public record BipNet(PetriNet net, Map<String, Interaction> interactions) {
 
         // ---- which transitions
 
-        /** Goes through the choices of steps for the ends of an interaction, from one end on. */
+        /** Goes through the combinations of steps for the ends of an interaction, from one end on. */
         private void choose(Interaction interaction, int end, Map<String, AtomType.Step> steps) {
             if (end == interaction.ends().size()) {
                 var places = new LinkedHashMap<String, String>();
@@ -171,7 +171,7 @@ public record BipNet(PetriNet net, Map<String, Interaction> interactions) {
             var type = type(end.component());
             var place = known.places().get(end.component());
             if (place != null) {
-                if (type.targets(end.port(), place).isEmpty()) {
+                if (type.target(end.port(), place) == null) {
                     wait(interaction, steps, others, known);
                 } else {
                     block(interaction, steps, above, number + 1, known);
@@ -191,8 +191,7 @@ public record BipNet(PetriNet net, Map<String, Interaction> interactions) {
                 return; // enabled here, it can happen
             }
             for (var enabling : type.enabling(end.port())) {
-                if (known.disabled(end.component()).stream()
-                        .allMatch(port -> type.targets(port, enabling).isEmpty())) {
+                if (known.disabled(end.component()).stream().allMatch(port -> type.target(port, enabling) == null)) {
                     block(interaction, steps, above, number + 1, known.with(end.component(), enabling));
                 }
             }
@@ -205,7 +204,7 @@ public record BipNet(PetriNet net, Map<String, Interaction> interactions) {
         }
 
         private static boolean isMissing(AtomType type, String port, String place) {
-            return type.targets(port, place).isEmpty();
+            return type.target(port, place) == null;
         }
 
         private void addPlaces(PetriNetBuilder builder, String component, AtomType type) {

@@ -1,5 +1,7 @@
 package io.troupe.petri.bip;
 
+import static java.util.Objects.requireNonNull;
+
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.SearchProgress;
@@ -58,13 +60,13 @@ public final class BipStates {
      * An interaction by numbers.
      *
      * @param components the component of each end
-     * @param targets by end and place: the places to which the port leads
+     * @param targets by end and place: the place to which the port leads, or -1
      * @param above the interactions that go before it
      */
-    private record Rule(Interaction interaction, int[] components, int[][][] targets, int[] above) {
+    private record Rule(Interaction interaction, int[] components, int[][] targets, int[] above) {
         boolean isEnabled(String state) {
             for (var i = 0; i < components.length; i++) {
-                if (targets[i][state.charAt(components[i])].length == 0) {
+                if (targets[i][state.charAt(components[i])] < 0) {
                     return false;
                 }
             }
@@ -84,21 +86,20 @@ public final class BipStates {
                     interaction.ends().stream()
                             .mapToInt(each -> components.indexOf(each.component()))
                             .toArray(),
-                    interaction.ends().stream().map(this::targets).toArray(int[][][]::new),
+                    interaction.ends().stream().map(this::targets).toArray(int[][]::new),
                     model.smallestAbove(interaction).stream()
                             .mapToInt(numbers::get)
                             .toArray()));
         }
     }
 
-    private int[][] targets(Connector.End end) {
-        var type = model.components().get(end.component());
+    private int[] targets(Connector.End end) {
+        var type = requireNonNull(model.components().get(end.component()));
         var places = type.places();
         return places.stream()
-                .map(place -> type.targets(end.port(), place).stream()
-                        .mapToInt(places::indexOf)
-                        .toArray())
-                .toArray(int[][]::new);
+                .map(place -> type.target(end.port(), place))
+                .mapToInt(target -> target == null ? -1 : places.indexOf(target))
+                .toArray();
     }
 
     /** Explores up to {@link #DEFAULT_MAX_STATES} states. */
@@ -145,10 +146,8 @@ public final class BipStates {
         var enabled = enabled(from);
         var next = new LinkedHashMap<String, Interaction>();
         for (var rule = enabled.nextSetBit(0); rule >= 0; rule = enabled.nextSetBit(rule + 1)) {
-            for (var target : targets(rules.get(rule), from)) {
-                edges++;
-                next.putIfAbsent(target, rules.get(rule).interaction());
-            }
+            edges++;
+            next.putIfAbsent(target(rules.get(rule), from), rules.get(rule).interaction());
         }
         next.keySet().removeIf(indexes::containsKey);
         if (found.size() + next.size() > most) {
@@ -183,22 +182,14 @@ public final class BipStates {
         return may;
     }
 
-    /** The states to which an enabled interaction leads: one for each choice of the components' steps. */
-    private static List<String> targets(Rule rule, String from) {
-        var states = List.of(from);
+    /** The state to which an enabled interaction leads. */
+    private static String target(Rule rule, String from) {
+        var target = new StringBuilder(from);
         for (var i = 0; i < rule.components().length; i++) {
             var at = rule.components()[i];
-            var more = new ArrayList<String>();
-            for (var state : states) {
-                for (var target : rule.targets()[i][from.charAt(at)]) {
-                    var changed = new StringBuilder(state);
-                    changed.setCharAt(at, (char) target);
-                    more.add(changed.toString());
-                }
-            }
-            states = more;
+            target.setCharAt(at, (char) rule.targets()[i][from.charAt(at)]);
         }
-        return states;
+        return target.toString();
     }
 
     /** A reachable state: the place of each component. */
@@ -246,17 +237,19 @@ public final class BipStates {
         }
 
         /**
-         * One edge for each interaction that may happen in this state and for each choice of steps; those that lead to
-         * states that were not found are missing.
+         * One edge for each interaction that may happen in this state; those that lead to states that were not found
+         * are missing.
          */
         public List<Edge> successors() {
+            var edges = new ArrayList<Edge>();
             var state = found.get(index);
-            return enabled(state).stream()
-                    .mapToObj(rules::get)
-                    .flatMap(rule -> targets(rule, state).stream()
-                            .filter(indexes::containsKey)
-                            .map(target -> new Edge(rule.interaction(), new State(indexes.get(target)))))
-                    .toList();
+            enabled(state).stream().mapToObj(rules::get).forEach(rule -> {
+                var target = indexes.get(target(rule, state));
+                if (target != null) {
+                    edges.add(new Edge(rule.interaction(), new State(target)));
+                }
+            });
+            return List.copyOf(edges);
         }
 
         private BipStates owner() {
