@@ -14,6 +14,7 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
@@ -36,7 +37,8 @@ import java.util.stream.Stream;
  * published without a subscriber only while it has none.
  *
  * <p>The model has no data and no time. It leaves out that a provider may be suspect, and the order in which the
- * application stops its components. A failed component is started again only while a need waits for it.
+ * application stops its components. A failed component is started again only while a need waits for it. At its end the
+ * application closes its needs one after the other.
  *
  * <p><b>Source.</b> The classes {@code Lifecycle}, {@code BrokerActor}, {@code Application} and {@code TopicWiring}.
  */
@@ -65,9 +67,14 @@ final class ApplicationBip {
         return new ApplicationBip(plan).build();
     }
 
-    /** Whether the application has ended, with or without an error. */
+    /** The name of a component in the model. */
+    static String name(ApplicationPlan plan, String component) {
+        return new ApplicationBip(plan).name(component);
+    }
+
+    /** Whether the application has ended, also because a need was not met. */
     static boolean hasEnded(BipStates.State state) {
-        return state.isIn(APPLICATION, "ended", "ended_missing");
+        return state.isIn(APPLICATION, "ended");
     }
 
     /**
@@ -101,7 +108,7 @@ final class ApplicationBip {
 
     private static boolean isName(String name) {
         try {
-            AtomType.starting(name, "place");
+            AtomType.starting(name, "here");
             return true;
         } catch (IllegalArgumentException reserved) {
             return false;
@@ -157,7 +164,7 @@ final class ApplicationBip {
     private AtomType type(String name, AtomType behaviour) {
         return types.computeIfAbsent(behaviour, unnamed -> {
             var taken = new TreeSet<>(typeNames);
-            var plain = name.substring(0, 1).toUpperCase(java.util.Locale.ROOT) + name.substring(1);
+            var plain = name.substring(0, 1).toUpperCase(Locale.ROOT) + name.substring(1);
             typeNames.add(identifier(plain, taken));
             return new AtomType(typeNames.getLast(), unnamed.initial(), unnamed.steps());
         });
@@ -194,26 +201,20 @@ final class ApplicationBip {
         if (!plan.replacements().isEmpty()) {
             application = loops(application, "running", "runs");
         }
-        application = end(each(application, "stop", before, "ending"), "");
+        var closes = plan.needs().size() + plan.replacements().size();
+        application = each(application, "stop", before, closes > 0 ? "closes1" : "ending");
         if (!plan.needs().isEmpty()) {
-            application = end(each(application, "missing", before, "ending_missing"), "_missing");
+            application = each(application, "missing", before, "closes1");
         }
-        return application;
-    }
-
-    /** The end: all components are stopped, one after the other. */
-    private AtomType end(AtomType application, String how) {
-        var ending = "ending" + how;
-        return application
-                .on("terminate", ending, "stops" + how)
-                .on("terminated", "stops" + how, ending)
-                .on("terminated", ending, ending)
-                .on("finish", ending, "ended" + how);
+        for (var i = 1; i <= closes; i++) {
+            application = application.on("close" + i, "closes" + i, i < closes ? "closes" + (i + 1) : "ending");
+        }
+        return application.on("terminate", "ending", "ending").on("finish", "ending", "ended");
     }
 
     /** The automaton of {@code Lifecycle}, without a name; a termination that fails leaves a failed component. */
     private AtomType component(String name) {
-        var type = AtomType.starting("component", "not_invoked");
+        var type = AtomType.starting("Component", "not_invoked");
         type = type.on("invoke", "not_invoked", "invoking")
                 .on("invoked", "invoking", "running")
                 .on("terminate", "invoking", "terminating")
@@ -266,7 +267,7 @@ final class ApplicationBip {
     }
 
     private AtomType need(Need need) {
-        var type = AtomType.starting("need", "unasked").on("ask", "unasked", "choosing");
+        var type = AtomType.starting("Need", "unasked").on("ask", "unasked", "choosing");
         var places = new ArrayList<>(List.of("unasked", "choosing", "unmet"));
         var wires = new LinkedHashSet<String>();
         for (var candidate : candidates(need)) {
@@ -294,8 +295,8 @@ final class ApplicationBip {
         for (var name : wires) {
             type = loops(type, "forward_" + name, "using_" + name);
         }
-        type = type.on("none", "choosing", "unmet").on("give_up", "unmet", "closed");
-        return each(type, "close", places, "closed");
+        type = type.on("none", "choosing", "unmet").on("give_up", "unmet", "gave_up");
+        return loops(each(type, "close", places, "closed"), "close", "gave_up");
     }
 
     private static final AtomType REPLACEMENT = replacementType();
@@ -308,8 +309,8 @@ final class ApplicationBip {
                 .on("lost", "switching", "refused")
                 .on("exchange", "switching", "stopping")
                 .on("terminate", "stopping", "stops")
-                .on("terminated", "stops", "done")
-                .on("rests", "stopping", "done");
+                .on("stopped", "stops", "done")
+                .on("stopped", "stopping", "done");
         type = loops(type, "before", "waiting", "starting", "switching", "refused");
         type = loops(type, "after", "stopping", "stops", "done");
         return each(
@@ -350,9 +351,7 @@ final class ApplicationBip {
         for (var i = 1; i < choices.size(); i++) {
             model.priority(choices.get(i), choices.get(i - 1));
         }
-        var giveUp = new ArrayList<>(List.of(APPLICATION + ".missing", user + ".give_up"));
-        giveUp.addAll(closings(user));
-        model.connector(user + "_missing", giveUp.toArray(String[]::new));
+        model.connector(user + "_missing", APPLICATION + ".missing", user + ".give_up");
     }
 
     /** Adds a connector that also needs the candidate to be registered now. */
@@ -367,19 +366,6 @@ final class ApplicationBip {
         }
         model.connector(connector, all.toArray(String[]::new));
         return connector;
-    }
-
-    /** The ends of a connector that closes all needs and replacements but one. */
-    private List<String> closings(String without) {
-        var ends = new ArrayList<String>();
-        for (var i = 0; i < plan.needs().size(); i++) {
-            ends.add(need(i) + ".close");
-        }
-        for (var i = 0; i < plan.replacements().size(); i++) {
-            ends.add(replacement(i) + ".close");
-        }
-        ends.remove(without + ".close");
-        return ends;
     }
 
     private void connect(int number, Replacement what) {
@@ -397,10 +383,7 @@ final class ApplicationBip {
         }
         model.connector(atom + "_exchange", exchange.toArray(String[]::new));
         model.connector(atom + "_terminate", atom + ".terminate", old + ".terminate");
-        model.connector(atom + "_rests", atom + ".rests", old + ".rests");
-        for (var end : List.of("terminated", "not_terminated")) {
-            model.connector(atom + "_" + end, atom + ".terminated", old + "." + end);
-        }
+        model.connector(atom + "_stopped", atom + ".stopped", old + ".rests");
     }
 
     private void connectLifecycle(String component) {
@@ -419,9 +402,8 @@ final class ApplicationBip {
         }
         model.connector(name + "_fails", fails.toArray(String[]::new));
         model.connector(name + "_terminate", APPLICATION + ".terminate", name + ".terminate");
-        for (var end : List.of("terminated", "not_terminated")) {
-            model.connector(name + "_" + end, APPLICATION + ".terminated", name + "." + end);
-        }
+        model.connector(name + "_terminated", name + ".terminated");
+        model.connector(name + "_not_terminated", name + ".not_terminated");
     }
 
     private void connectTopics(String component, Component<?, ?> publisher) {
@@ -467,9 +449,17 @@ final class ApplicationBip {
     }
 
     private void connectEnd() {
-        var stop = new ArrayList<>(List.of(APPLICATION + ".stop"));
-        stop.addAll(closings(""));
-        model.connector("stop", stop.toArray(String[]::new));
+        model.connector("stop", APPLICATION + ".stop");
+        var closing = new ArrayList<String>();
+        for (var i = 0; i < plan.needs().size(); i++) {
+            closing.add(need(i));
+        }
+        for (var i = 0; i < plan.replacements().size(); i++) {
+            closing.add(replacement(i));
+        }
+        for (var i = 1; i <= closing.size(); i++) {
+            model.connector("close" + i, APPLICATION + ".close" + i, closing.get(i - 1) + ".close");
+        }
         var finish = new ArrayList<>(List.of(APPLICATION + ".finish"));
         plan.components().keySet().forEach(component -> finish.add(name(component) + ".rests"));
         model.connector("finish", finish.toArray(String[]::new));
