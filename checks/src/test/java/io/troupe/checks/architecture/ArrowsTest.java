@@ -79,6 +79,7 @@ class ArrowsTest {
         "petri..,               common..",
         "petri,                 common..",
         "petri.structure,       petri",
+        "petri.bip,             petri common..",
         "view..,                actor.. bus broker.. player.. sim.. services.. common.."
     })
     void room_importsOnlyTheRoomsThatItMay(String from, String to) {

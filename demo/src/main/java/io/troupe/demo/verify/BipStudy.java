@@ -18,6 +18,7 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Consumer;
 import java.util.function.Predicate;
 import java.util.stream.Collectors;
@@ -87,8 +88,7 @@ final class BipStudy {
     }
 
     /** A declared application: what has to hold of each is an error unless it does. */
-    int application(ApplicationPlan plan) throws IOException {
-        BipModel model = ApplicationBip.of(plan);
+    int application(ApplicationPlan plan, BipModel model) throws IOException {
         var states = search(model);
         var stuck = states.dead().stream()
                 .filter(state -> !ApplicationBip.hasEnded(state))
@@ -163,13 +163,11 @@ final class BipStudy {
     }
 
     private void compare(BipModel model, BipStates states) {
-        BipNet net;
-        try {
-            net = BipNet.of(model);
-        } catch (IllegalArgumentException tooLarge) {
-            results.accept("  " + tooLarge.getMessage() + "\n");
+        Optional<BipNet> translated = net(model);
+        if (translated.isEmpty()) {
             return;
         }
+        BipNet net = translated.get();
         var graph = ReachabilityGraph.explore(net.net(), limits);
         var same = graph.isComplete()
                 && graph.size() == states.size()
@@ -179,8 +177,18 @@ final class BipStudy {
                 + net.net().transitions().size() + " transitions: "
                 + (same ? "the same" : "NOT THE SAME: " + graph.size() + " markings, " + graph.edgeCount() + " firings")
                 + "\n");
-        if (graph.isComplete() && !same) {
+        if (graph.isComplete() && !same) { // a defect of this program
             throw new IllegalStateException("the states of " + model + " and the markings of its net differ");
+        }
+    }
+
+    /** The net of a model, unless it would be too large. */
+    private Optional<BipNet> net(BipModel model) {
+        try {
+            return Optional.of(BipNet.of(model));
+        } catch (IllegalArgumentException tooLarge) {
+            results.accept("  " + tooLarge.getMessage() + "\n");
+            return Optional.empty();
         }
     }
 
@@ -222,13 +230,14 @@ final class BipStudy {
                     + " components and connectors\n");
             return;
         }
-        OutputFiles.write(
-                file,
-                switch (kind) {
-                    case "svg" -> BipDrawing.of(model).svg();
-                    case "pnml" -> Pnml.toText(BipNet.of(model).net());
-                    default -> BipText.of(model);
-                });
-        results.accept("  wrote " + file + "\n");
+        Optional<String> content = switch (kind) {
+            case "svg" -> Optional.of(BipDrawing.of(model).svg());
+            case "pnml" -> net(model).map(net -> Pnml.toText(net.net()));
+            default -> Optional.of(BipText.of(model));
+        };
+        if (content.isPresent()) {
+            OutputFiles.write(file, content.get());
+            results.accept("  wrote " + file + "\n");
+        }
     }
 }

@@ -11,6 +11,7 @@ import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.Pnml;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.bip.BipModel;
 import io.troupe.services.component.application.ApplicationReader;
 import io.troupe.services.component.kinds.ComponentKinds;
 import java.io.IOException;
@@ -188,8 +189,14 @@ public final class VerifyCommand implements Callable<Integer> {
             return study.paper();
         }
         try (var opened = jars) {
-            return study.application(
-                    ApplicationReader.read(file, ComponentKinds.standard(opened.catalogue(file)), VALUES));
+            var plan = ApplicationReader.read(file, ComponentKinds.standard(opened.catalogue(file)), VALUES);
+            BipModel model;
+            try {
+                model = ApplicationBip.of(plan);
+            } catch (IllegalArgumentException e) {
+                throw new ParameterException(spec.commandLine(), file + ": " + e.getMessage(), e);
+            }
+            return study.application(plan, model);
         }
     }
 

@@ -120,7 +120,7 @@ public final class BipDrawing {
             }
             for (var component : components) {
                 for (var port : type(component).ports()) {
-                    ports.put(component + "." + port, graph.port(components.indexOf(component), PORT_PX));
+                    ports.put(component + "." + port, graph.port(components.indexOf(component), PORT_PX, TITLE_PX));
                 }
             }
             for (var connector : model.connectors()) {

@@ -9,6 +9,7 @@ import org.eclipse.elk.alg.layered.options.LayeredOptions;
 import org.eclipse.elk.alg.layered.options.NodePlacementStrategy;
 import org.eclipse.elk.alg.layered.options.WrappingStrategy;
 import org.eclipse.elk.core.data.LayoutMetaDataService;
+import org.eclipse.elk.core.math.ElkMargin;
 import org.eclipse.elk.core.math.ElkPadding;
 import org.eclipse.elk.core.options.Direction;
 import org.eclipse.elk.core.options.EdgeRouting;
@@ -112,6 +113,7 @@ final class Layout {
     private static ElkPort add(ElkNode node, LayoutGraph.Port sketched) {
         var port = ElkGraphUtil.createPort(node);
         port.setDimensions(sketched.sidePx(), sketched.sidePx());
+        node.setProperty(LayeredOptions.SPACING_PORTS_SURROUNDING, new ElkMargin(sketched.topPx(), 0, 0, 0));
         return port;
     }
 
