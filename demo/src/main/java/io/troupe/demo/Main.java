@@ -117,9 +117,9 @@ public final class Main implements Callable<Integer> {
         System.exit(status);
     }
 
-    /** True for {@code verify --net}, where exit status 1 means that the net can deadlock. */
+    /** True for {@code verify --net} and {@code verify --bip}, where exit status 1 is a verdict. */
     private static boolean hasVerdict(String... arguments) {
-        return Arrays.stream(arguments).anyMatch(each -> each.equals("--net") || each.startsWith("--net="));
+        return Arrays.stream(arguments).anyMatch(each -> each.matches("--(net|bip)(=.*)?"));
     }
 
     /** Runs a command and returns its exit status, one of {@link #exitStatuses}. */

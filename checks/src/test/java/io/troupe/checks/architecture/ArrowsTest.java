@@ -82,6 +82,7 @@ class ArrowsTest {
         "petri,                 common..",
         "petri.structure,       petri",
         "petri.deadlock,        petri petri.structure",
+        "petri.bip,             petri common..",
         "view..,                actor.. bus broker.. player.. sim.. services.. common.."
     })
     void room_importsOnlyTheRoomsThatItMay(String from, String to) {

@@ -1,6 +1,7 @@
 package io.troupe.demo.verify;
 
 import io.troupe.common.measure.ProgressLine;
+import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
@@ -9,23 +10,31 @@ import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.Pnml;
+import io.troupe.petri.SearchLimits;
+import io.troupe.petri.bip.BipModel;
+import io.troupe.services.component.application.ApplicationReader;
+import io.troupe.services.component.kinds.ComponentKinds;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Arrays;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import java.util.function.Consumer;
 import java.util.function.Supplier;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 
-/** {@code troupe verify}: checks every statement of section 5 of the paper, or examines a net from a file. */
+/**
+ * {@code troupe verify}: checks every statement of section 5 of the paper, examines a net from a file, or a BIP model.
+ */
 @Command(
         name = "verify",
         description =
@@ -34,11 +43,11 @@ import picocli.CommandLine.Spec;
         showDefaultValues = true,
         exitCodeListHeading = "Exit status:%n",
         exitCodeList = {
-            "0:done; with --net: proved that no reachable marking is dead",
-            "1:failed; with --net: the net can deadlock, and nothing else",
+            "0:done; with --net: proved that no reachable marking is dead; with --bip: all that has to hold does",
+            "1:failed; with --net: the net can deadlock, and nothing else; with --bip: something does not hold",
             "2:bad input: a wrong option, a file that cannot be read or written, a net with too many tokens",
-            "3:with --net: not known within --time and --memory",
-            "4:with --net: an error in this program, or its output could not be written",
+            "3:with --net or --bip: not known within --time and --memory",
+            "4:with --net or --bip: an error in this program, or its output could not be written",
             "130:interrupted; what was known until then was printed"
         },
         exitCodeOnExecutionException = 4)
@@ -49,7 +58,24 @@ public final class VerifyCommand implements Callable<Integer> {
     @Spec
     private CommandSpec spec;
 
-    @Option(names = "--out", paramLabel = "DIR", description = "where verify.md, the nets and the drawings go")
+    @Option(
+            names = "--bip",
+            arity = "0..1",
+            fallbackValue = "",
+            paramLabel = "FILE",
+            description =
+                    "instead: the BIP model of an application (an .app file), or of the paper's two robots if no file is"
+                            + " given")
+    private @Nullable Path bip;
+
+    @Mixin
+    private ServiceJars jars;
+
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description =
+                    "where verify.md, the nets and the drawings go; with --bip also one file: a .bip, .svg or .pnml")
     private Path out = Path.of("out");
 
     @Option(
@@ -64,14 +90,14 @@ public final class VerifyCommand implements Callable<Integer> {
     @Option(
             names = "--time",
             paramLabel = "SECONDS",
-            description = "how long the searches of --net may take; then what is known is printed")
+            description = "how long the searches of --net or --bip may take; then what is known is printed")
     private double seconds = 60;
 
     @Option(
             names = "--memory",
             paramLabel = "MIB",
             defaultValue = Option.NULL_VALUE,
-            description = "how much memory the largest search of --net may take (default: 60 %% of the heap)")
+            description = "how much memory the largest search of --net or --bip may take (default: 60 %% of the heap)")
     private @Nullable Integer memoryMib;
 
     @Override
@@ -85,7 +111,12 @@ public final class VerifyCommand implements Callable<Integer> {
         if (memoryMib != null && memoryMib < 1) {
             throw new ParameterException(spec.commandLine(), "--memory is " + memoryMib + ", expected MiB, 1 or more");
         }
-        OutputDirectory.make(spec, out);
+        if (net != null && bip != null) {
+            throw new ParameterException(spec.commandLine(), "--net and --bip are given, expected one of them");
+        }
+        if (bip == null) {
+            OutputDirectory.make(spec, out);
+        }
         PrintWriter terminal = spec.commandLine().getOut();
         try (var interruption = Interruption.open();
                 var line = ProgressLine.open()) {
@@ -98,6 +129,9 @@ public final class VerifyCommand implements Callable<Integer> {
                 terminal.flush();
             });
             try {
+                if (bip != null) {
+                    return model(bip, interruption, line, results);
+                }
                 if (net != null) {
                     return examine(net, interruption, progress, results);
                 }
@@ -131,6 +165,39 @@ public final class VerifyCommand implements Callable<Integer> {
         }
         OutputFiles.write(out.resolve("verify.md"), new VerifyReport(readings, teams, wirings).markdown());
         results.accept("wrote " + out.resolve("verify.md") + ", and the nets beside it as .pnml, .dot and .svg\n");
+    }
+
+    /** The values of an application file do not matter for its model. */
+    private static final Map<String, String> VALUES = Map.of("host", "localhost", "port", "6665", "tcp", "6665");
+
+    private int model(Path file, Interruption interruption, ProgressLine line, Consumer<String> results)
+            throws IOException {
+        boolean paper = file.toString().isEmpty();
+        if (!paper) {
+            FileProblems.checkInput(spec, file, "the file of a declaration");
+        }
+        long end = System.nanoTime() + (long) (seconds * 1e9);
+        var limits = SearchLimits.markings(Integer.MAX_VALUE)
+                .cancelledBy(() -> {
+                    interruption.check();
+                    return System.nanoTime() - end > 0;
+                })
+                .reporting(10_000, found -> line.show("searching: " + found.markings() + " states"))
+                .within(bytes());
+        var study = new BipStudy(spec, out, limits, results);
+        if (paper) {
+            return study.paper();
+        }
+        try (var opened = jars) {
+            var plan = ApplicationReader.read(file, ComponentKinds.standard(opened.catalogue(file)), VALUES);
+            BipModel model;
+            try {
+                model = ApplicationBip.of(plan);
+            } catch (IllegalArgumentException e) {
+                throw new ParameterException(spec.commandLine(), file + ": " + e.getMessage(), e);
+            }
+            return study.application(plan, model);
+        }
     }
 
     /** Errors after the verdict do not change the exit status, since scripts rely on it. */
@@ -170,11 +237,14 @@ public final class VerifyCommand implements Callable<Integer> {
     private NetExamination.Limits limits(Interruption interruption) {
         var time = Duration.ofNanos((long) (seconds * 1e9));
         long start = System.nanoTime();
-        long bytes = memoryMib == null ? Runtime.getRuntime().maxMemory() / 5 * 3 : (long) memoryMib << 20;
         Supplier<Duration> left = () -> {
             interruption.check(); // polled frequently, so that Ctrl-C does not wait for the time limit
             return time.minusNanos(System.nanoTime() - start);
         };
-        return new NetExamination.Limits(time, left, bytes);
+        return new NetExamination.Limits(time, left, bytes());
+    }
+
+    private long bytes() {
+        return memoryMib == null ? Runtime.getRuntime().maxMemory() / 5 * 3 : (long) memoryMib << 20;
     }
 }

@@ -9,13 +9,16 @@ import org.eclipse.elk.alg.layered.options.LayeredOptions;
 import org.eclipse.elk.alg.layered.options.NodePlacementStrategy;
 import org.eclipse.elk.alg.layered.options.WrappingStrategy;
 import org.eclipse.elk.core.data.LayoutMetaDataService;
+import org.eclipse.elk.core.math.ElkMargin;
 import org.eclipse.elk.core.math.ElkPadding;
 import org.eclipse.elk.core.options.Direction;
 import org.eclipse.elk.core.options.EdgeRouting;
 import org.eclipse.elk.core.options.NodeLabelPlacement;
 import org.eclipse.elk.core.util.NullElkProgressMonitor;
+import org.eclipse.elk.graph.ElkConnectableShape;
 import org.eclipse.elk.graph.ElkEdge;
 import org.eclipse.elk.graph.ElkNode;
+import org.eclipse.elk.graph.ElkPort;
 import org.eclipse.elk.graph.util.ElkGraphUtil;
 import org.jspecify.annotations.Nullable;
 
@@ -39,6 +42,7 @@ final class Layout {
 
     private final Size size;
     private final List<PixelPoint> nodes = new ArrayList<>();
+    private final List<PixelPoint> ports = new ArrayList<>();
     private final List<List<PixelPoint>> routes = new ArrayList<>();
     private final List<@Nullable PixelPoint> labels = new ArrayList<>();
 
@@ -52,13 +56,21 @@ final class Layout {
         var graph = ElkGraphUtil.createGraph();
         configure(graph, layoutGraph.style, layoutGraph.nodes.size());
         var nodes = layoutGraph.nodes.stream().map(node -> add(graph, node)).toList();
+        var ports = layoutGraph.ports.stream()
+                .map(port -> add(nodes.get(port.node()), port))
+                .toList();
         var edges = layoutGraph.edges.stream()
-                .map(edge -> add(nodes.get(edge.from()), nodes.get(edge.to()), edge.label()))
+                .map(edge -> add(
+                        edge.fromPort() == null ? nodes.get(edge.from()) : ports.get(edge.fromPort()),
+                        edge.toPort() == null ? nodes.get(edge.to()) : ports.get(edge.toPort()),
+                        edge.label()))
                 .toList();
         new LayeredLayoutProvider().layout(graph, new NullElkProgressMonitor());
 
         var layout = new Layout(new Size(graph.getWidth(), graph.getHeight()));
         nodes.forEach(node -> layout.nodes.add(new PixelPoint(node.getX(), node.getY())));
+        ports.forEach(port -> layout.ports.add(new PixelPoint(
+                port.getParent().getX() + port.getX(), port.getParent().getY() + port.getY())));
         edges.forEach(layout::read);
         return layout;
     }
@@ -98,7 +110,14 @@ final class Layout {
         return node;
     }
 
-    private static ElkEdge add(ElkNode from, ElkNode to, @Nullable Size label) {
+    private static ElkPort add(ElkNode node, LayoutGraph.Port sketched) {
+        var port = ElkGraphUtil.createPort(node);
+        port.setDimensions(sketched.sidePx(), sketched.sidePx());
+        node.setProperty(LayeredOptions.SPACING_PORTS_SURROUNDING, new ElkMargin(sketched.topPx(), 0, 0, 0));
+        return port;
+    }
+
+    private static ElkEdge add(ElkConnectableShape from, ElkConnectableShape to, @Nullable Size label) {
         var edge = ElkGraphUtil.createSimpleEdge(from, to);
         if (label != null) {
             ElkGraphUtil.createLabel(TEXT, edge).setDimensions(label.width(), label.height());
@@ -129,6 +148,11 @@ final class Layout {
     /** The upper left corner of a node. */
     PixelPoint node(int number) {
         return nodes.get(number);
+    }
+
+    /** The upper left corner of a port. */
+    PixelPoint port(int number) {
+        return ports.get(number);
     }
 
     /** The points of an edge, from the border of one node's rectangle to that of the other. */

@@ -13,8 +13,16 @@ final class LayoutGraph {
     /** The size of a node and of the text below it. */
     record Node(Size size, @Nullable Size caption) {}
 
-    /** An edge between two nodes, given by their numbers. */
-    record Edge(int from, int to, @Nullable Size label) {}
+    /** An edge between two nodes, given by their numbers; it ends at ports if they are given. */
+    record Edge(
+            int from,
+            int to,
+            @Nullable Size label,
+            @Nullable Integer fromPort,
+            @Nullable Integer toPort) {}
+
+    /** A square on the left or right border of a node, at least {@code topPx} below its corner; edges end at it. */
+    record Port(int node, double sidePx, double topPx) {}
 
     /**
      * The settings that differ between the drawings; spacings in pixels.
@@ -35,6 +43,7 @@ final class LayoutGraph {
 
     final Style style;
     final List<Node> nodes = new ArrayList<>();
+    final List<Port> ports = new ArrayList<>();
     final List<Edge> edges = new ArrayList<>();
 
     LayoutGraph(Style style) {
@@ -47,6 +56,22 @@ final class LayoutGraph {
     }
 
     void edge(int from, int to, @Nullable Size label) {
-        edges.add(new Edge(from, to, label));
+        edges.add(new Edge(from, to, label, null, null));
+    }
+
+    /** Adds a port to a node, and returns its number. */
+    int port(int node, double sidePx, double topPx) {
+        ports.add(new Port(node, sidePx, topPx));
+        return ports.size() - 1;
+    }
+
+    /** Adds an edge from a port to a node without ports. */
+    void edgeFromPort(int port, int to) {
+        edges.add(new Edge(ports.get(port).node(), to, null, port, null));
+    }
+
+    /** Adds an edge from a node without ports to a port. */
+    void edgeToPort(int from, int port) {
+        edges.add(new Edge(from, ports.get(port).node(), null, null, port));
     }
 }

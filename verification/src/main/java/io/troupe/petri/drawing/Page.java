@@ -67,6 +67,11 @@ final class Page {
                 centre.x(), centre.y(), radiusPx, colour, widthPx);
     }
 
+    /** Draws a line along {@code route}, with rounded corners. */
+    void line(List<PixelPoint> route, String colour, double widthPx) {
+        line(along(route), colour, widthPx);
+    }
+
     /** Draws an arrow along a cubic curve. */
     void arrow(Curve curve, String colour, double widthPx, double headPx) {
         var shortened = nearer(curve.to, curve.second, headPx);

@@ -159,6 +159,14 @@ public record ApplicationPlan(
         return new ApplicationPlan(name, components, append(needs, need), wires, replacements, nodes, places);
     }
 
+    /**
+     * The wires that connect the user of a need with one of these components while it is the provider. They join the
+     * topics of both that have the same last name and type.
+     */
+    public List<Wire<?>> wiresBetween(String user, String provider) {
+        return TopicWiring.wiresBetween(components, user, provider);
+    }
+
     /** Permitted users of a need: the application, its components, and the owners of topics. */
     List<String> users() {
         return Stream.concat(

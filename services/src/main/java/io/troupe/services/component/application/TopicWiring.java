@@ -83,22 +83,27 @@ final class TopicWiring {
         feeds.removeIf(each -> each.need() == need);
     }
 
+    List<Wire<?>> wiresBetween(String user, String provider) {
+        return wiresBetween(components, user, provider);
+    }
+
     /**
      * The wires between a user and a provider. A provider that is not a component of this application has no known
      * topics, and so no wires.
      */
-    List<Wire<?>> wiresBetween(String user, String provider) {
+    static List<Wire<?>> wiresBetween(Map<String, Component<?, ?>> components, String user, String provider) {
         Component<?, ?> serving = components.get(provider);
         if (serving == null || user.equals(provider)) {
             return List.of();
         }
         List<Wire<?>> wires = new ArrayList<>();
-        connect(wires, topicsOf(user, allTopics(Component::publishes)), topicsOf(provider, serving.subscribes()));
-        connect(wires, topicsOf(provider, serving.publishes()), topicsOf(user, allTopics(Component::subscribes)));
+        connect(wires, topicsOf(user, all(components, Component::publishes)), topicsOf(provider, serving.subscribes()));
+        connect(wires, topicsOf(provider, serving.publishes()), topicsOf(user, all(components, Component::subscribes)));
         return wires;
     }
 
-    private List<BusTopic<?>> allTopics(Function<Component<?, ?>, List<BusTopic<?>>> topics) {
+    private static List<BusTopic<?>> all(
+            Map<String, Component<?, ?>> components, Function<Component<?, ?>, List<BusTopic<?>>> topics) {
         return components.values().stream()
                 .flatMap(component -> topics.apply(component).stream())
                 .<BusTopic<?>>map(topic -> topic)
