@@ -26,7 +26,7 @@ import java.util.function.LongFunction;
  *
  * <p><b>Units and shapes.</b> SI; robots count from 0. A step is one interval of the world, 0.1 s by default.
  *
- * <p><b>Threads.</b> One thread at a time; separate trials are independent.
+ * <p><b>Threads.</b> Between two resets the thread that steps first; separate trials are independent.
  *
  * <p><b>Errors.</b> {@link IllegalStateException} for a step before the first reset, {@link IllegalArgumentException}
  * for actions of another number than two for each robot, or that are not finite.
