@@ -34,6 +34,9 @@ final class BodyCells implements BroadPhaseStrategy {
     private float[] bounds = new float[FIELDS * 64]; // of the same boxes: least x and y, greatest x and y
     private int[] ranges = new int[FIELDS * 64]; // first column and row, last column and row; large boxes: last < first
     private int count;
+    private int[] free = new int[0]; // numbers of destroyed boxes, to be used again from the last
+    private int freeCount;
+    private int newest = NONE;
     private int side = LEAST_SIDE; // of the square of cells
     private int[] firstNodes = new int[side * side];
     private int[] nextNodes = new int[64];
@@ -51,6 +54,13 @@ final class BodyCells implements BroadPhaseStrategy {
 
     @Override
     public int createProxy(AABB box, @Nullable Object userData) {
+        if (freeCount > 0) {
+            newest = free[--freeCount];
+            data[newest] = userData;
+            fatten(newest, box, 0, 0);
+            insert(newest);
+            return newest;
+        }
         if (count == boxes.length) {
             boxes = Arrays.copyOf(boxes, 2 * count);
             data = Arrays.copyOf(data, 2 * count);
@@ -61,11 +71,11 @@ final class BodyCells implements BroadPhaseStrategy {
         data[count] = userData;
         fatten(count, box, 0, 0);
         insert(count);
-        count++;
+        newest = count++;
         if (CELLS_PER_BOX * count > side * side) {
             grow();
         }
-        return count - 1;
+        return newest;
     }
 
     private void grow() {
@@ -87,6 +97,10 @@ final class BodyCells implements BroadPhaseStrategy {
         remove(proxy);
         setRange(proxy, 1, 0, 0, 0);
         data[proxy] = null;
+        if (freeCount == free.length) {
+            free = Arrays.copyOf(free, Math.max(16, 2 * freeCount));
+        }
+        free[freeCount++] = proxy;
     }
 
     @Override
@@ -313,7 +327,7 @@ final class BodyCells implements BroadPhaseStrategy {
 
     /** The proxy created last. */
     int newestProxy() {
-        return count - 1;
+        return newest;
     }
 
     /** Number of calls of moveProxy. */
