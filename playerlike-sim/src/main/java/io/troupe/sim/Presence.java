@@ -25,25 +25,22 @@ final class Presence {
 
     private final WorldSpec spec;
     private final boolean[] away; // by robot
-    private final List<Optional<ObstacleSpec>> obstacles;
+    private final List<@Nullable ObstacleSpec> obstacles; // null = away
     private final SortedMap<Integer, Optional<Pose>> demanded = new TreeMap<>(); // empty = take away
     private volatile boolean hasDemands;
 
     Presence(WorldSpec spec) {
         this.spec = spec;
         away = new boolean[spec.robots().size()];
-        obstacles = new ArrayList<>();
-        begin();
+        obstacles = new ArrayList<>(spec.obstacles());
     }
 
     /** Returns to the start, where everything is as in the specification. Returns false if it was so already. */
     boolean begin() {
-        List<Optional<ObstacleSpec>> all =
-                spec.obstacles().stream().map(Optional::of).toList();
-        boolean same = obstacles.equals(all) && !anyAway();
+        boolean same = obstacles.equals(spec.obstacles()) && !anyAway();
         Arrays.fill(away, false);
         obstacles.clear();
-        obstacles.addAll(all);
+        obstacles.addAll(spec.obstacles());
         return !same;
     }
 
@@ -105,15 +102,15 @@ final class Presence {
 
     /** True if the obstacle is in the world. */
     boolean holds(int obstacle) {
-        return obstacles.get(obstacle).isPresent();
+        return obstacles.get(obstacle) != null;
     }
 
     void remove(int obstacle) {
-        obstacles.set(obstacle, Optional.empty());
+        obstacles.set(obstacle, null);
     }
 
     void place(int obstacle, Pose pose) {
-        obstacles.set(obstacle, Optional.of(spec.obstacles().get(obstacle).at(pose)));
+        obstacles.set(obstacle, spec.obstacles().get(obstacle).at(pose));
     }
 
     /** What can be sensed now: the obstacles that are there, and all robots, of which nothing senses those away. */
@@ -122,18 +119,22 @@ final class Presence {
         for (int i = 0; i < away.length; i++) {
             robots.add(away[i] ? spec.robots().get(i).unseen() : spec.robots().get(i));
         }
-        return new WorldSpec(
-                spec.name(),
-                spec.file(),
-                spec.intervalMillis(),
-                robots,
-                obstacles.stream().flatMap(Optional::stream).toList());
+        return new WorldSpec(spec.name(), spec.file(), spec.intervalMillis(), robots, there());
     }
 
     /** The check of places among what is there now. */
     PlacementCheck placement() {
-        List<ObstacleSpec> there = obstacles.stream().flatMap(Optional::stream).toList();
         return new PlacementCheck(
-                new WorldSpec(spec.name(), spec.file(), spec.intervalMillis(), spec.robots(), there), away.clone());
+                new WorldSpec(spec.name(), spec.file(), spec.intervalMillis(), spec.robots(), there()), away.clone());
+    }
+
+    private List<ObstacleSpec> there() {
+        List<ObstacleSpec> there = new ArrayList<>();
+        for (ObstacleSpec obstacle : obstacles) {
+            if (obstacle != null) {
+                there.add(obstacle);
+            }
+        }
+        return there;
     }
 }

@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
  * count up in order of creation as the tree's do. So the contacts are the same, in the same order.
  *
  * <p><b>Cost.</b> A box of up to {@link #MOST_CELLS} cells is in the list of each cell; larger ones are compared with
- * every query. The cells repeat every some metres, more of them the more boxes there are. A query may report a box
- * several times.
+ * every query. The cells repeat every some metres, more of them the more boxes there are. A query reports a box once,
+ * or several times if it is longer than these metres.
  */
 final class BodyCells implements BroadPhaseStrategy {
     private static final int LEAST_SIDE = 16; // a power of two, as all sides
@@ -280,8 +280,12 @@ final class BodyCells implements BroadPhaseStrategy {
         for (int row = firstRow; row <= lastRow; row++) {
             for (int column = firstColumn; column <= lastColumn; column++) {
                 for (int node = firstNodes[index(column, row)]; node != NONE; node = nextNodes[node]) {
-                    if (overlaps(proxies[node], minX, minY, maxX, maxY)) {
-                        callback.treeCallback(proxies[node]);
+                    int proxy = proxies[node];
+                    int at = FIELDS * proxy;
+                    boolean first = column == Math.max(firstColumn, ranges[at])
+                            && row == Math.max(firstRow, ranges[at + 1]); // of the cells that both reach into
+                    if (first && overlaps(proxy, minX, minY, maxX, maxY)) {
+                        callback.treeCallback(proxy);
                     }
                 }
             }

@@ -73,7 +73,8 @@ public final class Physics {
     private final int stepMicros;
     private final boolean mayGlide;
     private @Nullable Body firstOfList; // the head of jbox2d's list of bodies
-    private final List<List<Body>> obstacles = new ArrayList<>(); // the bodies of each
+    private final List<Body> obstacleBodies = new ArrayList<>();
+    private int obstacleCount;
     private long timeMicros;
     private boolean changed; // something has come or gone since the last step
 
@@ -130,23 +131,28 @@ public final class Physics {
         if (!robots.isEmpty()) {
             throw new IllegalStateException("obstacles come before robots");
         }
-        obstacles.add(build(robotCount + obstacles.size(), pose, shape));
+        build(robotCount + obstacleCount++, pose, shape);
     }
 
     /** Takes an obstacle away; it keeps its index. */
     public void removeObstacle(int obstacle) {
-        obstacles.get(obstacle).forEach(world::destroyBody);
-        obstacles.set(obstacle, List.of());
+        obstacleBodies.removeIf(body -> {
+            boolean leaves = TouchTracker.id(body) == robotCount + obstacle;
+            if (leaves) {
+                world.destroyBody(body);
+            }
+            return leaves;
+        });
         changed = true;
     }
 
     /** Puts an obstacle at a pose, where no robot may be. It leaves the place where it was. */
     public void placeObstacle(int obstacle, Pose pose, Shape shape) {
         removeObstacle(obstacle);
-        obstacles.set(obstacle, build(robotCount + obstacle, pose, shape));
+        build(robotCount + obstacle, pose, shape);
     }
 
-    private List<Body> build(int id, Pose pose, Shape shape) {
+    private void build(int id, Pose pose, Shape shape) {
         Map<Pose, Body> bodies = new LinkedHashMap<>();
         for (List<Point> polygon : shape.polygons()) {
             // placed in double precision: jbox2d's sine is accurate to only half a millimetre at ten metres
@@ -159,7 +165,7 @@ public final class Physics {
                             .map(vertex -> new Point(vertex.x() - anchor.x(), vertex.y() - anchor.y()))
                             .toList()));
         }
-        return List.copyOf(bodies.values());
+        obstacleBodies.addAll(bodies.values());
     }
 
     /** The anchor point nearest to the middle of a polygon; exact in single precision. */
@@ -301,7 +307,7 @@ public final class Physics {
     private void list(Gliders each) {
         Body last = firstOfList;
         if (last == null) {
-            last = createBody(BodyType.STATIC, Pose.ORIGIN, robotCount + obstacles.size());
+            last = createBody(BodyType.STATIC, Pose.ORIGIN, robotCount + obstacleCount);
             firstOfList = last;
         }
         for (int i = each.awakeCount() - 1; i >= 0; i--) {
