@@ -9,6 +9,7 @@ import io.troupe.demo.crowd.CrowdCommand;
 import io.troupe.demo.evaluate.EvaluateCommand;
 import io.troupe.demo.hosts.OfferCommand;
 import io.troupe.demo.hosts.ServicesCommand;
+import io.troupe.demo.learn.LearnCommand;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.table.TableCommand;
@@ -64,6 +65,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             ModesCommand.class,
             EvaluateCommand.class,
             CrowdCommand.class,
+            LearnCommand.class,
             TableCommand.class,
             AppCommand.class,
             VerifyCommand.class,

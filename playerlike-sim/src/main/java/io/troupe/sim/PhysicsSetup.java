@@ -18,7 +18,7 @@ final class PhysicsSetup {
     static Physics atStart(WorldSpec spec, WorldSettings settings, StartPoses starts) {
         var begun = new Physics(spec.robots().size(), stepMicros(spec, settings));
         for (ObstacleSpec obstacle : spec.obstacles()) {
-            begun.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
+            begun.addObstacle(obstacle.pose(), blockingShape(obstacle));
         }
         for (int i = 0; i < spec.robots().size(); i++) {
             RobotSpec robot = spec.robots().get(i);
@@ -28,6 +28,11 @@ final class PhysicsSetup {
             }
         }
         return begun;
+    }
+
+    /** What robots collide with. */
+    static Shape blockingShape(ObstacleSpec obstacle) {
+        return obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE;
     }
 
     /**

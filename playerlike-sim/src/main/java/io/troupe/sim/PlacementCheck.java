@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Checks whether a robot can be placed at a pose.
  *
- * <p><b>Threads.</b> Any thread. Obstacles never move, and the robot's outline is computed for each check.
+ * <p><b>Threads.</b> Any thread. Obstacles do not move, and the robot's outline is computed for each check.
  */
 final class PlacementCheck {
     private record Obstacle(String title, Outline outline) {}
@@ -35,8 +35,14 @@ final class PlacementCheck {
     private final Map<Cell, List<Integer>> smallObstacles = new HashMap<>();
     private final double[] radiusM; // of a robot around its centre of rotation
     private final double cellM;
+    private final boolean[] away; // robots that are in nobody's way
 
     PlacementCheck(WorldSpec spec) {
+        this(spec, new boolean[spec.robots().size()]);
+    }
+
+    PlacementCheck(WorldSpec spec, boolean[] away) {
+        this.away = away;
         robots = spec.robots();
         radiusM = robots.stream().mapToDouble(PlacementCheck::radiusM).toArray();
         cellM = 2 * Arrays.stream(radiusM).max().orElse(1);
@@ -107,6 +113,23 @@ final class PlacementCheck {
                 .orElse(0);
     }
 
+    private static String attempt(String what, Pose pose) {
+        return what + " cannot be put at (" + pose.x() + " m, " + pose.y() + " m, " + pose.headingRad() + " rad): ";
+    }
+
+    /** What is expected of the pose of a body and is not so, or null. */
+    private static @Nullable String problem(Pose pose, List<List<Point>> lines) {
+        if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.headingRad())) {
+            return "expected finite numbers";
+        }
+        boolean near = lines.stream()
+                .flatMap(List::stream)
+                .map(pose::place)
+                .allMatch(placed ->
+                        Math.abs(placed.x()) <= SpecCheck.FARTHEST_M && Math.abs(placed.y()) <= SpecCheck.FARTHEST_M);
+        return near ? null : "expected at most " + SpecCheck.FARTHEST_M + " m from the origin along x and y";
+    }
+
     /**
      * Sorts the robots into cells, for any number of checks.
      *
@@ -125,13 +148,15 @@ final class PlacementCheck {
      */
     final class Occupancy {
         private final IntFunction<Pose> poses;
-        private final Cell[] cellOf = new Cell[robots.size()];
+        private final @Nullable Cell[] cellOf = new Cell[robots.size()];
         private final Map<Cell, List<Integer>> members = new HashMap<>();
 
         private Occupancy(IntFunction<Pose> poses) {
             this.poses = poses;
             for (int i = 0; i < cellOf.length; i++) {
-                enter(i);
+                if (!away[i]) {
+                    enter(i);
+                }
             }
         }
 
@@ -144,10 +169,12 @@ final class PlacementCheck {
             }
         }
 
-        /** Updates the cell of a robot that has been teleported. */
+        /** Updates the cell of a robot that has been teleported, or has come back. */
         void moved(int robot) {
             if (robots.get(robot).blocksBodies()) {
-                members.get(cellOf[robot]).remove((Integer) robot);
+                if (cellOf[robot] != null) {
+                    members.get(cellOf[robot]).remove((Integer) robot);
+                }
                 enter(robot);
             }
         }
@@ -155,19 +182,10 @@ final class PlacementCheck {
         /** Reason why a robot cannot be at a pose, or null if it can. */
         @Nullable
         String refusal(int robot, Pose pose) {
-            String attempt = "robot '" + robots.get(robot).name() + "' cannot be put at (" + pose.x() + " m, "
-                    + pose.y() + " m, " + pose.headingRad() + " rad): ";
-            if (!Double.isFinite(pose.x()) || !Double.isFinite(pose.y()) || !Double.isFinite(pose.headingRad())) {
-                return attempt + "expected finite numbers";
-            }
-            for (List<Point> polygon : robots.get(robot).collisionShape().polygons()) {
-                for (Point vertex : polygon) {
-                    Point placed = pose.place(vertex);
-                    if (Math.abs(placed.x()) > SpecCheck.FARTHEST_M || Math.abs(placed.y()) > SpecCheck.FARTHEST_M) {
-                        return attempt + "expected at most " + SpecCheck.FARTHEST_M
-                                + " m from the origin along x and y";
-                    }
-                }
+            String attempt = attempt("robot '" + robots.get(robot).name() + "'", pose);
+            String problem = problem(pose, robots.get(robot).collisionShape().polygons());
+            if (problem != null) {
+                return attempt + problem;
             }
             if (!robots.get(robot).blocksBodies()) {
                 return null;
@@ -181,6 +199,25 @@ final class PlacementCheck {
             return other < 0
                     ? null
                     : attempt + "it would overlap robot '" + robots.get(other).name() + "'";
+        }
+
+        /** Reason why an obstacle cannot be at a pose, or null if it can. */
+        @Nullable
+        String refusal(ObstacleSpec obstacle, Pose pose) {
+            String attempt = attempt("obstacle '" + obstacle.name() + "'", pose);
+            String problem = problem(pose, obstacle.shape().outlines());
+            if (problem != null) {
+                return attempt + problem;
+            }
+            var outline = new Outline(obstacle.shape(), pose);
+            for (int robot = 0; obstacle.blocksBodies() && robot < cellOf.length; robot++) {
+                if (cellOf[robot] != null
+                        && new Outline(robots.get(robot).collisionShape(), poses.apply(robot)).overlaps(outline)) {
+                    return attempt + "it would overlap robot '"
+                            + robots.get(robot).name() + "'";
+                }
+            }
+            return null;
         }
 
         /** Lowest index of an overlapping robot, or -1. */

@@ -56,6 +56,21 @@ public final class Recording implements AutoCloseable {
         write(pose);
     }
 
+    synchronized void leave(int robot) {
+        begin("leave").append(' ').append(robot);
+        write();
+    }
+
+    synchronized void removeObstacle(int obstacle) {
+        begin("remove").append(' ').append(obstacle);
+        write();
+    }
+
+    synchronized void placeObstacle(int obstacle, Pose pose) {
+        begin("place").append(' ').append(obstacle);
+        write(pose);
+    }
+
     synchronized void odometry(int robot, Pose pose) {
         begin("odometry").append(' ').append(robot);
         write(pose);

@@ -28,6 +28,14 @@ public final class Replay {
             return new RecordingException("line " + number + " of the recording: " + message);
         }
 
+        int obstacle() {
+            String word = words.get(1);
+            if (word.matches("\\d{1,7}")) {
+                return Integer.parseInt(word);
+            }
+            throw error("obstacle '" + word + "', expected a number from 0");
+        }
+
         int robot(int robots) {
             String word = words.get(1);
             if (word.matches("\\d{1,7}") && Integer.parseInt(word) < robots) {
@@ -148,18 +156,23 @@ public final class Replay {
         }
         int expected = switch (line.words().getFirst()) {
             case "reset", "pause", "resume" -> 1;
-            case "is", "end" -> 2;
+            case "is", "end", "leave", "remove" -> 2;
             case "power" -> 3;
             case "velocity", "heading" -> 4;
-            case "teleport", "odometry", "goto" -> 5;
+            case "teleport", "odometry", "goto", "place" -> 5;
             default -> throw line.error("'" + line.words().getFirst() + "' is nothing that can be recorded");
         };
         if (line.words().size() != expected) {
             throw line.error("'" + line.words().getFirst() + "' has "
                     + (line.words().size() - 1) + " words after it, expected " + (expected - 1));
         }
-        if (expected > 2) {
+        boolean ofObstacle = line.words().getFirst().matches("remove|place");
+        if (ofObstacle) {
+            line.obstacle();
+        } else if (expected > 2 || line.words().getFirst().equals("leave")) {
             line.robot(robots);
+        }
+        if (expected > 2) {
             for (int i = 2; i < (expected == 3 ? 2 : expected); i++) {
                 line.number(i);
             }
@@ -240,6 +253,9 @@ public final class Replay {
             case "heading" -> player.steer(line.robot(robots), line.number(2), line.number(3));
             case "goto" -> player.goTo(line.robot(robots), line.pose());
             case "odometry" -> player.setOdometry(line.robot(robots), line.pose());
+            case "leave" -> player.removeRobot(line.robot(robots));
+            case "remove" -> player.removeObstacle(line.obstacle());
+            case "place" -> player.placeObstacleLater(line.obstacle(), line.pose());
             case "teleport" -> player.teleportLater(line.robot(robots), line.pose());
             case "is", "end" -> {
                 if (!hash.toString().equals(words.get(1))) {

@@ -29,10 +29,11 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> {@link #advance} and the {@link #view} belong to the thread that advances first; everything else
  * may be called from any thread.
  *
- * <p><b>Order.</b> At the start of an interval the world takes a reset, teleports, odometry resets, motor power and
- * commands, by robot index (of several commands for one robot the newest). Then it runs the physics steps and reads all
- * devices. The last interval of an advance publishes a snapshot. An earlier interval publishes one if the world is
- * recorded, or if {@link #latest} has been called since the previous one.
+ * <p><b>Order.</b> At the start of an interval the world takes a reset, robots and obstacles that leave, obstacles that
+ * are placed, teleports, odometry resets, motor power and commands, by index (of several commands for one robot the
+ * newest). Then it runs the physics steps and reads all devices. The last interval of an advance publishes a snapshot.
+ * An earlier interval publishes one if the world is recorded, or if {@link #latest} has been called since the previous
+ * one.
  *
  * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as there are no more
  * touching bodies and no more visible blobs than ever before.
@@ -49,7 +50,7 @@ public final class World implements AutoCloseable {
     private final StartPoses starts;
     private final WorldCommands commands;
     private final List<String> robotNames;
-    private final Scene scene;
+    private Scene scene; // another one when something has come or gone
     private final WorldView view = new WorldView(this);
     private final Scratch[] scratches;
     private final SensingThreads sensing;
@@ -182,7 +183,7 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Moves a robot to a pose when the next {@link #advance} begins.
+     * Moves a robot to a pose when the next {@link #advance} begins. A robot that was taken out is back then.
      *
      * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap something in the newest snapshot. If
      * another body is in the way when the teleport takes effect, the robot stays where it is, and a warning is logged.
@@ -193,6 +194,40 @@ public final class World implements AutoCloseable {
             throw new IllegalArgumentException(refusal);
         }
         teleportLater(robot, pose);
+    }
+
+    /**
+     * Takes a robot out of the world when the next {@link #advance} begins. Nothing touches or senses it, its commands
+     * are discarded, and its pose and readings stay as they are, until it is teleported.
+     */
+    public void removeRobot(int robot) {
+        commands.removeRobot(robot);
+    }
+
+    /** Takes an obstacle out of the world when the next {@link #advance} begins. */
+    public void removeObstacle(int obstacle) {
+        commands.removeObstacle(obstacle);
+    }
+
+    /**
+     * Puts an obstacle at a pose when the next {@link #advance} begins, whether it was elsewhere or out of the world.
+     *
+     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap a robot in the newest snapshot. If a robot
+     * is in the way when the change takes effect, the obstacle stays where it was, and a warning is logged.
+     *
+     * <p><b>Cost.</b> An interval that begins with such changes builds everything that devices sense anew.
+     */
+    public void placeObstacle(int obstacle, Pose pose) {
+        String refusal = commands.obstacleRefusal(obstacle, pose, latest);
+        if (refusal != null) {
+            throw new IllegalArgumentException(refusal);
+        }
+        placeObstacleLater(obstacle, pose);
+    }
+
+    /** As {@link #placeObstacle}, checked only when it takes effect. */
+    void placeObstacleLater(int obstacle, Pose pose) {
+        commands.placeObstacle(obstacle, pose);
     }
 
     /** Reason why {@link #teleport} would be refused, or null. */
@@ -212,9 +247,9 @@ public final class World implements AutoCloseable {
     }
 
     /**
-     * Resets the world when the next {@link #advance} begins: poses, odometry, motors, random streams. Earlier commands
-     * are discarded; ticks and time continue. A controller is called after the reset, and sees the start. With the same
-     * commands, the run then repeats bit for bit.
+     * Resets the world when the next {@link #advance} begins: poses, odometry, motors, random streams, what is there.
+     * Earlier commands are discarded; ticks and time continue. A controller is called after the reset, and sees the
+     * start. With the same commands, the run then repeats bit for bit.
      */
     public void reset() {
         commands.reset();
@@ -324,7 +359,9 @@ public final class World implements AutoCloseable {
     }
 
     private void advanceUnpublished() {
-        commands.apply(tick, tick * intervalMicros, physics, devices);
+        if (commands.apply(tick, tick * intervalMicros, physics, devices)) {
+            scene = new Scene(commands.presence().sensed());
+        }
         physics.forgetTouches();
         physics.advance(stepsPerInterval);
         tick++;
@@ -344,6 +381,9 @@ public final class World implements AutoCloseable {
     private void resetIfRequested() {
         long nowMicros = tick * intervalMicros;
         if (commands.takeReset(nowMicros)) {
+            if (commands.returnToStart()) {
+                scene = new Scene(spec);
+            }
             physics = PhysicsSetup.atStart(spec, settings, starts);
             physicsStartMicros = nowMicros;
             devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
@@ -358,7 +398,9 @@ public final class World implements AutoCloseable {
             double y = physics.y(i);
             double headingRad = physics.headingRad(i);
             scene.place(i, x, y, headingRad);
-            devices.get(i).position2d().sense(x, y, headingRad);
+            if (!isAway(i)) {
+                devices.get(i).position2d().sense(x, y, headingRad);
+            }
         }
         scene.refresh();
         sensing.run();
@@ -366,7 +408,9 @@ public final class World implements AutoCloseable {
 
     private void senseRange(int range, int fromRobot, int toRobot) {
         for (int i = fromRobot; i < toRobot; i++) {
-            devices.get(i).sense(scene, i, scratches[range]);
+            if (!isAway(i)) {
+                devices.get(i).sense(scene, i, scratches[range]);
+            }
         }
     }
 
@@ -416,6 +460,14 @@ public final class World implements AutoCloseable {
     }
 
     // ---- for the view
+
+    boolean isAway(int robot) {
+        return commands.presence().isAway(robot);
+    }
+
+    boolean holdsObstacle(int obstacle) {
+        return commands.presence().holds(obstacle);
+    }
 
     long tick() {
         return tick;

@@ -2,12 +2,15 @@ package io.troupe.sim;
 
 import io.troupe.sim.device.Position2d;
 import io.troupe.sim.model.DriveSpec;
+import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -26,7 +29,8 @@ final class WorldCommands {
 
     private final WorldSpec spec;
     private final WorldSettings settings;
-    private final PlacementCheck placement;
+    private final Presence presence;
+    private volatile PlacementCheck placement;
     private final AtomicReference<@Nullable TeleportCheck> lastCheck = new AtomicReference<>();
     private final List<RobotCommands> robotCommands = new ArrayList<>();
     private final AtomicBoolean resetWanted = new AtomicBoolean();
@@ -35,7 +39,8 @@ final class WorldCommands {
     WorldCommands(WorldSpec spec, WorldSettings settings) {
         this.spec = spec;
         this.settings = settings;
-        placement = new PlacementCheck(spec);
+        presence = new Presence(spec);
+        placement = presence.placement();
         for (int i = 0; i < spec.robots().size(); i++) {
             robotCommands.add(new RobotCommands(spec.robots().get(i).drive(), i, settings));
         }
@@ -111,22 +116,50 @@ final class WorldCommands {
         robotCommands.get(robot).teleport(pose);
     }
 
+    /** Queues taking a robot out of the world. */
+    void removeRobot(int robot) {
+        robot(robot);
+        robotCommands.get(robot).remove();
+    }
+
+    /** Queues taking an obstacle away. */
+    void removeObstacle(int obstacle) {
+        presence.demand(obstacle, null);
+    }
+
+    /** Queues putting an obstacle at a pose, which is checked only when it takes effect. */
+    void placeObstacle(int obstacle, Pose pose) {
+        presence.demand(obstacle, pose);
+    }
+
+    /** Reason why an obstacle could not be put at a pose in the world of a snapshot, or null. */
+    @Nullable
+    String obstacleRefusal(int obstacle, Pose pose, Snapshot at) {
+        presence.checkObstacle(obstacle);
+        return occupancy(at).refusal(spec.obstacles().get(obstacle), pose);
+    }
+
     /** Reason why a robot could not be placed at a pose in the world of a snapshot, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose, Snapshot at) {
         robot(robot);
+        return occupancy(at).refusal(robot, pose);
+    }
+
+    private PlacementCheck.Occupancy occupancy(Snapshot at) {
         TeleportCheck known = lastCheck.get();
         if (known == null || known.at() != at) {
             known = new TeleportCheck(
                     at, placement.occupancy(other -> at.robots().get(other).pose()));
             lastCheck.set(known);
         }
-        return known.occupancy().refusal(robot, pose);
+        return known.occupancy();
     }
 
     /** Requests a reset. Commands sent from now on apply after it. */
     void reset() {
         robotCommands.forEach(RobotCommands::forgetUntaken);
+        presence.forgetDemands();
         resetWanted.set(true);
     }
 
@@ -176,21 +209,47 @@ final class WorldCommands {
         return true;
     }
 
+    /** Which robots and obstacles are in the world. */
+    Presence presence() {
+        return presence;
+    }
+
+    /** After a reset everything is there as at the start. Returns whether something was not. */
+    boolean returnToStart() {
+        boolean changed = presence.begin();
+        if (changed) {
+            placement = presence.placement();
+        }
+        return changed;
+    }
+
     /**
-     * Takes teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless another thread
-     * has sent a command.
+     * Takes what leaves, then obstacles that are put somewhere, teleports, and odometry, motor power and commands, each
+     * by index. Allocates nothing unless another thread has sent a command.
+     *
+     * @return whether a robot or an obstacle has come, gone or moved by itself, so that the scene is another one
      */
-    void apply(long tick, long nowMicros, Physics physics, List<SimulatedDevices> devices) {
+    boolean apply(long tick, long nowMicros, Physics physics, List<SimulatedDevices> devices) {
         Recording log = recording.get();
+        boolean changed = applyPresence(tick, physics);
         PlacementCheck.Occupancy occupancy = null;
+        boolean returned = false;
         for (int i = 0; i < robotCommands.size(); i++) {
             Pose place = robotCommands.get(i).takeTeleport();
             if (place != null) {
                 if (occupancy == null) {
                     occupancy = placement.occupancy(physics::pose);
                 }
-                applyTeleport(i, place, tick, occupancy, physics, devices.get(i).position2d());
+                boolean done = applyTeleport(
+                        i, place, tick, occupancy, physics, devices.get(i).position2d());
+                if (done && presence.isAway(i)) {
+                    presence.setAway(i, false);
+                    returned = true;
+                }
             }
+        }
+        if (returned) {
+            placement = presence.placement();
         }
         for (int i = 0; i < robotCommands.size(); i++) {
             RobotCommands commands = robotCommands.get(i);
@@ -203,12 +262,74 @@ final class WorldCommands {
                 }
             }
             commands.apply(nowMicros, log);
+            if (presence.isAway(i)) {
+                commands.stop();
+            }
             commands.steer(odometry);
             physics.drive(i, commands.forwardMps(), commands.turnRadps());
         }
+        return changed || returned;
     }
 
-    private void applyTeleport(
+    /** Takes away and puts what was demanded; robots come back by teleport. Returns whether anything has changed. */
+    private boolean applyPresence(long tick, Physics physics) {
+        Recording log = recording.get();
+        boolean changed = false;
+        for (int i = 0; i < robotCommands.size(); i++) {
+            if (robotCommands.get(i).takeLeave() && !presence.isAway(i)) {
+                presence.setAway(i, true);
+                physics.removeRobot(i);
+                changed = true;
+                if (log != null) {
+                    log.leave(i);
+                }
+            }
+        }
+        SortedMap<Integer, Optional<Pose>> demands = presence.takeDemands();
+        for (var demand : demands.entrySet()) {
+            int obstacle = demand.getKey();
+            if (demand.getValue().isEmpty() && presence.holds(obstacle)) {
+                presence.remove(obstacle);
+                physics.removeObstacle(obstacle);
+                changed = true;
+                if (log != null) {
+                    log.removeObstacle(obstacle);
+                }
+            }
+        }
+        if (changed) {
+            placement = presence.placement();
+        }
+        boolean placed = false;
+        for (var demand : demands.entrySet()) {
+            Pose pose = demand.getValue().orElse(null);
+            placed |= pose != null
+                    && applyObstacle(demand.getKey(), pose, tick, placement.occupancy(physics::pose), physics);
+        }
+        if (placed) {
+            placement = presence.placement();
+        }
+        return changed || placed;
+    }
+
+    private boolean applyObstacle(
+            int obstacle, Pose pose, long tick, PlacementCheck.Occupancy occupancy, Physics physics) {
+        ObstacleSpec body = spec.obstacles().get(obstacle);
+        String refusal = occupancy.refusal(body, pose);
+        if (refusal != null) {
+            LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
+            return false;
+        }
+        presence.place(obstacle, pose);
+        physics.placeObstacle(obstacle, pose, PhysicsSetup.blockingShape(body));
+        Recording log = recording.get();
+        if (log != null) {
+            log.placeObstacle(obstacle, pose);
+        }
+        return true;
+    }
+
+    private boolean applyTeleport(
             int robot,
             Pose place,
             long tick,
@@ -218,7 +339,7 @@ final class WorldCommands {
         String refusal = occupancy.refusal(robot, place);
         if (refusal != null) {
             LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
-            return;
+            return false;
         }
         physics.teleport(robot, place);
         occupancy.moved(robot);
@@ -227,6 +348,7 @@ final class WorldCommands {
         if (log != null) {
             log.teleport(robot, place);
         }
+        return true;
     }
 
     /** Speed in the interval that has ended. */
@@ -261,7 +383,7 @@ final class WorldCommands {
         private final AtomicReference<@Nullable PendingDrive> newestDrive = new AtomicReference<>();
         private final AtomicReference<@Nullable Boolean> newestPower = new AtomicReference<>();
         private final AtomicReference<@Nullable Pose> newestOdometry = new AtomicReference<>();
-        private final AtomicReference<@Nullable Pose> newestPlace = new AtomicReference<>();
+        private final AtomicReference<@Nullable Optional<Pose>> newestPlace = new AtomicReference<>(); // empty = leave
         private boolean hasDirect; // a speed from the thread that advances the world is pending
         private double directForwardMps;
         private double directTurnRadps;
@@ -305,7 +427,11 @@ final class WorldCommands {
         }
 
         void teleport(Pose pose) {
-            newestPlace.set(pose);
+            newestPlace.set(Optional.of(pose));
+        }
+
+        void remove() {
+            newestPlace.set(Optional.empty());
         }
 
         /** Discards the pending commands. */
@@ -318,7 +444,14 @@ final class WorldCommands {
 
         @Nullable
         Pose takeTeleport() {
-            return take(newestPlace);
+            Optional<Pose> place = newestPlace.get();
+            return place != null && place.isPresent() && newestPlace.compareAndSet(place, null) ? place.get() : null;
+        }
+
+        /** True if the robot has to leave; a newer teleport replaces that. */
+        boolean takeLeave() {
+            Optional<Pose> place = newestPlace.get();
+            return place != null && place.isEmpty() && newestPlace.compareAndSet(place, null);
         }
 
         @Nullable
@@ -361,7 +494,7 @@ final class WorldCommands {
             }
         }
 
-        private void stop() {
+        void stop() {
             steering = null;
             heldForwardMps = 0;
             heldTurnRadps = 0;

@@ -37,6 +37,16 @@ public final class WorldView {
         return world.spec().robots().size();
     }
 
+    /** True while a robot is out of the world. */
+    public boolean isAway(int robot) {
+        return world.isAway(robot);
+    }
+
+    /** True while an obstacle of the world's specification is in the world. */
+    public boolean holdsObstacle(int obstacle) {
+        return world.holdsObstacle(obstacle);
+    }
+
     public double x(int robot) {
         return world.physics().x(robot);
     }

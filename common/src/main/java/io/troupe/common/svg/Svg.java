@@ -146,7 +146,8 @@ public final class Svg {
     /** The value with at most this number of decimals, without trailing zeros. */
     public static String number(double value, int decimals) {
         String number = String.format(Locale.ROOT, "%." + decimals + "f", value);
-        return number.replaceFirst("\\.?0+$", "").replaceFirst("^-0$", "0");
+        String shortest = decimals > 0 ? number.replaceFirst("\\.?0+$", "") : number;
+        return shortest.replaceFirst("^-0$", "0");
     }
 
     /** {@code #rrggbb} of {@code 0x00RRGGBB}. Pure green is darkened, since it is too bright on white. */

@@ -61,7 +61,8 @@ class SvgTest {
     void numbers_haveNoTrailingZeros_andNoNegativeZero() {
         var ones = DoubleStream.of(100, 0.04, -0.04).mapToObj(number -> Svg.number(number, 1));
         assertThat(ones).containsExactly("100", "0", "0");
-        assertThat(List.of(Svg.number(1.006, 2), Svg.number(-2.5, 2))).containsExactly("1.01", "-2.5");
+        assertThat(List.of(Svg.number(1.006, 2), Svg.number(-2.5, 2), Svg.number(120, 0)))
+                .containsExactly("1.01", "-2.5", "120");
         assertThat(DoubleStream.of(0.3, 1.0, 1.1, 3.0, 7.0, 20.0).map(Svg::roundStep))
                 .containsExactly(0.5, 1.0, 2.0, 5.0, 10.0, 20.0);
     }

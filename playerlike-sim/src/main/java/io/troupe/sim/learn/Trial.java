@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.WorldView;
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import java.util.Arrays;
 import java.util.function.LongFunction;
@@ -26,7 +27,7 @@ import java.util.function.LongFunction;
  *
  * <p><b>Units and shapes.</b> SI; robots count from 0. A step is one interval of the world, 0.1 s by default.
  *
- * <p><b>Threads.</b> One thread at a time; separate trials are independent.
+ * <p><b>Threads.</b> Between two resets the thread that steps first; separate trials are independent.
  *
  * <p><b>Errors.</b> {@link IllegalStateException} for a step before the first reset, {@link IllegalArgumentException}
  * for actions of another number than two for each robot, or that are not finite.
@@ -91,6 +92,26 @@ public final class Trial {
         });
         steps++;
         return new Observation(world.view());
+    }
+
+    /** As {@link World#removeRobot}, at the beginning of the next step. */
+    public void removeRobot(int robot) {
+        world.removeRobot(robot);
+    }
+
+    /** As {@link World#teleport}, at the beginning of the next step; brings a robot back that was removed. */
+    public void placeRobot(int robot, Pose pose) {
+        world.teleport(robot, pose);
+    }
+
+    /** As {@link World#removeObstacle}, at the beginning of the next step. */
+    public void removeObstacle(int obstacle) {
+        world.removeObstacle(obstacle);
+    }
+
+    /** As {@link World#placeObstacle}, at the beginning of the next step. */
+    public void placeObstacle(int obstacle, Pose pose) {
+        world.placeObstacle(obstacle, pose);
     }
 
     /** Number of robots in the present world. */

@@ -3,7 +3,7 @@ package io.troupe.sim.model;
 import io.troupe.common.text.SourcePosition;
 
 /**
- * An immovable thing, such as a wall or a box.
+ * A thing that no robot moves, such as a wall or a box.
  *
  * @param pose in the world's frame
  * @param colour {@code 0x00RRGGBB}
@@ -19,4 +19,9 @@ public record ObstacleSpec(
         boolean blocksBodies,
         boolean blocksRangers,
         boolean visible,
-        SourcePosition where) {}
+        SourcePosition where) {
+    /** A copy at another pose. */
+    public ObstacleSpec at(Pose other) {
+        return new ObstacleSpec(name, other, shape, colour, blocksBodies, blocksRangers, visible, where);
+    }
+}

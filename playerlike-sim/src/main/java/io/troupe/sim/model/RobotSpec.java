@@ -114,6 +114,32 @@ public record RobotSpec(
         return with(others, drive);
     }
 
+    /** A copy that no device of another robot senses. */
+    public RobotSpec unseen() {
+        List<CargoSpec> unseenCargo = cargo.stream()
+                .map(piece -> new CargoSpec(piece.shape(), piece.colour(), piece.blocksBodies(), false, false))
+                .toList();
+        return new RobotSpec(
+                name,
+                pose,
+                shape,
+                colour,
+                lengthM,
+                widthM,
+                massKg,
+                origin,
+                startOdometry,
+                sonar,
+                blobfinder,
+                rangers,
+                false,
+                false,
+                blocksBodies,
+                drive,
+                unseenCargo,
+                where);
+    }
+
     private RobotSpec with(List<RangerSpec> otherRangers, DriveSpec otherDrive) {
         return new RobotSpec(
                 name,

@@ -19,8 +19,8 @@ import org.jspecify.annotations.Nullable;
  * count up in order of creation as the tree's do. So the contacts are the same, in the same order.
  *
  * <p><b>Cost.</b> A box of up to {@link #MOST_CELLS} cells is in the list of each cell; larger ones are compared with
- * every query. The cells repeat every some metres, more of them the more boxes there are. A query may report a box
- * several times.
+ * every query. The cells repeat every some metres, more of them the more boxes there are. A query reports a box once,
+ * or several times if it is longer than these metres.
  */
 final class BodyCells implements BroadPhaseStrategy {
     private static final int LEAST_SIDE = 16; // a power of two, as all sides
@@ -34,6 +34,9 @@ final class BodyCells implements BroadPhaseStrategy {
     private float[] bounds = new float[FIELDS * 64]; // of the same boxes: least x and y, greatest x and y
     private int[] ranges = new int[FIELDS * 64]; // first column and row, last column and row; large boxes: last < first
     private int count;
+    private int[] free = new int[0]; // numbers of destroyed boxes, to be used again from the last
+    private int freeCount;
+    private int newest = NONE;
     private int side = LEAST_SIDE; // of the square of cells
     private int[] firstNodes = new int[side * side];
     private int[] nextNodes = new int[64];
@@ -51,6 +54,13 @@ final class BodyCells implements BroadPhaseStrategy {
 
     @Override
     public int createProxy(AABB box, @Nullable Object userData) {
+        if (freeCount > 0) {
+            newest = free[--freeCount];
+            data[newest] = userData;
+            fatten(newest, box, 0, 0);
+            insert(newest);
+            return newest;
+        }
         if (count == boxes.length) {
             boxes = Arrays.copyOf(boxes, 2 * count);
             data = Arrays.copyOf(data, 2 * count);
@@ -61,11 +71,11 @@ final class BodyCells implements BroadPhaseStrategy {
         data[count] = userData;
         fatten(count, box, 0, 0);
         insert(count);
-        count++;
+        newest = count++;
         if (CELLS_PER_BOX * count > side * side) {
             grow();
         }
-        return count - 1;
+        return newest;
     }
 
     private void grow() {
@@ -87,6 +97,10 @@ final class BodyCells implements BroadPhaseStrategy {
         remove(proxy);
         setRange(proxy, 1, 0, 0, 0);
         data[proxy] = null;
+        if (freeCount == free.length) {
+            free = Arrays.copyOf(free, Math.max(16, 2 * freeCount));
+        }
+        free[freeCount++] = proxy;
     }
 
     @Override
@@ -266,8 +280,12 @@ final class BodyCells implements BroadPhaseStrategy {
         for (int row = firstRow; row <= lastRow; row++) {
             for (int column = firstColumn; column <= lastColumn; column++) {
                 for (int node = firstNodes[index(column, row)]; node != NONE; node = nextNodes[node]) {
-                    if (overlaps(proxies[node], minX, minY, maxX, maxY)) {
-                        callback.treeCallback(proxies[node]);
+                    int proxy = proxies[node];
+                    int at = FIELDS * proxy;
+                    boolean first = column == Math.max(firstColumn, ranges[at])
+                            && row == Math.max(firstRow, ranges[at + 1]); // of the cells that both reach into
+                    if (first && overlaps(proxy, minX, minY, maxX, maxY)) {
+                        callback.treeCallback(proxy);
                     }
                 }
             }
@@ -313,7 +331,7 @@ final class BodyCells implements BroadPhaseStrategy {
 
     /** The proxy created last. */
     int newestProxy() {
-        return count - 1;
+        return newest;
     }
 
     /** Number of calls of moveProxy. */

@@ -6,6 +6,7 @@ import io.troupe.sim.model.Shape;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
+import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import org.jbox2d.callbacks.ContactImpulse;
@@ -32,7 +33,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> Hides jbox2d. An unobstructed robot drives exactly the commanded arc. Walls and other robots stop it,
  * push it aside and cause friction (coefficient 0.3, no bounce).
  *
- * <p><b>Order.</b> First all obstacles are added, then the robots by index; then the steps are run.
+ * <p><b>Order.</b> First all obstacles are added, then the robots by index; then the steps are run. Between steps,
+ * robots may leave and come back, and obstacles may be taken away and put elsewhere.
  *
  * <p><b>Threads.</b> One thread at a time.
  *
@@ -71,8 +73,10 @@ public final class Physics {
     private final int stepMicros;
     private final boolean mayGlide;
     private @Nullable Body firstOfList; // the head of jbox2d's list of bodies
+    private final List<Body> obstacleBodies = new ArrayList<>();
     private int obstacleCount;
     private long timeMicros;
+    private boolean changed; // something has come or gone since the last step
 
     /**
      * Creates a world without bodies.
@@ -127,8 +131,29 @@ public final class Physics {
         if (!robots.isEmpty()) {
             throw new IllegalStateException("obstacles come before robots");
         }
-        int id = robotCount + obstacleCount++;
-        Map<Pose, Body> bodies = new HashMap<>();
+        build(robotCount + obstacleCount++, pose, shape);
+    }
+
+    /** Takes an obstacle away; it keeps its index. */
+    public void removeObstacle(int obstacle) {
+        obstacleBodies.removeIf(body -> {
+            boolean leaves = TouchTracker.id(body) == robotCount + obstacle;
+            if (leaves) {
+                world.destroyBody(body);
+            }
+            return leaves;
+        });
+        changed = true;
+    }
+
+    /** Puts an obstacle at a pose, where no robot may be. It leaves the place where it was. */
+    public void placeObstacle(int obstacle, Pose pose, Shape shape) {
+        removeObstacle(obstacle);
+        build(robotCount + obstacle, pose, shape);
+    }
+
+    private void build(int id, Pose pose, Shape shape) {
+        Map<Pose, Body> bodies = new LinkedHashMap<>();
         for (List<Point> polygon : shape.polygons()) {
             // placed in double precision: jbox2d's sine is accurate to only half a millimetre at ten metres
             List<Point> placed = polygon.stream().map(pose::place).toList();
@@ -140,6 +165,7 @@ public final class Physics {
                             .map(vertex -> new Point(vertex.x() - anchor.x(), vertex.y() - anchor.y()))
                             .toList()));
         }
+        obstacleBodies.addAll(bodies.values());
     }
 
     /** The anchor point nearest to the middle of a polygon; exact in single precision. */
@@ -190,6 +216,12 @@ public final class Physics {
     /** Holds a robot that overlaps something in place, like an obstacle, until it is teleported. */
     public void hold(int robot) {
         robots.get(robot).hold();
+    }
+
+    /** Takes a robot out of the world until it is teleported. It touches nothing, and stands still. */
+    public void removeRobot(int robot) {
+        robots.get(robot).leave();
+        changed = true;
     }
 
     private Body createBody(BodyType type, Pose pose, int id) {
@@ -246,7 +278,8 @@ public final class Physics {
     public void advance(int steps) {
         gliders.begin(steps);
         for (int step = 0; step < steps; step++) {
-            gliders.select(step, mayGlide && timeMicros > 0);
+            gliders.select(step, mayGlide && timeMicros > 0 && !changed); // jbox2d has to find and end contacts
+            changed = false;
             step(gliders);
         }
     }
@@ -311,6 +344,7 @@ public final class Physics {
      */
     public boolean stalled(int robot) {
         return (touches.touched(robot) || robots.get(robot).isHeld())
+                && !robots.get(robot).isAway()
                 && robots.get(robot).heldBack();
     }
 

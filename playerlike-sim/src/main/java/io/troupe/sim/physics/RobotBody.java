@@ -8,6 +8,8 @@ import org.jbox2d.common.MathUtils;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.Body;
 import org.jbox2d.dynamics.BodyType;
+import org.jbox2d.dynamics.Filter;
+import org.jbox2d.dynamics.Fixture;
 
 /**
  * The body of one robot in jbox2d.
@@ -48,7 +50,9 @@ final class RobotBody {
     private double aimY;
     private double aimHeadingRad;
     private boolean placed; // teleported since the last step
-    private boolean held; // in place, because it overlaps something
+    private boolean held; // in place, because it overlaps something, or because it is away
+    private boolean away;
+    private int maskBits; // of what it collides with, while it is not away
 
     // While the robot glides, the place of the body's centre and its angle are here, and those of jbox2d are old.
     private boolean bodyIsBehind;
@@ -106,6 +110,29 @@ final class RobotBody {
         body.setType(BodyType.STATIC);
     }
 
+    /** Takes the robot out of the world until it is teleported: it stands still and collides with nothing. */
+    void leave() {
+        if (!away) {
+            away = true;
+            maskBits = body.getFixtureList().getFilterData().maskBits;
+            collideWith(0);
+            hold();
+        }
+    }
+
+    private void collideWith(int mask) {
+        for (Fixture fixture = body.getFixtureList(); fixture != null; fixture = fixture.getNext()) {
+            Filter filter = new Filter();
+            filter.set(fixture.getFilterData());
+            filter.maskBits = mask;
+            fixture.setFilterData(filter);
+        }
+    }
+
+    boolean isAway() {
+        return away;
+    }
+
     boolean isHeld() {
         return held;
     }
@@ -119,6 +146,10 @@ final class RobotBody {
     void teleport(Pose pose) {
         if (held) {
             release();
+        }
+        if (away) {
+            away = false;
+            collideWith(maskBits);
         }
         x = pose.x();
         y = pose.y();

@@ -124,6 +124,29 @@ class TrialTest {
     }
 
     @Test
+    void sampleOfComingAndGoing_movesABoxAndARobotInOneStep() {
+        var trial = Trial.of(seed -> RandomWorld.arena(seed, 8, 0.1).withRobots(2));
+        Observation seen = trial.reset(42);
+        int box = 4; // after the four walls
+        trial.removeObstacle(box);
+        trial.removeRobot(1);
+        seen = trial.step(0.3, 0, 0, 0);
+        assertThat(trial.view().holdsObstacle(box)).isFalse();
+        assertThat(trial.view().isAway(1)).isTrue();
+        trial.placeRobot(1, new Pose(seen.x(0) + 0.8, seen.y(0), 0)); // or wherever there is room
+        trial.placeObstacle(box, new Pose(3, -3, 0.4));
+        trial.step(0, 0, 0, 0);
+        assertThat(trial.view().holdsObstacle(box)).isTrue();
+        assertThat(trial.view().isAway(1)).isFalse();
+        assertThat(trial.view().x(1)).isCloseTo(seen.x(0) + 0.8, within(1e-9));
+        trial.removeObstacle(box);
+        trial.reset(42);
+        assertThat(trial.view().holdsObstacle(box))
+                .as("a reset builds the world anew")
+                .isTrue();
+    }
+
+    @Test
     void wrongActions_areRefused() {
         var trial = Trial.of(seed -> wallAhead());
         assertThatThrownBy(() -> trial.step(0, 0))

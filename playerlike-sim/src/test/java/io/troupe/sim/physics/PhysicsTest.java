@@ -223,6 +223,8 @@ class PhysicsTest {
         private final Pose middle;
         private final double sideM;
         private final double scale; // of the robots
+        private final List<Shape> boxes = new ArrayList<>();
+        private int firstBox;
         private int touches;
 
         Twins(long seed) {
@@ -245,10 +247,12 @@ class PhysicsTest {
         private void build() {
             Specs.arena(sideM)
                     .forEach(wall -> both(physics -> physics.addObstacle(middle.compose(wall.pose()), wall.shape())));
-            int boxes = random.nextInt(8);
-            for (int i = 0; i < boxes; i++) {
+            firstBox = Specs.arena(sideM).size();
+            int count = random.nextInt(8);
+            for (int i = 0; i < count; i++) {
                 Pose pose = somewhere();
                 Shape shape = Specs.box(0.1 + random.nextDouble(), 0.1 + random.nextDouble(), 0);
+                boxes.add(shape);
                 both(physics -> physics.addObstacle(pose, shape));
             }
             for (int i = 0; i < robots; i++) {
@@ -295,10 +299,36 @@ class PhysicsTest {
             }
         }
 
-        /** @param atOnce steps of an advance of the gliding world */
-        void run(long seed, int atOnce) {
+        /** Robots leave, and boxes go, come back and move, wherever robots may be. */
+        private void comeAndGo() {
+            if (random.nextInt(10) == 0) {
+                int robot = random.nextInt(robots);
+                both(physics -> physics.removeRobot(robot));
+            }
+            if (!boxes.isEmpty() && random.nextInt(6) == 0) {
+                int box = random.nextInt(boxes.size());
+                Pose pose = somewhere();
+                boolean goes = random.nextInt(3) == 0;
+                both(physics -> {
+                    if (goes) {
+                        physics.removeObstacle(firstBox + box);
+                    } else {
+                        physics.placeObstacle(firstBox + box, pose, boxes.get(box));
+                    }
+                });
+            }
+        }
+
+        /**
+         * @param atOnce steps of an advance of the gliding world
+         * @param comings whether robots and boxes come and go
+         */
+        void run(long seed, int atOnce, boolean comings) {
             for (int tick = 0; tick < TICKS; tick++) {
                 tell();
+                if (comings) {
+                    comeAndGo();
+                }
                 both(Physics::forgetTouches);
                 for (int step = 0; step < STEPS_PER_TICK; step += atOnce) {
                     gliding.advance(atOnce);
@@ -346,13 +376,25 @@ class PhysicsTest {
         long glidingMoves = 0;
         for (long seed = 1; seed <= 80; seed++) {
             var twins = new Twins(seed);
-            twins.run(seed, stepsAtOnce);
+            twins.run(seed, stepsAtOnce, false);
             touches += twins.touches;
             plainMoves += twins.plain.cells().moveCount();
             glidingMoves += twins.gliding.cells().moveCount();
         }
         assertThat(touches).as("touches compared").isGreaterThan(1_000);
         assertThat(glidingMoves).as("moves in jbox2d, of %d", plainMoves).isLessThan(plainMoves * 3 / 4);
+    }
+
+    @ParameterizedTest
+    @ValueSource(ints = {1, 10})
+    void robots_endWhereJbox2dPutsThem_whenRobotsAndBoxesComeAndGo(int stepsAtOnce) {
+        int touches = 0;
+        for (long seed = 101; seed <= 160; seed++) {
+            var twins = new Twins(seed);
+            twins.run(seed, stepsAtOnce, true);
+            touches += twins.touches;
+        }
+        assertThat(touches).as("touches compared").isGreaterThan(500);
     }
 
     // ---- our rays, compared with those of jbox2d, which are slower and in single precision

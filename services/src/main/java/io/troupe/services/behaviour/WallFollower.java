@@ -17,11 +17,8 @@ public final class WallFollower {
     /** The robot steers away from the wall if the range on the left is below this. */
     public static final double MIN_WALL_M = 0.3;
 
-    private static final Velocity AHEAD = new Velocity(0.2, 0);
     private static final Velocity TURN_FAST = new Velocity(0, -0.45);
     private static final Velocity TURN_SLOWLY = new Velocity(0, -0.15);
-    private static final Velocity AWAY_FROM_WALL = new Velocity(0.1, -0.15);
-    private static final Velocity TOWARDS_WALL = new Velocity(0.1, 0.15);
 
     /**
      * The direction of travel while the robot turns right at a wall ahead. It is the only number in which the paper and
@@ -37,6 +34,32 @@ public final class WallFollower {
 
         CornerStyle(double forwardMps) {
             this.turn = new Velocity(forwardMps, -0.6);
+        }
+    }
+
+    /**
+     * The numbers of the law, once the wall is on the left: two limits, and a velocity for each row of Table 2.
+     *
+     * @param maxWallM the robot turns if the range in front is below this, or the range on the left above it
+     * @param minWallM the robot steers away from the wall if the range on the left is below this
+     * @param ahead the velocity between these limits, and until the robot is near a wall
+     */
+    public record Gains(
+            double maxWallM,
+            double minWallM,
+            Velocity ahead,
+            Velocity atCorner,
+            Velocity awayFromWall,
+            Velocity towardsWall) {
+        /** The numbers of the paper. */
+        public static Gains ofThePaper(CornerStyle cornerStyle) {
+            return new Gains(
+                    MAX_WALL_M,
+                    MIN_WALL_M,
+                    new Velocity(0.2, 0),
+                    cornerStyle.turn,
+                    new Velocity(0.1, -0.15),
+                    new Velocity(0.1, 0.15));
         }
     }
 
@@ -58,10 +81,15 @@ public final class WallFollower {
     /** The initial memory. */
     public static final Memory START = new Memory.Approaching();
 
-    private final CornerStyle cornerStyle;
+    private final Gains gains;
 
     public WallFollower(CornerStyle cornerStyle) {
-        this.cornerStyle = cornerStyle;
+        this(Gains.ofThePaper(cornerStyle));
+    }
+
+    /** A follower with other numbers than the paper's. */
+    public WallFollower(Gains gains) {
+        this.gains = gains;
     }
 
     /** Creates a behaviour that keeps the memory. */
@@ -94,9 +122,9 @@ public final class WallFollower {
         };
     }
 
-    private static Step approach(SonarRing sonar) {
-        if (sonar.leftM() > MAX_WALL_M && sonar.frontM() > MAX_WALL_M) {
-            return new Step(AHEAD, START);
+    private Step approach(SonarRing sonar) {
+        if (sonar.leftM() > gains.maxWallM && sonar.frontM() > gains.maxWallM) {
+            return new Step(gains.ahead, START);
         }
         return align(sonar.rangeM(0), sonar);
     }
@@ -110,12 +138,12 @@ public final class WallFollower {
     }
 
     private Velocity follow(SonarRing sonar) {
-        if (sonar.frontM() < MAX_WALL_M) {
-            return cornerStyle.turn;
+        if (sonar.frontM() < gains.maxWallM) {
+            return gains.atCorner;
         }
-        if (sonar.leftM() < MIN_WALL_M) {
-            return AWAY_FROM_WALL;
+        if (sonar.leftM() < gains.minWallM) {
+            return gains.awayFromWall;
         }
-        return sonar.leftM() > MAX_WALL_M ? TOWARDS_WALL : AHEAD;
+        return sonar.leftM() > gains.maxWallM ? gains.towardsWall : gains.ahead;
     }
 }

@@ -68,6 +68,18 @@ class BehaviourTest {
                 .isEqualTo(new WallFollower.Step(new Velocity(-0.1, -0.6), new Following()));
     }
 
+    @Test
+    void wallFollower_withOtherNumbers_usesEachInItsRow() {
+        var velocities =
+                List.of(new Velocity(1, 0.1), new Velocity(2, 0.2), new Velocity(3, 0.3), new Velocity(4, 0.4));
+        var law = new WallFollower(new WallFollower.Gains(
+                0.8, 0.6, velocities.get(0), velocities.get(1), velocities.get(2), velocities.get(3)));
+        assertThat(List.of(ring(0, 0.7), ring(4, 0.79, 0, 0.7), ring(0, 0.59), ring(0, 0.81)))
+                .extracting(ring -> law.step(new Following(), ring).velocity())
+                .isEqualTo(velocities);
+        assertThat(law.step(START, ring(0, 0.81)).velocity()).isEqualTo(velocities.get(0));
+    }
+
     // ---- space wanderer
 
     @Test
