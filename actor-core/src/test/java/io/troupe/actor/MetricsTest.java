@@ -71,7 +71,7 @@ class MetricsTest extends InTestSpace {
         test.takeDeadLetters();
     }
 
-    /** Answers when its test says so. */
+    /** Answers with the promise that it is given. */
     interface Asked {
         Promise<String> ask(Promise<String> answer);
     }

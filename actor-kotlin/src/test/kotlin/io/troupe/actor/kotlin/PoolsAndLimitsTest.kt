@@ -115,7 +115,10 @@ class PoolsAndLimitsTest : InTestSpace() {
         override suspend fun never(): String = other?.never() ?: Deferred<String>().coAwait()
     }
 
-    private fun clerk() = test.spawn<Clerk> { AskingClerk(null) }.let { other -> test.spawn<Clerk> { AskingClerk(other) } }
+    private fun clerk(): Clerk {
+        val other = test.spawn<Clerk> { AskingClerk(null) }
+        return test.spawn<Clerk> { AskingClerk(other) }
+    }
 
     private fun <T> within(millis: Long, block: suspend () -> T): Promise<T> {
         val answer =
