@@ -250,8 +250,9 @@ final class Reducer {
     }
 
     /**
-     * A place that never has fewer tokens than at first, and then already enough for all its arcs, disables nothing. If
-     * its tokens never change, it may also inhibit transitions: those that it inhibits never fire.
+     * A place that never has fewer tokens than at first satisfies for ever the arcs for which these are enough; without
+     * others it disables nothing. If its tokens never change, it may also inhibit transitions, and those that need
+     * more, or that it inhibits, never fire.
      */
     private boolean removeFreePlaces() {
         var changed = false;
@@ -260,26 +261,47 @@ final class Reducer {
             if (isGone[p] || consumers.get(p).stream().anyMatch(id -> step(id).change(place) < 0)) {
                 continue;
             }
-            var isConstant = producers.get(p).stream().allMatch(id -> step(id).change(place) == 0);
-            if (!isConstant && !inhibited.get(p).isEmpty()) {
-                continue;
+            if (producers.get(p).stream().allMatch(id -> step(id).change(place) == 0)) {
+                removeConstantPlace(p);
+                changed = true;
+            } else if (inhibited.get(p).isEmpty()) {
+                changed |= removeGrowingPlace(p);
             }
-            if (isConstant) {
-                var never = new TreeSet<Integer>();
-                consumers.get(p).stream()
-                        .filter(id -> step(id).in.getOrDefault(place, 0) > tokens[place])
-                        .forEach(never::add);
-                inhibited.get(p).stream()
-                        .filter(id -> step(id).inhibitors.getOrDefault(place, 0) <= tokens[place])
-                        .forEach(never::add);
-                never.forEach(this::remove);
-            } else if (consumers.get(p).stream().anyMatch(id -> step(id).in.getOrDefault(place, 0) > tokens[place])) {
-                continue;
-            }
-            removePlace(p);
-            changed = true;
         }
         return changed;
+    }
+
+    private void removeConstantPlace(int place) {
+        var never = new TreeSet<Integer>();
+        consumers.get(place).stream()
+                .filter(id -> step(id).in.getOrDefault(place, 0) > tokens[place])
+                .forEach(never::add);
+        inhibited.get(place).stream()
+                .filter(id -> step(id).inhibitors.getOrDefault(place, 0) <= tokens[place])
+                .forEach(never::add);
+        never.forEach(this::remove);
+        removePlace(place);
+    }
+
+    private boolean removeGrowingPlace(int place) {
+        var satisfied = consumers.get(place).stream()
+                .filter(id -> step(id).in.getOrDefault(place, 0) <= tokens[place])
+                .toList();
+        if (satisfied.size() == consumers.get(place).size()) {
+            removePlace(place);
+            return true;
+        }
+        for (var id : satisfied) {
+            var step = remove(id);
+            var change = step.change(place);
+            step.in.remove(place);
+            step.out.remove(place);
+            if (change > 0) {
+                step.out.put(place, change);
+            }
+            add(step);
+        }
+        return !satisfied.isEmpty();
     }
 
     /** A place that always has at least as many tokens as some others together disables nothing that they do not. */
