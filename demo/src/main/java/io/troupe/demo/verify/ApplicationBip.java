@@ -288,7 +288,8 @@ final class ApplicationBip {
         for (var old : candidates(need)) {
             for (var replacement : plan.replacements()) {
                 if (replacement.old().equals(old) && candidates(need).contains(replacement.by())) {
-                    type = type.on("exchange_" + name(old), "using_" + name(old), "using_" + name(replacement.by()));
+                    type = type.on("exchange_" + name(old), "using_" + name(old), "using_" + name(replacement.by()))
+                            .on("exchange_" + name(old), "starting_" + name(old), "choosing");
                 }
             }
         }
@@ -340,7 +341,7 @@ final class ApplicationBip {
         }
         for (var candidate : candidates(need)) {
             var name = name(candidate);
-            model.connector(user + "_began_" + name, user + ".began_" + name, name + ".serves");
+            gated(user + "_began_" + name, candidate, user + ".began_" + name, name + ".serves");
             gated(user + "_restart_" + name, candidate, user + ".restart_" + name, name + ".restart");
         }
         if (!candidates(need).isEmpty()) {
