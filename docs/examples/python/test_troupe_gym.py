@@ -77,6 +77,14 @@ class VectorTest(unittest.TestCase):
             single.close()
 
 
+class SampleTest(unittest.TestCase):
+    def test_random_drivers_end_episodes(self):
+        import random_driver
+
+        self.assertGreaterEqual(random_driver.alone(250), 2)
+        self.assertGreaterEqual(random_driver.together(100), 8)
+
+
 class ErrorsTest(unittest.TestCase):
     def test_wrong_requests_are_refused_and_change_nothing(self):
         with troupe_gym.Worlds(2) as worlds:
