@@ -134,6 +134,10 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     private void queue(Result next) {
+        CallGraph graph = home.settings.callGraph();
+        if (graph != null && !next.isEnd()) {
+            graph.returned(owner);
+        }
         if (kept != null) {
             kept.queue(next);
             return;

@@ -58,7 +58,7 @@ final class SpaceHome extends Home {
     }
 
     void startThread() {
-        new SpaceThread(this, contexts == null, callbacks, messages, loop).start();
+        new SpaceThread(this, contexts == null && settings.callGraph() == null, callbacks, messages, loop).start();
     }
 
     // ---- queueing
@@ -166,7 +166,28 @@ final class SpaceHome extends Home {
 
     @Override
     public @Nullable Supplier<Runnable> captureContext() {
+        CallGraph graph = settings.callGraph();
+        return graph == null ? captureOwn() : counted(graph, captureOwn());
+    }
+
+    /** The context of the calling thread, for a call. */
+    @Nullable
+    Supplier<Runnable> captureOwn() {
         return contexts == null ? null : contexts.capture();
+    }
+
+    private Supplier<Runnable> counted(CallGraph graph, @Nullable Supplier<Runnable> context) {
+        return () -> {
+            Runnable end = context == null ? () -> {} : context.get();
+            if (!isCurrent()) {
+                return end; // it is closed
+            }
+            CallGraph.Turn turn = graph.begin(owner(), settings.stallLimit());
+            return () -> {
+                turn.end();
+                end.run();
+            };
+        };
     }
 
     // ---- thread
