@@ -11,7 +11,6 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
-import org.jspecify.annotations.Nullable;
 
 /**
  * Counts who calls whom, and how long actors wait and work, in the spaces that have it in their settings.
@@ -117,6 +116,16 @@ public final class CallGraph {
         return new Snapshot(ordered, edges);
     }
 
+    /**
+     * Counts a message that is no call of an actor, for example one on a bus.
+     *
+     * @param space that groups the names; it need not be an actor space
+     */
+    public void note(String space, String from, String to) {
+        Counter sender = counter(space, from);
+        counter(space, to).from(sender).calls.increment();
+    }
+
     // ---- called by the spaces
 
     /** A call of the current thread was put into an actor's mailbox, or was refused by it. */
@@ -132,12 +141,10 @@ public final class CallGraph {
         of(actor).taken.increment();
     }
 
-    /** The current thread sends a result to a callback of this owner; null = of a thread outside every space. */
-    void returned(@Nullable Owner reader) {
-        (reader == null ? counter("", OUTSIDE) : of(reader))
-                .from(caller())
-                .results
-                .increment();
+    /** The current thread sends a result to a callback, which runs on behalf of this owner. */
+    void returned(Owner reader) {
+        Counter from = caller();
+        of(reader).from(from).results.increment();
     }
 
     /** A turn of this owner begins. */

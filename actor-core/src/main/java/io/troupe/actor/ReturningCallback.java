@@ -136,7 +136,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     private void queue(Result next) {
         CallGraph graph = home.settings.callGraph();
         if (graph != null && !next.isEnd()) {
-            graph.returned(owner);
+            graph.returned(owner == null ? home.itself() : owner);
         }
         if (kept != null) {
             kept.queue(next);

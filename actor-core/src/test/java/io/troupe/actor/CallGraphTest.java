@@ -169,6 +169,15 @@ class CallGraphTest {
     }
 
     @Test
+    void messagesThatAreNoCalls_canBeNoted() {
+        graph.note("bus", "sonar", "follower");
+        graph.note("bus", "sonar", "follower");
+        assertThat(edges()).containsExactly("sonar -> follower 2 0");
+        assertThat(node("follower").space()).isEqualTo("bus");
+        assertThat(node("follower").waiting()).isZero();
+    }
+
+    @Test
     void unnamedActorsOfAType_areOneNode_andTasksOfTheSpaceAnother() {
         Store first = space.spawn(Store.class, PlainStore::new);
         Store second = space.spawn(Store.class, PlainStore::new);

@@ -3,6 +3,7 @@ package io.troupe.view.live;
 import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
+import io.troupe.actor.CallGraph;
 import io.troupe.actor.time.Clock;
 import io.troupe.view.Json;
 import io.troupe.view.tools.FoxgloveConnection;
@@ -93,6 +94,7 @@ public final class LiveView implements AutoCloseable {
     private final Map<String, Viewer> viewers = new ConcurrentHashMap<>();
     private final AtomicInteger sockets = new AtomicInteger();
     private final FoxgloveSource foxglove = new FoxgloveSource(board);
+    private final ViewedCalls calls = new ViewedCalls();
     private final SecureRandom random = new SecureRandom();
     private volatile ViewControl control = ViewControl.NONE;
     private volatile @Nullable String ending;
@@ -149,6 +151,11 @@ public final class LiveView implements AutoCloseable {
     /** The number of connected viewers. */
     public int viewers() {
         return viewers.size() + sockets.get();
+    }
+
+    /** Counts calls for the page: it shows the actors of the spaces that have this in their settings. */
+    public CallGraph callGraph() {
+        return calls.graph();
     }
 
     /** What the page shows from now on. */
@@ -367,6 +374,7 @@ public final class LiveView implements AutoCloseable {
         private List<Integer> sentChosen = List.of();
         private long nextEvent;
         private @Nullable String sentTime;
+        private @Nullable String sentCalls;
         private boolean wrote;
 
         void serve(String name, OutputStream out) throws IOException {
@@ -420,6 +428,11 @@ public final class LiveView implements AutoCloseable {
             if (!time.equals(sentTime)) {
                 sentTime = time;
                 write(out, ViewMessages.text(ViewMessages.TIME, time));
+            }
+            String counted = calls.text();
+            if (!counted.equals(sentCalls)) {
+                sentCalls = counted;
+                write(out, ViewMessages.text(ViewMessages.CALLS, counted));
             }
             writeFrame(out, now);
         }

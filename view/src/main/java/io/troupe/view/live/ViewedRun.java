@@ -1,5 +1,6 @@
 package io.troupe.view.live;
 
+import io.troupe.actor.CallGraph;
 import io.troupe.actor.time.Clock;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -44,6 +45,7 @@ public final class ViewedRun {
     private final RunControl control;
     private final List<ViewSink> sinks = new ArrayList<>();
     private final boolean[] stalled;
+    private @Nullable CallGraph callGraph;
     private final Map<Integer, Integer> driversShown = new HashMap<>(); // by robot
     private final Set<Integer> driven = new TreeSet<>();
     private long frames;
@@ -77,6 +79,7 @@ public final class ViewedRun {
 
     /** Shows it on a live page, too, whose commands another control carries out. */
     public ViewedRun onto(LiveView page, ViewControl other) {
+        callGraph = page.callGraph();
         return add(page.show(other), other.offers());
     }
 
@@ -107,6 +110,11 @@ public final class ViewedRun {
             @Override
             public boolean isStopRequested() {
                 return inner.isStopRequested();
+            }
+
+            @Override
+            public @Nullable CallGraph callGraph() {
+                return callGraph == null ? inner.callGraph() : callGraph;
             }
 
             @Override

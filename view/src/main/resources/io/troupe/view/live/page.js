@@ -15,6 +15,8 @@ class Page {
     this.model = new Model();
     this.view = new WorldCanvas(element("world"), this.model);
     this.timeline = new Timeline(element("timeline"), this.model);
+    this.actors = new ActorGraph(
+      element("calls"), element("actor-figures").tBodies[0], element("call-figures").tBodies[0]);
     this.source = null;
     this.paused = false;
     this.listed = 0;
@@ -40,6 +42,11 @@ class Page {
       case Messages.EVENTS:
         this.model.addEvents(value);
         value.filter(each => each.kind === "refused").forEach(each => this.complain(this.model.describe(each)));
+        break;
+      case Messages.CALLS:
+        this.actors.update(value);
+        element("actors-shown").hidden = this.actors.isEmpty();
+        this.showActors(!element("actors").hidden);
         break;
       case Messages.TIME:
         this.paused = value.paused;
@@ -105,6 +112,16 @@ class Page {
     this.listEvents();
     this.showRobots(frame);
     this.showDetails(frame);
+  }
+
+  showActors(asked) {
+    const wanted = asked && !this.actors.isEmpty();
+    element("actors").hidden = !wanted;
+    element("actors-shown").setAttribute("aria-pressed", wanted);
+    document.querySelector("main").classList.toggle("with-actors", wanted);
+    if (wanted) {
+      this.actors.draw();
+    }
   }
 
   listRobots() {
@@ -268,6 +285,7 @@ class Page {
   addControls() {
     const view = this.view;
     element("theme").onclick = () => this.chooseTheme(document.documentElement.dataset.theme !== "dark");
+    element("actors-shown").onclick = () => this.showActors(element("actors").hidden);
     element("zoom-in").onclick = () => view.zoom(1.4);
     element("zoom-out").onclick = () => view.zoom(1 / 1.4);
     element("fit").onclick = () => { view.follow = false; view.fit(); this.showToggles(); };
@@ -410,7 +428,7 @@ class Page {
     }
     const onButton = event.target.closest("button") !== null;
     const clicks = {".": "step", "+": "zoom-in", "-": "zoom-out", "0": "fit", "f": "follow", "r": "rays", "t": "trails",
-      "n": "names"};
+      "n": "names", "a": "actors-shown"};
     if (event.key.startsWith("Arrow")) {
       event.preventDefault();
       this.arrow(event.key);

@@ -4,6 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.CallGraph;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
@@ -16,6 +21,8 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Locale;
+import java.util.concurrent.CountDownLatch;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
@@ -25,6 +32,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * The page in Chromium; skipped where there is none. With {@code -Dpictures=DIR} it writes the pictures of the guide.
@@ -195,6 +204,79 @@ class BrowserTest {
         assertThat(folder.resolve("run.jsonl"))
                 .content()
                 .contains("\"what\":\"drive 1 0.4 0.0\"", "\"what\":\"release 1\"");
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = Mode.class,
+            names = {"CALLBACK", "PROMISE"})
+    void actors_areAGraphOfWhoCallsWhom_withRatesAndMailboxes(Mode mode) throws Exception {
+        try (var run = new LiveRuns.Endless(folder.resolve("run.jsonl"), 0, 20, mode)) {
+            open(run.page);
+            page().await("!document.querySelector('#actors-shown').hidden");
+            page().press('a');
+            page().await("document.querySelectorAll('#calls g').length >= 4");
+            page().await("document.querySelector('#calls').textContent.includes('Arbitrator')");
+            String receiver = mode == Mode.CALLBACK ? "'Arbitrator (results)'" : "'robots/robotServices'";
+            page().await("troupe.actors.before !== null && [...document.querySelectorAll('#call-figures tbody tr')]"
+                    + ".some(row => row.children[1].textContent === " + receiver
+                    + " && Number(row.children[2].textContent) > 0)");
+            assertThat(
+                            page().get(
+                                            "[...document.querySelectorAll('#calls g')].every(box => / waiting/.test(box.textContent))"))
+                    .isEqualTo("true");
+            var graph = run.page.callGraph().snapshot();
+            assertThat(graph.nodes()).extracting(CallGraph.Node::name).contains("Arbitrator", "robots/robotServices");
+            assertThat(graph.edges().stream()
+                            .filter(each -> each.to().name().equals("Arbitrator"))
+                            .anyMatch(each -> each.results() > 0))
+                    .as("colours that were sent one after the other")
+                    .isEqualTo(mode == Mode.CALLBACK);
+            picture("watching-actors-" + mode.toString().toLowerCase(Locale.ROOT) + ".png");
+            page().press('a');
+            page().await("document.querySelector('#actors').hidden");
+        }
+    }
+
+    @Test
+    void actorThatIsStuckInATurn_isMarked_withItsMailbox() throws Exception {
+        var release = new CountDownLatch(1);
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0));
+                var space = ActorSpace.create(SpaceSettings.named("stuck").withCallGraph(view.callGraph()))) {
+            new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
+                    .onto(view)
+                    .moved(LiveRuns.start());
+            Sleeper sleeper = space.spawn(
+                    Sleeper.class, () -> () -> awaitUninterruptibly(release), ActorSettings.named("sleeper"));
+            for (int i = 0; i < 4; i++) {
+                sleeper.sleep();
+            }
+            try {
+                open(view);
+                page().await("!document.querySelector('#actors-shown').hidden");
+                page().get("document.querySelector('#actors-shown').click()");
+                page().await("document.querySelector('#calls g.alarm')?.dataset.name === 'sleeper'");
+                assertThat(page().get("document.querySelector('#calls g.alarm').textContent"))
+                        .contains("3 waiting", "s in one turn");
+                assertThat(page().get("document.querySelector('#actor-figures tr.alarm').textContent"))
+                        .startsWith("sleeper");
+            } finally {
+                release.countDown();
+            }
+            page().await("document.querySelector('#calls g.alarm') === null");
+        }
+    }
+
+    interface Sleeper {
+        void sleep();
+    }
+
+    private static void awaitUninterruptibly(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     @Test
