@@ -19,7 +19,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Checks whether a robot can be placed at a pose.
  *
- * <p><b>Threads.</b> Any thread. Obstacles never move, and the robot's outline is computed for each check.
+ * <p><b>Threads.</b> Any thread. The obstacles are those of the specification, and the robot's outline is computed for
+ * each check.
  */
 final class PlacementCheck {
     private record Obstacle(String title, Outline outline) {}

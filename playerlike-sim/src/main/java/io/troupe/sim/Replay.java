@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.Box;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.WorldFileException;
@@ -42,6 +43,22 @@ public final class Replay {
                 return Double.parseDouble(word);
             }
             throw error("'" + word + "', expected a finite number");
+        }
+
+        Box box() {
+            return Box.parse(words.subList(1, words.size()));
+        }
+
+        void checkBox() {
+            try {
+                if (words.size() == 2) {
+                    Box.number(words.get(1));
+                } else {
+                    box();
+                }
+            } catch (IllegalArgumentException wrong) {
+                throw error(String.valueOf(wrong.getMessage()));
+            }
         }
 
         Pose pose() {
@@ -148,17 +165,19 @@ public final class Replay {
         }
         int expected = switch (line.words().getFirst()) {
             case "reset", "pause", "resume" -> 1;
-            case "is", "end" -> 2;
+            case "is", "end", "unbox" -> 2;
             case "power" -> 3;
             case "velocity", "heading" -> 4;
-            case "teleport", "odometry", "goto" -> 5;
+            case "teleport", "odometry", "goto", "box" -> 5;
             default -> throw line.error("'" + line.words().getFirst() + "' is nothing that can be recorded");
         };
         if (line.words().size() != expected) {
             throw line.error("'" + line.words().getFirst() + "' has "
                     + (line.words().size() - 1) + " words after it, expected " + (expected - 1));
         }
-        if (expected > 2) {
+        if (line.words().getFirst().endsWith("box")) {
+            line.checkBox();
+        } else if (expected > 2) {
             line.robot(robots);
             for (int i = 2; i < (expected == 3 ? 2 : expected); i++) {
                 line.number(i);
@@ -241,6 +260,8 @@ public final class Replay {
             case "goto" -> player.goTo(line.robot(robots), line.pose());
             case "odometry" -> player.setOdometry(line.robot(robots), line.pose());
             case "teleport" -> player.teleportLater(line.robot(robots), line.pose());
+            case "box" -> player.putBoxLater(line.box());
+            case "unbox" -> player.removeBox(Box.number(words.get(1)));
             case "is", "end" -> {
                 if (!hash.toString().equals(words.get(1))) {
                     throw line.error("at tick " + line.tick() + " the checksum was " + words.get(1) + " and is now "

@@ -26,7 +26,7 @@ final class WorldCommands {
 
     private final WorldSpec spec;
     private final WorldSettings settings;
-    private final PlacementCheck placement;
+    private volatile PlacementCheck placement;
     private final AtomicReference<@Nullable TeleportCheck> lastCheck = new AtomicReference<>();
     private final List<RobotCommands> robotCommands = new ArrayList<>();
     private final AtomicBoolean resetWanted = new AtomicBoolean();
@@ -39,6 +39,12 @@ final class WorldCommands {
         for (int i = 0; i < spec.robots().size(); i++) {
             robotCommands.add(new RobotCommands(spec.robots().get(i).drive(), i, settings));
         }
+    }
+
+    /** Checks placements in a world with other obstacles from now on. */
+    void furnish(WorldSpec furnished) {
+        placement = new PlacementCheck(furnished);
+        lastCheck.set(null);
     }
 
     // ---- from any thread
