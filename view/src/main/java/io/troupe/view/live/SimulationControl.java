@@ -86,6 +86,8 @@ public final class SimulationControl implements ViewControl {
             case ViewCommand.Drive(int robot, double forwardMps, double turnRadps) ->
                 simulation.override(robot, forwardMps, turnRadps);
             case ViewCommand.Release(int robot) -> simulation.endOverride(robot);
+            case ViewCommand.PutBox(var box) -> simulation.putBox(box);
+            case ViewCommand.RemoveBox(int number) -> simulation.removeBox(number);
         }
     }
 }

@@ -8,6 +8,7 @@ import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
+import io.troupe.sim.model.Box;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.Json;
 import io.troupe.view.RecordedHostedRun;
@@ -48,6 +49,7 @@ public final class ViewedRun {
     private @Nullable CallGraph callGraph;
     private final Map<Integer, Integer> driversShown = new HashMap<>(); // by robot
     private final Set<Integer> driven = new TreeSet<>();
+    private List<Box> boxesShown = List.of();
     private long frames;
     private int statesShown;
     private double speed;
@@ -261,9 +263,25 @@ public final class ViewedRun {
         for (int robot : driven) {
             states[robot] |= ViewFrame.DRIVEN_BY_HAND;
         }
+        showBoxes(snapshot);
         measureSpeed(snapshot.timeMicros());
         var frame = new ViewFrame(frames++, snapshot, states, speed);
         sinks.forEach(sink -> sink.frame(frame));
+    }
+
+    private void showBoxes(Snapshot snapshot) {
+        if (!snapshot.boxes().equals(boxesShown)) {
+            boxesShown = snapshot.boxes();
+            List<Json> boxes = boxesShown.stream()
+                    .map(each -> new Json()
+                            .put("number", each.number())
+                            .put("colour", each.colour())
+                            .put("x", each.x())
+                            .put("y", each.y())
+                            .put("side", Box.SIDE_M))
+                    .toList();
+            send(event(snapshot.timeMicros(), "boxes").put("boxes", Json.objects(boxes)));
+        }
     }
 
     /** Shows the world of robots without known services at a tick. */

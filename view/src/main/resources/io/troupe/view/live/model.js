@@ -23,6 +23,7 @@ class Model {
     this.trails = [];
     this.drivers = new Map();
     this.state = null;
+    this.boxes = [];
     this.frames = 0;
   }
 
@@ -89,6 +90,8 @@ class Model {
       this.events.push(event);
       if (event.kind === "state") {
         this.state = event;
+      } else if (event.kind === "boxes") {
+        this.boxes = event.boxes;
       } else if (event.kind === "driver") {
         this.drivers.set(event.robot - 1, event.node);
       }
@@ -139,7 +142,12 @@ class Model {
 
   /** Events for lists: in a crowd robots touch each other all the time. */
   isListed(event) {
-    return this.world.robots.length <= 20 || event.kind !== "contact" && event.kind !== "stall";
+    return event.kind !== "boxes" && (this.world.robots.length <= 20 || event.kind !== "contact" && event.kind !== "stall");
+  }
+
+  /** The boxes at a time, for a recorded run. */
+  boxesAt(time) {
+    return this.events.findLast(each => each.kind === "boxes" && each.t <= time + 1e-9)?.boxes ?? [];
   }
 
   /** Changes of state, and what else happened to be shown, as text. */

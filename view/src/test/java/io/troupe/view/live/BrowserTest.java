@@ -42,6 +42,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class BrowserTest {
     private static final char ARROW_UP = '\uE013';
     private static final char ESCAPE = '\uE00C';
+    private static final char DELETE = '\uE017';
 
     private static @Nullable Browser browser;
 
@@ -167,6 +168,41 @@ class BrowserTest {
         assertThat(nearestM)
                 .as("from where it was dropped, in the log of the run")
                 .isLessThan(0.1);
+    }
+
+    @Test
+    void coloured_box_isPutByAClick_movedByDragging_seenByTheRobot_andRemovedByDelete() throws Exception {
+        try (var run = run(1)) {
+            open(run.page);
+            run.control.submit(new ViewCommand.Place(0, new Pose(-3, 0, 0)));
+            run.control.submit(new ViewCommand.Pause());
+            page().await("troupe.paused");
+            page().get("(document.querySelector('#box-colour').value = '00ff00')");
+            page().press('b');
+            page().await("document.querySelector('#box').getAttribute('aria-pressed') === 'true'");
+            int[] spot = point("[-1, 1]");
+            page().drag(List.of(spot, spot));
+            page().await("document.querySelector('#box').getAttribute('aria-pressed') === 'false'");
+            run.control.submit(new ViewCommand.Step());
+            page().await("troupe.model.boxes.length === 1");
+            assertThat(page().get("JSON.stringify(troupe.model.boxes[0].colour)"))
+                    .isEqualTo("65280");
+            drag("[troupe.model.boxes[0].x, troupe.model.boxes[0].y]", "[-1, 0]");
+            run.control.submit(new ViewCommand.Step());
+            page().await("troupe.model.boxes.length === 1 && Math.abs(troupe.model.boxes[0].y) < 0.1");
+            page().await("troupe.model.readings.get(0)?.blobs.some(blob => blob.colour === 0x00ff00)");
+            picture("watching-box.png");
+            drag("[troupe.model.boxes[0].x, troupe.model.boxes[0].y]", "[-3, 0]");
+            run.control.submit(new ViewCommand.Step());
+            page().await("document.querySelector('#problem').textContent.includes('overlap')");
+            assertThat(page().get("Math.abs(troupe.model.boxes[0].x + 1) < 0.1"))
+                    .as("it has stayed where it was")
+                    .isEqualTo("true");
+            page().press(DELETE);
+            run.control.submit(new ViewCommand.Step());
+            page().await("troupe.model.boxes.length === 0");
+        }
+        assertThat(folder.resolve("run.jsonl")).content().contains("\"what\":\"box 1 00ff00 ", "\"what\":\"unbox 1\"");
     }
 
     private static double number(String line, String key) {
