@@ -166,6 +166,7 @@ class BoxesTest {
         var out = new StringBuilder();
         var random = new SplittableRandom(12);
         try (Recording recording = world.record(out)) {
+            assertThat(world.recording()).isSameAs(recording);
             for (int tick = 0; tick < 200; tick++) {
                 Arena.drive(world, random);
                 if (tick % 20 == 7) {

@@ -224,17 +224,22 @@ public final class ViewedRun {
         long now = simulation.timeMicros();
         try {
             SimulationControl.carryOut(intervention, simulation);
-            if (intervention instanceof ViewCommand.Drive drive) {
-                driven.add(drive.robot());
-            } else if (intervention instanceof ViewCommand.Release release) {
-                driven.remove(release.robot());
-            }
         } catch (IllegalArgumentException refused) {
             send(event(now, "refused").put("text", String.valueOf(refused.getMessage())));
             return false;
         }
-        send(event(now, "intervention").put("text", intervention.words()));
+        intervened(now, intervention);
         return true;
+    }
+
+    /** Shows that a viewer has changed the world. */
+    public void intervened(long timeMicros, Intervention intervention) {
+        if (intervention instanceof ViewCommand.Drive drive) {
+            driven.add(drive.robot());
+        } else if (intervention instanceof ViewCommand.Release release) {
+            driven.remove(release.robot());
+        }
+        send(event(timeMicros, "intervention").put("text", intervention.words()));
     }
 
     /**
