@@ -93,8 +93,8 @@ class WorldCanvas {
     const [left, bottom, right, top] = this.bounds;
     const margin = WorldCanvas.MARGIN_M;
     const ratio = window.devicePixelRatio || 1;
-    const tools = 48; // the buttons above the world, and the legend below
-    const legend = 40;
+    const tools = document.querySelector("#stage .tools").offsetHeight + 14; // above the world
+    const legend = 40; // below
     this.x = (left + right) / 2;
     const height = this.canvas.height / ratio - tools - legend;
     this.scale = Math.min(this.canvas.width / ratio / (right - left + 2 * margin), height / (top - bottom + 2 * margin));

@@ -110,7 +110,7 @@ class BrowserTest {
             String start = page().get("troupe.model.frame.x[0] + ' ' + troupe.model.frame.y[0]");
             page().await("Math.hypot(troupe.model.frame.x[0] - " + start.replace(" ", ", troupe.model.frame.y[0] - ")
                     + ") > 0.3");
-            page().await("troupe.model.trails[0].length > 5 && troupe.model.readings.size === 2");
+            page().await("troupe.model.trails[0].length > 60 && troupe.model.readings.size === 2");
             run.control.submit(new ViewCommand.Pause());
             page().await("troupe.paused && document.querySelector('#play').textContent === 'Go on'");
             page().await("troupe.view.sonarEnds(troupe.model.frame, 0).some(ray => ray.hit)");
