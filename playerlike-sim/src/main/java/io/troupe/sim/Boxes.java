@@ -1,7 +1,7 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Outline;
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
@@ -23,10 +23,10 @@ final class Boxes {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
 
     /** @param box null = it is to be removed */
-    private record Change(int number, @Nullable Box box) {}
+    private record Change(int number, @Nullable ColouredBox box) {}
 
     private final WorldSpec spec;
-    private final SortedMap<Integer, Box> boxes = new TreeMap<>();
+    private final SortedMap<Integer, ColouredBox> boxes = new TreeMap<>();
     private final List<Change> pending = new ArrayList<>(); // guarded by itself
     private volatile boolean hasPending;
 
@@ -34,7 +34,7 @@ final class Boxes {
         this.spec = spec;
     }
 
-    void put(Box box) {
+    void put(ColouredBox box) {
         add(new Change(box.number(), box));
     }
 
@@ -66,9 +66,9 @@ final class Boxes {
 
     /** Reason why a box cannot be where it is, or null. */
     @Nullable
-    String refusal(Box box, IntFunction<Pose> poses) {
+    String refusal(ColouredBox box, IntFunction<Pose> poses) {
         String attempt = box.name() + " cannot be put at (" + box.x() + " m, " + box.y() + " m): ";
-        double farthest = Math.max(Math.abs(box.x()), Math.abs(box.y())) + Box.SIDE_M;
+        double farthest = Math.max(Math.abs(box.x()), Math.abs(box.y())) + ColouredBox.SIDE_M;
         if (farthest > SpecCheck.FARTHEST_M) {
             return attempt + "expected at most " + SpecCheck.FARTHEST_M + " m from the origin along x and y";
         }
@@ -85,13 +85,13 @@ final class Boxes {
         return null;
     }
 
-    private static boolean isNear(RobotSpec robot, Pose pose, Box box) {
+    private static boolean isNear(RobotSpec robot, Pose pose, ColouredBox box) {
         double reachM = robot.collisionShape().polygons().stream()
                 .flatMap(List::stream)
                 .mapToDouble(vertex -> StrictMath.hypot(vertex.x(), vertex.y()))
                 .max()
                 .orElse(0);
-        return StrictMath.hypot(pose.x() - box.x(), pose.y() - box.y()) <= reachM + Box.SIDE_M;
+        return StrictMath.hypot(pose.x() - box.x(), pose.y() - box.y()) <= reachM + ColouredBox.SIDE_M;
     }
 
     /**
@@ -105,7 +105,7 @@ final class Boxes {
         }
         boolean changed = false;
         for (Change change : takePending()) {
-            Box box = change.box();
+            ColouredBox box = change.box();
             String refusal = box == null ? null : refusal(box, poses);
             if (refusal != null) {
                 LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
@@ -128,7 +128,7 @@ final class Boxes {
         return had;
     }
 
-    List<Box> all() {
+    List<ColouredBox> all() {
         return List.copyOf(boxes.values());
     }
 }

@@ -1,6 +1,6 @@
 package io.troupe.sim;
 
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import java.io.IOException;
@@ -59,7 +59,7 @@ public final class Recording implements AutoCloseable {
     }
 
     /** @param box null = it was removed */
-    synchronized void box(int number, @Nullable Box box) {
+    synchronized void box(int number, @Nullable ColouredBox box) {
         begin(box == null ? "unbox " + number : "box " + box.words());
         write();
     }

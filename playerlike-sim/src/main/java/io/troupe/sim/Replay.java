@@ -1,6 +1,6 @@
 package io.troupe.sim;
 
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.WorldFileException;
@@ -45,14 +45,14 @@ public final class Replay {
             throw error("'" + word + "', expected a finite number");
         }
 
-        Box box() {
-            return Box.parse(words.subList(1, words.size()));
+        ColouredBox box() {
+            return ColouredBox.parse(words.subList(1, words.size()));
         }
 
         void checkBox() {
             try {
                 if (words.size() == 2) {
-                    Box.number(words.get(1));
+                    ColouredBox.number(words.get(1));
                 } else {
                     box();
                 }
@@ -261,7 +261,7 @@ public final class Replay {
             case "odometry" -> player.setOdometry(line.robot(robots), line.pose());
             case "teleport" -> player.teleportLater(line.robot(robots), line.pose());
             case "box" -> player.putBoxLater(line.box());
-            case "unbox" -> player.removeBox(Box.number(words.get(1)));
+            case "unbox" -> player.removeBox(ColouredBox.number(words.get(1)));
             case "is", "end" -> {
                 if (!hash.toString().equals(words.get(1))) {
                     throw line.error("at tick " + line.tick() + " the checksum was " + words.get(1) + " and is now "

@@ -7,7 +7,7 @@ import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.ConnectionClosedException;
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
@@ -273,7 +273,7 @@ public final class Simulation implements AutoCloseable {
      *
      * @throws IllegalArgumentException if it would overlap a robot there
      */
-    public void putBox(Box box) {
+    public void putBox(ColouredBox box) {
         world.putBox(box);
     }
 

@@ -1,6 +1,6 @@
 package io.troupe.sim;
 
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import java.util.List;
 
 /**
@@ -13,7 +13,8 @@ import java.util.List;
  *     robots come before obstacles, each in the order of the world file
  * @param boxes that have been put into the world, by number
  */
-public record Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts, List<Box> boxes) {
+public record Snapshot(
+        long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts, List<ColouredBox> boxes) {
     public Snapshot {
         robots = List.copyOf(robots);
         contacts = List.copyOf(contacts);

@@ -6,7 +6,7 @@ import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
@@ -208,7 +208,7 @@ public final class World implements AutoCloseable {
      *
      * <p><b>Errors.</b> As with {@link #teleport}.
      */
-    public void putBox(Box box) {
+    public void putBox(ColouredBox box) {
         Snapshot at = latest;
         String refusal = boxes.refusal(box, robot -> at.robots().get(robot).pose());
         if (refusal != null) {
@@ -218,7 +218,7 @@ public final class World implements AutoCloseable {
     }
 
     /** A box that is checked only when it takes effect. */
-    void putBoxLater(Box box) {
+    void putBoxLater(ColouredBox box) {
         boxes.put(box);
     }
 

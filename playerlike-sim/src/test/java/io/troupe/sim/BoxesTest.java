@@ -6,7 +6,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.device.ColourBlob;
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import java.io.StringReader;
 import java.util.ArrayList;
@@ -20,23 +20,23 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Boxes that are put into a world while it runs. */
 class BoxesTest {
     private static final double FRONT_M = 0.18; // of a robot, from its centre of rotation
-    private static final double HALF_M = Box.SIDE_M / 2;
+    private static final double HALF_M = ColouredBox.SIDE_M / 2;
 
     @Test
     void sampleOfTheBox_isAnObstacleForBodies() {
         World world = Specs.start(Specs.R1);
-        world.putBox(new Box(1, 0xFF0000, 2.5, -1));
+        world.putBox(new ColouredBox(1, 0xFF0000, 2.5, -1));
         assertThat(world.latest().boxes()).as("before the next interval").isEmpty();
-        assertThat(world.advance().boxes()).containsExactly(new Box(1, Specs.RED, 2.5, -1));
+        assertThat(world.advance().boxes()).containsExactly(new ColouredBox(1, Specs.RED, 2.5, -1));
     }
 
     @Test
     void box_isMeasuredFromItsFace_stopsARobot_andLetsItGoOnWhenItIsRemoved() {
         World world = Specs.start(Specs.R1);
         assertThat(first(world.latest()).wallGapM()).isInfinite();
-        world.putBox(new Box(3, Specs.RED, 2, 0));
+        world.putBox(new ColouredBox(3, Specs.RED, 2, 0));
         assertThat(first(world.advance()).wallGapM()).isCloseTo(2 - HALF_M - FRONT_M, within(1e-9));
-        world.putBox(new Box(3, Specs.RED, 1, 0));
+        world.putBox(new ColouredBox(3, Specs.RED, 1, 0));
         assertThat(first(world.advance()).wallGapM())
                 .as("moved, not doubled")
                 .isCloseTo(1 - HALF_M - FRONT_M, within(1e-9));
@@ -63,7 +63,7 @@ class BoxesTest {
     @Test
     void camera_seesTheColourOfABox() {
         World world = Specs.start(Specs.robot("r1", Pose.ORIGIN, Specs.ORANGE, Specs.pioneerFront(), Specs.camera(8)));
-        world.putBox(new Box(1, 0x12AB34, 3, 0));
+        world.putBox(new ColouredBox(1, 0x12AB34, 3, 0));
         RobotReading reading = first(world.advance());
         assertThat(reading.blobs().blobs()).extracting(ColourBlob::colour).containsExactly(0x12AB34);
         assertThat(reading.blobs().blobs().getFirst().rangeM()).isCloseTo(3 - HALF_M, within(0.2));
@@ -77,7 +77,7 @@ class BoxesTest {
         with.command(0, 0.4, 0.3);
         for (int i = 0; i < 50; i++) {
             if (i % 7 == 3) {
-                with.putBox(new Box(1 + i % 3, Specs.BLUE, 20 + i, 30));
+                with.putBox(new ColouredBox(1 + i % 3, Specs.BLUE, 20 + i, 30));
             }
             assertThat(first(with.advance()).pose())
                     .isEqualTo(first(without.advance()).pose());
@@ -87,13 +87,13 @@ class BoxesTest {
     @Test
     void boxThatWouldOverlapARobot_orIsTooFarAway_isRefused() {
         World world = Specs.start(Specs.R1);
-        assertThatThrownBy(() -> world.putBox(new Box(1, 0, 0.3, 0.1)))
+        assertThatThrownBy(() -> world.putBox(new ColouredBox(1, 0, 0.3, 0.1)))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("box 1 cannot be put at (0.3 m, 0.1 m): it would overlap robot 'r1'");
-        assertThatThrownBy(() -> world.putBox(new Box(1, 0, 0, -600)))
+        assertThatThrownBy(() -> world.putBox(new ColouredBox(1, 0, 0, -600)))
                 .hasMessageContaining("expected at most 500.0 m from the origin");
         assertThat(world.advance().boxes()).isEmpty();
-        world.putBox(new Box(1, 0, 1, 0));
+        world.putBox(new ColouredBox(1, 0, 1, 0));
         world.advance();
         assertThatThrownBy(() -> world.teleport(0, new Pose(1, 0, 0)))
                 .as("the box is in the way of robots, too")
@@ -103,7 +103,7 @@ class BoxesTest {
     @ParameterizedTest
     @CsvSource({"0, 0, 0", "21, 0, 0", "1, -1, 0", "1, 16777216, 0", "1, 0, NaN", "1, 0, Infinity"})
     void boxThatMakesNoSense_isRefused(int number, int colour, double x) {
-        assertThatThrownBy(() -> new Box(number, colour, x, 0))
+        assertThatThrownBy(() -> new ColouredBox(number, colour, x, 0))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("expected");
     }
@@ -120,7 +120,7 @@ class BoxesTest {
                 "-1 ff0000 1 2"
             })
     void wordsThatAreNoBox_areRefused(String words) {
-        assertThatThrownBy(() -> Box.parse(List.of(words.split(" "))))
+        assertThatThrownBy(() -> ColouredBox.parse(List.of(words.split(" "))))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessageContaining("expected");
     }
@@ -129,12 +129,12 @@ class BoxesTest {
     void words_areReadAgain_bitForBit() {
         var random = new SplittableRandom(16);
         for (int i = 0; i < 1_000; i++) {
-            var box = new Box(
-                    random.nextInt(1, Box.MOST + 1),
+            var box = new ColouredBox(
+                    random.nextInt(1, ColouredBox.MOST + 1),
                     random.nextInt(0x1000000),
                     random.nextDouble(-500, 500),
                     random.nextDouble(-1e-5, 1e-5));
-            assertThat(Box.parse(List.of(box.words().split(" ")))).isEqualTo(box);
+            assertThat(ColouredBox.parse(List.of(box.words().split(" ")))).isEqualTo(box);
         }
     }
 
@@ -142,9 +142,9 @@ class BoxesTest {
     void reset_removesBoxes_andTheRunRepeats() {
         World world = World.create(Arena.spec(3), Arena.seed(2));
         List<Long> first = hashes(world);
-        world.putBox(new Box(1, Specs.RED, 1, 1.2));
+        world.putBox(new ColouredBox(1, Specs.RED, 1, 1.2));
         world.advance();
-        world.putBox(new Box(2, Specs.RED, 1, -1.2));
+        world.putBox(new ColouredBox(2, Specs.RED, 1, -1.2));
         world.reset(); // discards the second one, which waits
         assertThat(hashes(world)).isEqualTo(first);
         assertThat(world.latest().boxes()).isEmpty();
@@ -171,8 +171,8 @@ class BoxesTest {
                 Arena.drive(world, random);
                 if (tick % 20 == 7) {
                     try {
-                        world.putBox(
-                                new Box(1 + tick % 3, Specs.GREEN, random.nextDouble(-3, 3), random.nextDouble(-3, 3)));
+                        world.putBox(new ColouredBox(
+                                1 + tick % 3, Specs.GREEN, random.nextDouble(-3, 3), random.nextDouble(-3, 3)));
                     } catch (IllegalArgumentException overlaps) {
                         assertThat(overlaps).hasMessageContaining("overlap");
                     }

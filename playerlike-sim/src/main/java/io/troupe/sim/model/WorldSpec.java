@@ -20,7 +20,7 @@ public record WorldSpec(
     }
 
     /** This world with boxes, which follow its other obstacles. */
-    public WorldSpec with(List<Box> boxes) {
+    public WorldSpec with(List<ColouredBox> boxes) {
         return boxes.isEmpty()
                 ? this
                 : new WorldSpec(
@@ -28,7 +28,7 @@ public record WorldSpec(
                         file,
                         intervalMillis,
                         robots,
-                        Stream.concat(obstacles.stream(), boxes.stream().map(Box::obstacle))
+                        Stream.concat(obstacles.stream(), boxes.stream().map(ColouredBox::obstacle))
                                 .toList());
     }
 }

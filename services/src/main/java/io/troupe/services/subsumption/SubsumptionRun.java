@@ -96,8 +96,7 @@ public final class SubsumptionRun implements AutoCloseable {
         }
 
         public Settings withCallGraph(@Nullable CallGraph newGraph) {
-            return new Settings(
-                    mode, host, port, table, clock, observer, listener, reconnects, round, newGraph);
+            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, round, newGraph);
         }
     }
 

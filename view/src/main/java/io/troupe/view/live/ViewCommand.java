@@ -1,6 +1,6 @@
 package io.troupe.view.live;
 
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import java.util.List;
 import java.util.Locale;
@@ -87,7 +87,7 @@ public sealed interface ViewCommand {
     }
 
     /** Puts a box into the world, or moves it. */
-    record PutBox(Box box) implements Intervention {
+    record PutBox(ColouredBox box) implements Intervention {
         @Override
         public String words() {
             return "box " + box.words();
@@ -145,8 +145,8 @@ public sealed interface ViewCommand {
             case "speed" -> speed(words.get(1));
             case "release" -> new Release(robot(words.get(1), robots));
             case "drive" -> new Drive(robot(words.get(1), robots), number(words.get(2)), number(words.get(3)));
-            case "box" -> new PutBox(Box.parse(words.subList(1, 5)));
-            case "unbox" -> new RemoveBox(Box.number(words.get(1)));
+            case "box" -> new PutBox(ColouredBox.parse(words.subList(1, 5)));
+            case "unbox" -> new RemoveBox(ColouredBox.number(words.get(1)));
             default ->
                 new Place(
                         robot(words.get(1), robots),

@@ -8,7 +8,7 @@ import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.Json;
 import io.troupe.view.RecordedHostedRun;
@@ -49,7 +49,7 @@ public final class ViewedRun {
     private @Nullable CallGraph callGraph;
     private final Map<Integer, Integer> driversShown = new HashMap<>(); // by robot
     private final Set<Integer> driven = new TreeSet<>();
-    private List<Box> boxesShown = List.of();
+    private List<ColouredBox> boxesShown = List.of();
     private long frames;
     private int statesShown;
     private double speed;
@@ -283,7 +283,7 @@ public final class ViewedRun {
                             .put("colour", each.colour())
                             .put("x", each.x())
                             .put("y", each.y())
-                            .put("side", Box.SIDE_M))
+                            .put("side", ColouredBox.SIDE_M))
                     .toList();
             send(event(snapshot.timeMicros(), "boxes").put("boxes", Json.objects(boxes)));
         }

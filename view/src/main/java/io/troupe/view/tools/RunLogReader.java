@@ -8,7 +8,7 @@ import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Sonar;
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
@@ -49,7 +49,7 @@ final class RunLogReader {
     private final Path file;
     private final WorldSpec world;
     private final RunListener listener;
-    private final Map<Integer, Box> boxes = new TreeMap<>();
+    private final Map<Integer, ColouredBox> boxes = new TreeMap<>();
     private Scene scene;
     private final List<Sensors> sensors = new ArrayList<>();
     /** Those of the reading that has not been complete yet. */
@@ -260,10 +260,10 @@ final class RunLogReader {
         try {
             switch (words.getFirst()) {
                 case "box" -> {
-                    Box box = Box.parse(words.subList(1, words.size()));
+                    ColouredBox box = ColouredBox.parse(words.subList(1, words.size()));
                     boxes.put(box.number(), box);
                 }
-                case "unbox" -> boxes.remove(Box.number(words.getLast()));
+                case "unbox" -> boxes.remove(ColouredBox.number(words.getLast()));
                 case "reset" -> boxes.clear();
                 default -> {
                     return;

@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import java.util.List;
 import org.junit.jupiter.api.Test;
@@ -17,7 +17,7 @@ class SimulationControlTest {
         try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.DEFAULT)) {
             var control = new SimulationControl(simulation, 1);
             var place = new ViewCommand.Place(0, new Pose(-3, 0, 1));
-            var box = new ViewCommand.PutBox(new Box(2, 0xFF0000, 0, 1));
+            var box = new ViewCommand.PutBox(new ColouredBox(2, 0xFF0000, 0, 1));
             control.submit(place);
             control.submit(box);
             assertThatThrownBy(() -> control.submit(new ViewCommand.Place(0, new Pose(1000, 0, 0))))

@@ -3,7 +3,7 @@ package io.troupe.view.live;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.view.live.ViewCommand.Intervention;
 import java.util.List;
@@ -54,7 +54,7 @@ class ViewCommandTest {
                 new ViewCommand.Place(1, new Pose(0.1, -2.5e-7, 3.0)),
                 new ViewCommand.Drive(0, 0.25, -1),
                 new ViewCommand.Release(1),
-                new ViewCommand.PutBox(new Box(20, 0x00FF7F, 0.1, -2.5e-7)),
+                new ViewCommand.PutBox(new ColouredBox(20, 0x00FF7F, 0.1, -2.5e-7)),
                 new ViewCommand.RemoveBox(3));
         assertThat(all)
                 .allSatisfy(

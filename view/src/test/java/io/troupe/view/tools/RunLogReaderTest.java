@@ -12,7 +12,7 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.model.Box;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
@@ -84,10 +84,10 @@ class RunLogReaderTest {
         SubsumptionTable table = SubsumptionTable.ofThePaper();
         Path file = folder.resolve("run.jsonl");
         List<Snapshot> snapshots = new ArrayList<>();
-        Map<Long, Box> boxes = Map.of(
-                10_000_000L, new Box(1, 0xFFFF00, 3, 0),
-                20_000_000L, new Box(2, 0x00FFFF, -5, -3.5),
-                25_000_000L, new Box(1, 0xFFFF00, 2, 3));
+        Map<Long, ColouredBox> boxes = Map.of(
+                10_000_000L, new ColouredBox(1, 0xFFFF00, 3, 0),
+                20_000_000L, new ColouredBox(2, 0x00FFFF, -5, -3.5),
+                25_000_000L, new ColouredBox(1, 0xFFFF00, 2, 3));
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
                 var log = new RunLog(file)) {
             log.begin(scenario.world(), RecordedRun.Settings.DEFAULT);
@@ -98,7 +98,7 @@ class RunLogReaderTest {
                 recorder.start(simulation.latest());
                 snapshots.add(simulation.latest());
                 while (simulation.timeMicros() < 60_000_000) {
-                    Box box = boxes.get(simulation.timeMicros());
+                    ColouredBox box = boxes.get(simulation.timeMicros());
                     if (box != null) {
                         simulation.putBox(box);
                         recorder.intervened("box " + box.words());

@@ -10,7 +10,7 @@ import java.util.Locale;
  * obstacle for bodies, rangers and cameras.
  *
  * {@snippet :
- * world.putBox(new Box(1, 0xFF0000, 2.5, -1));
+ * world.putBox(new ColouredBox(1, 0xFF0000, 2.5, -1));
  * }
  *
  * @param number from 1 to {@value #MOST}; a box with the number of another one replaces it
@@ -18,13 +18,13 @@ import java.util.Locale;
  * @param x of its centre, in metres
  * @param y of its centre, in metres
  */
-public record Box(int number, int colour, double x, double y) {
+public record ColouredBox(int number, int colour, double x, double y) {
     public static final double SIDE_M = 0.4;
     public static final int MOST = 20;
 
     private static final SourcePosition NOWHERE = new SourcePosition(Path.of("box"), 1, 1);
 
-    public Box {
+    public ColouredBox {
         if (number < 1 || number > MOST) {
             throw new IllegalArgumentException("box " + number + ", expected a number from 1 to " + MOST);
         }
@@ -48,12 +48,12 @@ public record Box(int number, int colour, double x, double y) {
      *
      * @throws IllegalArgumentException with the word that is wrong
      */
-    public static Box parse(List<String> words) {
+    public static ColouredBox parse(List<String> words) {
         if (words.size() != 4) {
             throw new IllegalArgumentException(
                     "a box has " + words.size() + " words, expected its number, its colour, x and y");
         }
-        return new Box(number(words.get(0)), colour(words.get(1)), metres(words.get(2)), metres(words.get(3)));
+        return new ColouredBox(number(words.get(0)), colour(words.get(1)), metres(words.get(2)), metres(words.get(3)));
     }
 
     /**
