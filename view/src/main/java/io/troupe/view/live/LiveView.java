@@ -62,7 +62,9 @@ public final class LiveView implements AutoCloseable {
     private static final String FOXGLOVE = "https://app.foxglove.dev";
     private static final String UTF_8_TEXT = "text/plain; charset=utf-8";
     private static final long FRAME_NANOS = 1_000_000_000 / MOST_FRAMES_PER_S;
-    private static final long POLL_NANOS = 4_000_000;
+    /** For news that are no frames. */
+    private static final long POLL_NANOS = 50_000_000;
+
     private static final long ALIVE_NANOS = 1_000_000_000;
     private static final Duration CLOSING = Duration.ofSeconds(1);
 
@@ -280,6 +282,7 @@ public final class LiveView implements AutoCloseable {
                     .map(line -> ViewCommand.parse(line, robots))
                     .toList();
             commands.forEach(control::submit);
+            board.wakeAll();
         } catch (IllegalArgumentException e) {
             answer(exchange, 400, UTF_8_TEXT, e.getMessage() + "\n");
             return;
@@ -301,6 +304,7 @@ public final class LiveView implements AutoCloseable {
                     .limit(MOST_CHOSEN)
                     .map(word -> ((ViewCommand.Release) ViewCommand.parse("release " + word, 0xFFFF)).robot())
                     .toList();
+            board.wakeAll();
         } catch (IllegalArgumentException e) {
             answer(exchange, 400, UTF_8_TEXT, e.getMessage() + "\n");
             return;
@@ -383,6 +387,16 @@ public final class LiveView implements AutoCloseable {
                     ViewMessages.text(
                             ViewMessages.HELLO, new Json().put("viewer", name).toString()));
             out.flush();
+            var waiting = new ViewBoard.Waiting();
+            board.enter(waiting);
+            try {
+                serve(out, waiting);
+            } finally {
+                board.leave(waiting);
+            }
+        }
+
+        private void serve(OutputStream out, ViewBoard.Waiting waiting) throws IOException {
             long sentNanos = Clock.system().nanos();
             while (true) {
                 String end = ending; // read before the last frame
@@ -403,8 +417,17 @@ public final class LiveView implements AutoCloseable {
                     out.flush();
                     sentNanos = now;
                 }
-                LockSupport.parkNanos(wrote ? FRAME_NANOS : POLL_NANOS);
+                if (wrote) {
+                    LockSupport.parkNanos(FRAME_NANOS);
+                } else {
+                    waiting.await(POLL_NANOS, this::hasNewFrame);
+                }
             }
+        }
+
+        private boolean hasNewFrame() {
+            ViewBoard.Shown newest = board.newest();
+            return ending != null || newest != null && newest.frame.number() != sentFrame;
         }
 
         private void writeNews(OutputStream out) throws IOException {
@@ -469,6 +492,7 @@ public final class LiveView implements AutoCloseable {
     /** Sends the viewers the last frame and a reason, and stops to listen. */
     public void close(String why) {
         ending = why;
+        board.wakeAll();
         long deadline = Clock.system().nanos() + CLOSING.toNanos();
         while (viewers() > 0 && Clock.system().nanos() < deadline) {
             LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(5)); // a frozen viewer is left behind

@@ -277,15 +277,8 @@ public final class ViewedRun {
     private void showBoxes(Snapshot snapshot) {
         if (!snapshot.boxes().equals(boxesShown)) {
             boxesShown = snapshot.boxes();
-            List<Json> boxes = boxesShown.stream()
-                    .map(each -> new Json()
-                            .put("number", each.number())
-                            .put("colour", each.colour())
-                            .put("x", each.x())
-                            .put("y", each.y())
-                            .put("side", ColouredBox.SIDE_M))
-                    .toList();
-            send(event(snapshot.timeMicros(), "boxes").put("boxes", Json.objects(boxes)));
+            var boxes = Json.texts(boxesShown.stream().map(ColouredBox::words).toList());
+            send(event(snapshot.timeMicros(), "boxes").put("boxes", boxes));
         }
     }
 

@@ -9,6 +9,7 @@ class Model {
   static CROWD_TRAIL_STEP_M = 0.15;
   /** A robot that is so much farther away in the next frame has not driven there. */
   static JUMP_M = 0.6;
+  static BOX_M = 0.4;
 
   constructor() {
     this.clear();
@@ -91,6 +92,7 @@ class Model {
       if (event.kind === "state") {
         this.state = event;
       } else if (event.kind === "boxes") {
+        event.boxes = event.boxes.map(Model.box);
         this.boxes = event.boxes;
       } else if (event.kind === "driver") {
         this.drivers.set(event.robot - 1, event.node);
@@ -169,6 +171,12 @@ class Model {
       default:
         return event.text ?? event.kind;
     }
+  }
+
+  /** A box of its words: number, colour, x and y of its centre. */
+  static box(words) {
+    const [number, colour, x, y] = words.split(" ");
+    return {number: Number(number), colour: parseInt(colour, 16), x: Number(x), y: Number(y), side: Model.BOX_M};
   }
 
   static colour(number) {

@@ -10,7 +10,6 @@ class Page {
   static DRIVE_MPS = 0.4;
   static DRIVE_RADPS = 0.8;
   static SEND_MILLIS = 50;
-  static BOX_M = 0.4;
   static BOX_COLOURS = {red: "ff0000", green: "00ff00", blue: "0000ff", yellow: "ffff00", orange: "ffa500", black: "000000"};
 
   constructor() {
@@ -467,7 +466,7 @@ class Page {
       this.complain("there are 20 boxes, and that is the most: choose one by a click, and remove it by Delete");
       return undefined;
     }
-    return {number, colour: parseInt(element("box-colour").value, 16), x, y, side: Page.BOX_M};
+    return {number, colour: parseInt(element("box-colour").value, 16), x, y, side: Model.BOX_M};
   }
 
   putBox(box) {
