@@ -78,12 +78,10 @@ final class ActorCell extends Recipient {
 
     @Override
     public void send(Message message) {
-        if (mailbox != null) {
-            sendBounded(carried(message), mailbox);
-        } else if (Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
+        if (mailbox == null && Thread.currentThread() instanceof SpaceThread thread && thread.serves(space)) {
             thread.messages().add(message);
         } else {
-            space.enqueueMessage(carried(message));
+            sendSlowly(message, space.captureCallers());
         }
     }
 
@@ -93,39 +91,35 @@ final class ActorCell extends Recipient {
             request.noteCaller(true);
             thread.messages().add(request);
         } else {
-            sendSlowly(request);
+            request.noteCaller(space.isCurrent());
+            sendSlowly(request, contextOf(request));
         }
     }
 
     /**
-     * For callers on other threads, for threads that only borrow the space (crank, sequential bodies), and for bounded
-     * mailboxes.
+     * For callers on other threads, for threads that only borrow the space (crank, sequential bodies), for bounded
+     * mailboxes, and for spaces with contexts or a call graph.
      */
-    private void sendSlowly(Request<?> request) {
-        request.noteCaller(space.isCurrent());
+    private void sendSlowly(Node call, @Nullable Supplier<Runnable> context) {
+        Node entry = context == null ? call : new CarriedCall(this, call, context);
         if (mailbox != null) {
-            sendBounded(carried(request), mailbox);
+            sendBounded(entry, mailbox);
         } else {
-            space.enqueueMessage(carried(request));
+            space.enqueueMessage(entry);
+        }
+        CallGraph graph = space.settings.callGraph();
+        if (graph != null) {
+            graph.called(this);
         }
     }
 
-    /** The call with the context of its caller, if there is one to carry. */
-    private Node carried(Message message) {
-        return carried(message, space.captureCallers());
-    }
-
-    /** A request shares the time limit of the turn in which it is sent. */
-    private Node carried(Request<?> request) {
+    /** The context of a request, which shares the time limit of the turn in which it is sent. */
+    private @Nullable Supplier<Runnable> contextOf(Request<?> request) {
         TimeLimit limit = TimeLimit.current();
         if (limit != null) {
             limit.add(request);
         }
-        return carried(request, space.capture(limit));
-    }
-
-    private Node carried(Node call, @Nullable Supplier<Runnable> context) {
-        return context == null ? call : new CarriedCall(this, call, context);
+        return space.capture(limit);
     }
 
     private void sendBounded(Node call, BoundedMailbox bounded) {
@@ -418,6 +412,7 @@ final class ActorCell extends Recipient {
 
     /** Rejects a call for which the mailbox had no room, or which was dropped for a newer one. Any thread. */
     void drop(Node entry, String reason) {
+        noteTaken();
         Node call = CarriedCall.callIn(entry);
         space.reports().rejectCall(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
     }
@@ -442,9 +437,9 @@ final class ActorCell extends Recipient {
         return target;
     }
 
-    /** What calls may invoke without the slow path: the instance, unless its calls are bounded or have a quota. */
+    /** What calls may invoke without the slow path: the instance, unless calls are bounded, counted or have a quota. */
     private @Nullable Object direct(@Nullable Object target) {
-        return mailbox == null && share() == null ? target : null;
+        return mailbox == null && share() == null && space.settings.callGraph() == null ? target : null;
     }
 
     private @Nullable Share share() {
@@ -476,6 +471,7 @@ final class ActorCell extends Recipient {
     }
 
     private void deliverCall(Node call) {
+        noteTaken();
         Object target = instance;
         if (call instanceof Request<?> request && (request.isDone() || request.shed())) {
             space.reports().skip(request); // cancelled or given up while queued
@@ -483,6 +479,7 @@ final class ActorCell extends Recipient {
             reject(call);
         } else {
             space.begin(life);
+            CallGraph.Turn turn = beginTurn();
             try {
                 if (call instanceof Message message) {
                     message.serveWith(target);
@@ -492,8 +489,24 @@ final class ActorCell extends Recipient {
             } catch (Throwable thrown) {
                 space.dispatcher.fail(
                         call, thrown); // the failure belongs to this call, although the ticket was another's
+            } finally {
+                if (turn != null) {
+                    turn.end();
+                }
             }
         }
+    }
+
+    private void noteTaken() {
+        CallGraph graph = space.settings.callGraph();
+        if (graph != null) {
+            graph.taken(this);
+        }
+    }
+
+    private CallGraph.@Nullable Turn beginTurn() {
+        CallGraph graph = space.settings.callGraph();
+        return graph == null ? null : graph.begin(life, space.settings.stallLimit());
     }
 
     /** The call that would be delivered for this ticket. */
@@ -542,10 +555,15 @@ final class ActorCell extends Recipient {
     /** Runs an action on behalf of this actor; an exception is a failure of the actor. */
     void guard(String what, Runnable action) {
         space.begin(life);
+        CallGraph.Turn turn = beginTurn();
         try {
             action.run();
         } catch (Throwable thrown) {
             failed(what, thrown);
+        } finally {
+            if (turn != null) {
+                turn.end();
+            }
         }
     }
 
@@ -609,6 +627,12 @@ final class ActorCell extends Recipient {
         return space.dispatcher.isLongerThan(COUNTED)
                 ? ", where more than " + COUNTED + " calls wait"
                 : ", which has begun it";
+    }
+
+    /** Its name, or that of its type. */
+    String label() {
+        String name = settings.name();
+        return name != null ? name : type.getSimpleName();
     }
 
     @Override

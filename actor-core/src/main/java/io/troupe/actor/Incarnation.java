@@ -24,6 +24,10 @@ final class Incarnation extends Owner {
         this.cell = cell;
     }
 
+    ActorCell cell() {
+        return cell;
+    }
+
     /** Adds a timer that ends with this incarnation. */
     void own(Timer timer) {
         if (timers == null) {

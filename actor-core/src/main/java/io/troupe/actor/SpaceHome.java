@@ -60,7 +60,8 @@ final class SpaceHome extends Home {
     }
 
     void startThread() {
-        ownThread = new SpaceThread(this, contexts == null, callbacks, messages, loop);
+        boolean isDirect = contexts == null && settings.callGraph() == null;
+        ownThread = new SpaceThread(this, isDirect, callbacks, messages, loop);
         ownThread.start();
     }
 
@@ -175,7 +176,9 @@ final class SpaceHome extends Home {
     @Override
     public @Nullable Supplier<Runnable> captureContext() {
         TimeLimit now = limit; // a guess on other threads
-        return now == null ? captureCallers() : capture(isCurrent() ? now : null);
+        var context = now == null ? captureCallers() : capture(isCurrent() ? now : null);
+        CallGraph graph = settings.callGraph();
+        return graph == null ? context : counted(graph, context);
     }
 
     /** Captures the context of the calling thread, without its time limit; null if there is nothing to carry. */
@@ -214,6 +217,20 @@ final class SpaceHome extends Home {
         if (ownThread != null) {
             ownThread.setDirect(next == null);
         }
+    }
+
+    private Supplier<Runnable> counted(CallGraph graph, @Nullable Supplier<Runnable> context) {
+        return () -> {
+            Runnable end = context == null ? () -> {} : context.get();
+            if (!isCurrent()) {
+                return end; // it is closed
+            }
+            CallGraph.Turn turn = graph.begin(owner(), settings.stallLimit());
+            return () -> {
+                turn.end();
+                end.run();
+            };
+        };
     }
 
     // ---- thread

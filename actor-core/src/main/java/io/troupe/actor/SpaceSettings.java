@@ -29,6 +29,7 @@ import org.jspecify.annotations.Nullable;
  * @param actorQuota after so many calls of one actor in a row, those of the others that are queued come first; zero =
  *     all calls are handled in the order of arrival
  * @param context carried from callers to turns; null = none
+ * @param callGraph counts the calls in this space; null = none
  */
 public record SpaceSettings(
         String name,
@@ -40,7 +41,8 @@ public record SpaceSettings(
         int offloadLimit,
         boolean handCranked,
         int actorQuota,
-        @Nullable TurnContext<?> context) {
+        @Nullable TurnContext<?> context,
+        @Nullable CallGraph callGraph) {
     private static final int USUAL_OFFLOAD_LIMIT = 256;
 
     public SpaceSettings {
@@ -75,6 +77,7 @@ public record SpaceSettings(
                 USUAL_OFFLOAD_LIMIT,
                 false,
                 0,
+                null,
                 null);
     }
 
@@ -89,7 +92,8 @@ public record SpaceSettings(
                 offloadLimit,
                 handCranked,
                 actorQuota,
-                context);
+                context,
+                callGraph);
     }
 
     public SpaceSettings withClock(Clock newClock) {
@@ -103,7 +107,8 @@ public record SpaceSettings(
                 offloadLimit,
                 handCranked,
                 actorQuota,
-                context);
+                context,
+                callGraph);
     }
 
     public SpaceSettings withOnError(ErrorHandler handler) {
@@ -117,27 +122,68 @@ public record SpaceSettings(
                 offloadLimit,
                 handCranked,
                 actorQuota,
-                context);
+                context,
+                callGraph);
     }
 
     public SpaceSettings withOnDeadLetter(Consumer<DeadLetter> handler) {
         return new SpaceSettings(
-                name, clock, onError, handler, stallLimit, onStall, offloadLimit, handCranked, actorQuota, context);
+                name,
+                clock,
+                onError,
+                handler,
+                stallLimit,
+                onStall,
+                offloadLimit,
+                handCranked,
+                actorQuota,
+                context,
+                callGraph);
     }
 
     public SpaceSettings withOnStall(Duration limit, Consumer<Stall> handler) {
         return new SpaceSettings(
-                name, clock, onError, onDeadLetter, limit, handler, offloadLimit, handCranked, actorQuota, context);
+                name,
+                clock,
+                onError,
+                onDeadLetter,
+                limit,
+                handler,
+                offloadLimit,
+                handCranked,
+                actorQuota,
+                context,
+                callGraph);
     }
 
     public SpaceSettings withHandCrank() {
         return new SpaceSettings(
-                name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, true, actorQuota, context);
+                name,
+                clock,
+                onError,
+                onDeadLetter,
+                stallLimit,
+                onStall,
+                offloadLimit,
+                true,
+                actorQuota,
+                context,
+                callGraph);
     }
 
     public SpaceSettings withOffloadLimit(int limit) {
         return new SpaceSettings(
-                name, clock, onError, onDeadLetter, stallLimit, onStall, limit, handCranked, actorQuota, context);
+                name,
+                clock,
+                onError,
+                onDeadLetter,
+                stallLimit,
+                onStall,
+                limit,
+                handCranked,
+                actorQuota,
+                context,
+                callGraph);
     }
 
     /**
@@ -148,7 +194,17 @@ public record SpaceSettings(
      */
     public SpaceSettings withActorQuota(int calls) {
         return new SpaceSettings(
-                name, clock, onError, onDeadLetter, stallLimit, onStall, offloadLimit, handCranked, calls, context);
+                name,
+                clock,
+                onError,
+                onDeadLetter,
+                stallLimit,
+                onStall,
+                offloadLimit,
+                handCranked,
+                calls,
+                context,
+                callGraph);
     }
 
     /**
@@ -169,7 +225,24 @@ public record SpaceSettings(
                 offloadLimit,
                 handCranked,
                 actorQuota,
-                Objects.requireNonNull(newContext, "newContext"));
+                Objects.requireNonNull(newContext, "newContext"),
+                callGraph);
+    }
+
+    /** Counts the calls in this space, and the time of its actors. Several spaces may have the same graph. */
+    public SpaceSettings withCallGraph(CallGraph graph) {
+        return new SpaceSettings(
+                name,
+                clock,
+                onError,
+                onDeadLetter,
+                stallLimit,
+                onStall,
+                offloadLimit,
+                handCranked,
+                actorQuota,
+                context,
+                Objects.requireNonNull(graph, "graph"));
     }
 }
 

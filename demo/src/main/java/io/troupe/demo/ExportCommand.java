@@ -12,7 +12,10 @@ import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Locale;
+import java.util.Set;
+import java.util.TreeSet;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -52,6 +55,15 @@ final class ExportCommand implements Callable<Integer> {
 
     @Option(names = "--mcap", paramLabel = "FILE", description = "the MCAP file to write")
     private @Nullable Path mcap;
+
+    @Option(
+            names = "--sensors",
+            paramLabel = "N",
+            split = ",",
+            description = "with --mcap: numbers of the robots whose sensor readings it has; of at most "
+                    + (RunRecorder.MANY_ROBOTS - 1) + " robots all, of more none unless given",
+            showDefaultValue = Visibility.NEVER)
+    private @Nullable List<Integer> sensors;
 
     @Option(
             names = "--csv",
@@ -96,15 +108,18 @@ final class ExportCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--csv is " + csv + ", but that is a file, expected a directory");
         }
+        if (sensors != null && mcap == null) {
+            throw new ParameterException(spec.commandLine(), "--sensors is given without --mcap, expected both");
+        }
         WorldSpec where = world();
         var export = new RunExport(run, where);
         RunExport.Report report = null;
         if (mcap != null) {
-            report = export.writeMcap(mcap);
+            report = sensors == null ? export.writeMcap(mcap) : export.writeMcap(mcap, indices(sensors, where));
             wrote(mcap + String.format(Locale.ROOT, " (%.1f MB)", Files.size(mcap) / 1e6), report);
-            if (where.robots().size() >= RunRecorder.MANY_ROBOTS) {
+            if (sensors == null && where.robots().size() >= RunRecorder.MANY_ROBOTS) {
                 warn("an MCAP file of " + RunRecorder.MANY_ROBOTS
-                        + " robots or more has no sensor readings, expected --csv for these");
+                        + " robots or more has no sensor readings, expected --sensors 1,2,.. or --csv for these");
             }
         }
         if (csv != null) {
@@ -115,6 +130,15 @@ final class ExportCommand implements Callable<Integer> {
             report.remarks().forEach(this::warn);
         }
         return 0;
+    }
+
+    private Set<Integer> indices(List<Integer> numbers, WorldSpec where) {
+        Set<Integer> indices = new TreeSet<>();
+        for (int number : numbers) {
+            OptionRange.check(spec, "--sensors", number, 1, where.robots().size());
+            indices.add(number - 1);
+        }
+        return indices;
     }
 
     private void wrote(String what, RunExport.Report report) {

@@ -56,7 +56,7 @@ final class HostedRunJob {
             throws IOException, InterruptedException {
         try (var page = viewOptions.open();
                 var progress = ProgressBar.onTerminal(settings.seconds());
-                var space = ActorSpace.create(SpaceSettings.named("broker"));
+                var space = ActorSpace.create(settings(page));
                 var bus = busOptions.open(NODE, BusSettings.on(space).withObserver(observer(progress)));
                 var node = RobotNode.open(bus, space, HostedRunJob::log, 0);
                 var log = new RunLog(file)) {
@@ -65,6 +65,11 @@ final class HostedRunJob {
             var listener = progress.hostedListener(line -> print(progress, line), interruption);
             return run.run(node, log, viewed(page, settings, listener));
         }
+    }
+
+    private static SpaceSettings settings(@Nullable LiveView page) {
+        var settings = SpaceSettings.named("broker");
+        return page == null ? settings : settings.withCallGraph(page.callGraph());
     }
 
     /** The listener of a run that is also shown on a page, if there is one; viewers can only look at it. */

@@ -2,11 +2,13 @@ package io.troupe.sim;
 
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
 import java.util.List;
+import java.util.function.IntPredicate;
 
 /** Creates the physics bodies of a world. */
 final class PhysicsSetup {
@@ -16,14 +18,23 @@ final class PhysicsSetup {
 
     /** Creates the physics with all bodies at their start poses. */
     static Physics atStart(WorldSpec spec, WorldSettings settings, StartPoses starts) {
+        return at(spec, settings, starts.poses(), starts.stuck()::get);
+    }
+
+    /**
+     * Creates the physics with the robots at given poses.
+     *
+     * @param held whether a robot is held in place
+     */
+    static Physics at(WorldSpec spec, WorldSettings settings, List<Pose> poses, IntPredicate held) {
         var begun = new Physics(spec.robots().size(), stepMicros(spec, settings));
         for (ObstacleSpec obstacle : spec.obstacles()) {
             begun.addObstacle(obstacle.pose(), blockingShape(obstacle));
         }
         for (int i = 0; i < spec.robots().size(); i++) {
             RobotSpec robot = spec.robots().get(i);
-            begun.addRobot(starts.poses().get(i), robot.collisionShape(), robot.massKg(), robot.blocksBodies());
-            if (starts.stuck().get(i)) {
+            begun.addRobot(poses.get(i), robot.collisionShape(), robot.massKg(), robot.blocksBodies());
+            if (held.test(i)) {
                 begun.hold(i);
             }
         }

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
@@ -26,6 +27,7 @@ final class Presence {
     private final WorldSpec spec;
     private final boolean[] away; // by robot
     private final List<@Nullable ObstacleSpec> obstacles; // null = away
+    private List<ColouredBox> boxes = List.of();
     private final SortedMap<Integer, Optional<Pose>> demanded = new TreeMap<>(); // empty = take away
     private volatile boolean hasDemands;
 
@@ -37,7 +39,8 @@ final class Presence {
 
     /** Returns to the start, where everything is as in the specification. Returns false if it was so already. */
     boolean begin() {
-        boolean same = obstacles.equals(spec.obstacles()) && !anyAway();
+        boolean same = obstacles.equals(spec.obstacles()) && !anyAway() && boxes.isEmpty();
+        boxes = List.of();
         Arrays.fill(away, false);
         obstacles.clear();
         obstacles.addAll(spec.obstacles());
@@ -113,6 +116,22 @@ final class Presence {
         obstacles.set(obstacle, spec.obstacles().get(obstacle).at(pose));
     }
 
+    /** Puts these boxes into the world, instead of those that are there. */
+    void furnish(List<ColouredBox> all) {
+        boxes = all;
+    }
+
+    /** The obstacles by index, those that are away where they were at the start; then the boxes. */
+    WorldSpec furnished() {
+        List<ObstacleSpec> all = new ArrayList<>();
+        for (int i = 0; i < obstacles.size(); i++) {
+            ObstacleSpec there = obstacles.get(i);
+            all.add(there == null ? spec.obstacles().get(i) : there);
+        }
+        boxes.forEach(box -> all.add(box.obstacle()));
+        return new WorldSpec(spec.name(), spec.file(), spec.intervalMillis(), spec.robots(), all);
+    }
+
     /** What can be sensed now: the obstacles that are there, and all robots, of which nothing senses those away. */
     WorldSpec sensed() {
         List<RobotSpec> robots = new ArrayList<>();
@@ -135,6 +154,7 @@ final class Presence {
                 there.add(obstacle);
             }
         }
+        boxes.forEach(box -> there.add(box.obstacle()));
         return there;
     }
 }

@@ -1,10 +1,12 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Objects;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Writes all input of a world to a text file, with the tick at which it took effect.
@@ -69,6 +71,12 @@ public final class Recording implements AutoCloseable {
     synchronized void placeObstacle(int obstacle, Pose pose) {
         begin("place").append(' ').append(obstacle);
         write(pose);
+    }
+
+    /** @param box null = it was removed */
+    synchronized void box(int number, @Nullable ColouredBox box) {
+        begin(box == null ? "unbox " + number : "box " + box.words());
+        write();
     }
 
     synchronized void odometry(int robot, Pose pose) {

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.WorldFileException;
@@ -50,6 +51,22 @@ public final class Replay {
                 return Double.parseDouble(word);
             }
             throw error("'" + word + "', expected a finite number");
+        }
+
+        ColouredBox box() {
+            return ColouredBox.parse(words.subList(1, words.size()));
+        }
+
+        void checkBox() {
+            try {
+                if (words.size() == 2) {
+                    ColouredBox.number(words.get(1));
+                } else {
+                    box();
+                }
+            } catch (IllegalArgumentException wrong) {
+                throw error(String.valueOf(wrong.getMessage()));
+            }
         }
 
         Pose pose() {
@@ -156,15 +173,19 @@ public final class Replay {
         }
         int expected = switch (line.words().getFirst()) {
             case "reset", "pause", "resume" -> 1;
-            case "is", "end", "leave", "remove" -> 2;
+            case "is", "end", "leave", "remove", "unbox" -> 2;
             case "power" -> 3;
             case "velocity", "heading" -> 4;
-            case "teleport", "odometry", "goto", "place" -> 5;
+            case "teleport", "odometry", "goto", "place", "box" -> 5;
             default -> throw line.error("'" + line.words().getFirst() + "' is nothing that can be recorded");
         };
         if (line.words().size() != expected) {
             throw line.error("'" + line.words().getFirst() + "' has "
                     + (line.words().size() - 1) + " words after it, expected " + (expected - 1));
+        }
+        if (line.words().getFirst().endsWith("box")) {
+            line.checkBox();
+            return line;
         }
         boolean ofObstacle = line.words().getFirst().matches("remove|place");
         if (ofObstacle) {
@@ -257,6 +278,8 @@ public final class Replay {
             case "remove" -> player.removeObstacle(line.obstacle());
             case "place" -> player.placeObstacleLater(line.obstacle(), line.pose());
             case "teleport" -> player.teleportLater(line.robot(robots), line.pose());
+            case "box" -> player.putBoxLater(line.box());
+            case "unbox" -> player.removeBox(ColouredBox.number(words.get(1)));
             case "is", "end" -> {
                 if (!hash.toString().equals(words.get(1))) {
                     throw line.error("at tick " + line.tick() + " the checksum was " + words.get(1) + " and is now "

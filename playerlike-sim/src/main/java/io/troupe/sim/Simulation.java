@@ -7,6 +7,7 @@ import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.ManualClock;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.ConnectionClosedException;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
@@ -265,6 +266,20 @@ public final class Simulation implements AutoCloseable {
      */
     public void teleport(int robot, Pose pose) {
         world.teleport(robot, pose);
+    }
+
+    /**
+     * Puts a box into the world at the end of this tick, or moves it.
+     *
+     * @throws IllegalArgumentException if it would overlap a robot there
+     */
+    public void putBox(ColouredBox box) {
+        world.putBox(box);
+    }
+
+    /** Removes a box at the end of this tick, if it is there. */
+    public void removeBox(int number) {
+        world.removeBox(number);
     }
 
     /**

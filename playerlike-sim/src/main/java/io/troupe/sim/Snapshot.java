@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.ColouredBox;
 import java.util.List;
 
 /**
@@ -10,10 +11,18 @@ import java.util.List;
  * @param robots by index, in the order of the world file
  * @param contacts that began in the interval that ends at this tick, ordered by time, then robot; for one robot other
  *     robots come before obstacles, each in the order of the world file
+ * @param boxes that have been put into the world, by number
  */
-public record Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts) {
+public record Snapshot(
+        long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts, List<ColouredBox> boxes) {
     public Snapshot {
         robots = List.copyOf(robots);
         contacts = List.copyOf(contacts);
+        boxes = List.copyOf(boxes);
+    }
+
+    /** A snapshot of a world without boxes. */
+    public Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts) {
+        this(tick, timeMicros, robots, contacts, List.of());
     }
 }

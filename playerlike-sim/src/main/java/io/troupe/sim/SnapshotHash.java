@@ -2,6 +2,7 @@ package io.troupe.sim;
 
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.ColourBlob;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -40,6 +41,12 @@ public final class SnapshotHash {
             add(contact.robot());
             add(contact.otherRobot());
             add(contact.other());
+        }
+        for (ColouredBox box : snapshot.boxes()) { // nothing if there are none, as before there were boxes
+            add(box.number());
+            add(box.colour());
+            add(box.x());
+            add(box.y());
         }
     }
 

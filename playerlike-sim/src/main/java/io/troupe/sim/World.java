@@ -6,6 +6,7 @@ import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
@@ -29,11 +30,11 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> {@link #advance} and the {@link #view} belong to the thread that advances first; everything else
  * may be called from any thread.
  *
- * <p><b>Order.</b> At the start of an interval the world takes a reset, robots and obstacles that leave, obstacles that
- * are placed, teleports, odometry resets, motor power and commands, by index (of several commands for one robot the
- * newest). Then it runs the physics steps and reads all devices. The last interval of an advance publishes a snapshot.
- * An earlier interval publishes one if the world is recorded, or if {@link #latest} has been called since the previous
- * one.
+ * <p><b>Order.</b> At the start of an interval the world takes a reset, boxes, robots and obstacles that leave,
+ * obstacles that are placed, teleports, odometry resets, motor power and commands, by index (of several commands for
+ * one robot the newest). Then it runs the physics steps and reads all devices. The last interval of an advance publishes
+ * a snapshot. An earlier interval publishes one if the world is recorded, or if {@link #latest} has been called since
+ * the previous one.
  *
  * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as there are no more
  * touching bodies and no more visible blobs than ever before.
@@ -50,11 +51,13 @@ public final class World implements AutoCloseable {
     private final StartPoses starts;
     private final WorldCommands commands;
     private final List<String> robotNames;
-    private Scene scene; // another one when something has come or gone
+    private final Boxes boxes;
     private final WorldView view = new WorldView(this);
     private final Scratch[] scratches;
     private final SensingThreads sensing;
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
+    private WorldSpec furnished; // with the boxes
+    private Scene scene;
     private List<SimulatedDevices> devices;
     private Physics physics;
     private long physicsStartMicros; // the physics counts its time from the last reset
@@ -90,6 +93,8 @@ public final class World implements AutoCloseable {
         intervalMicros = spec.intervalMillis() * 1000L;
         stepsPerInterval = Math.toIntExact(intervalMicros / PhysicsSetup.stepMicros(spec, settings));
         int robotCount = spec.robots().size();
+        furnished = spec;
+        boxes = new Boxes(spec);
         scene = new Scene(spec);
         commands = new WorldCommands(spec, settings);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
@@ -230,6 +235,33 @@ public final class World implements AutoCloseable {
         commands.placeObstacle(obstacle, pose);
     }
 
+    /**
+     * Puts a box into the world when the next {@link #advance} begins, or moves it. A robot that touches something then
+     * begins to touch it once more.
+     *
+     * <p><b>Cost.</b> As much as creating the world.
+     *
+     * <p><b>Errors.</b> As with {@link #teleport}.
+     */
+    public void putBox(ColouredBox box) {
+        Snapshot at = latest;
+        String refusal = boxes.refusal(box, robot -> at.robots().get(robot).pose());
+        if (refusal != null) {
+            throw new IllegalArgumentException(refusal);
+        }
+        boxes.put(box);
+    }
+
+    /** A box that is checked only when it takes effect. */
+    void putBoxLater(ColouredBox box) {
+        boxes.put(box);
+    }
+
+    /** Removes a box when the next {@link #advance} begins, if it is there. */
+    public void removeBox(int number) {
+        boxes.remove(number);
+    }
+
     /** Reason why {@link #teleport} would be refused, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose) {
@@ -252,6 +284,7 @@ public final class World implements AutoCloseable {
      * start. With the same commands, the run then repeats bit for bit.
      */
     public void reset() {
+        boxes.forgetPending();
         commands.reset();
     }
 
@@ -326,6 +359,9 @@ public final class World implements AutoCloseable {
                     publish();
                 }
                 resetIfRequested();
+                if (boxes.apply(tick, physics::pose, commands.recording())) {
+                    furnish();
+                }
                 controller.control(view);
                 advanceUnpublished();
                 Recording log = commands.recording();
@@ -381,7 +417,9 @@ public final class World implements AutoCloseable {
     private void resetIfRequested() {
         long nowMicros = tick * intervalMicros;
         if (commands.takeReset(nowMicros)) {
+            boxes.clear();
             if (commands.returnToStart()) {
+                furnished = spec;
                 scene = new Scene(spec);
             }
             physics = PhysicsSetup.atStart(spec, settings, starts);
@@ -389,6 +427,26 @@ public final class World implements AutoCloseable {
             devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
             sense(); // as at the start: each reading advances the random streams
         }
+    }
+
+    /** Builds bodies and scene anew with the boxes, everything else where it is. */
+    private void furnish() {
+        Presence presence = commands.furnish(boxes.all());
+        furnished = presence.furnished();
+        Physics before = physics;
+        List<Pose> poses =
+                IntStream.range(0, devices.size()).mapToObj(before::pose).toList();
+        physics = PhysicsSetup.at(furnished, settings, poses, before::isHeld);
+        IntStream.range(0, spec.obstacles().size())
+                .filter(obstacle -> !presence.holds(obstacle))
+                .forEach(physics::removeObstacle);
+        IntStream.range(0, devices.size()).filter(presence::isAway).forEach(physics::removeRobot);
+        physicsStartMicros = tick * intervalMicros;
+        scene = new Scene(presence.sensed());
+        for (int i = 0; i < poses.size(); i++) {
+            scene.place(i, poses.get(i));
+        }
+        scene.refresh();
     }
 
     /** Reads all devices. */
@@ -419,7 +477,7 @@ public final class World implements AutoCloseable {
         for (int i = 0; i < devices.size(); i++) {
             readings.add(read(i));
         }
-        return new Snapshot(tick, tick * intervalMicros, readings, contacts());
+        return new Snapshot(tick, tick * intervalMicros, readings, contacts(), boxes.all());
     }
 
     /** The touches of the physics, with names instead of indices and with the world's time. */
@@ -430,7 +488,7 @@ public final class World implements AutoCloseable {
                     int otherRobot = touches.otherRobot(i);
                     String other = otherRobot >= 0
                             ? spec.robots().get(otherRobot).name()
-                            : spec.obstacles().get(touches.obstacle(i)).name();
+                            : furnished.obstacles().get(touches.obstacle(i)).name();
                     return new Contact(physicsStartMicros + touches.timeMicros(i), touches.robot(i), other, otherRobot);
                 })
                 .toList();

@@ -1,6 +1,7 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Position2d;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.DriveSpec;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
@@ -221,6 +222,14 @@ final class WorldCommands {
             placement = presence.placement();
         }
         return changed;
+    }
+
+    /** Puts these boxes into the world, instead of those that are there. */
+    Presence furnish(List<ColouredBox> boxes) {
+        presence.furnish(boxes);
+        placement = presence.placement();
+        lastCheck.set(null);
+        return presence;
     }
 
     /**

@@ -1,5 +1,6 @@
 package io.troupe.view;
 
+import io.troupe.actor.CallGraph;
 import io.troupe.common.text.Plural;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
@@ -17,6 +18,7 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Set;
 import java.util.stream.Collectors;
+import org.jspecify.annotations.Nullable;
 
 /**
  * One run of the main job: the robots of a scenario, controlled by the paper's arbitrator, in lock step with the
@@ -120,6 +122,11 @@ public final class RecordedRun {
         default boolean isStopRequested() {
             return false;
         }
+
+        /** Counts the calls of the services and the arbitrator; null = none. */
+        default @Nullable CallGraph callGraph() {
+            return null;
+        }
     }
 
     /**
@@ -205,7 +212,8 @@ public final class RecordedRun {
             var services = new SubsumptionRun.Settings(
                             settings.mode(), "localhost", port, table, simulation.clock(), recorder, recorder)
                     .withReconnection(settings.reconnects())
-                    .withRound(settings.round());
+                    .withRound(settings.round())
+                    .withCallGraph(listener.callGraph());
             try (var running = SubsumptionRun.start(services)) {
                 recorder.start(simulation.latest());
                 listener.recorded(simulation.latest(), recorder);

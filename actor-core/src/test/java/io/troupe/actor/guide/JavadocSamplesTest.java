@@ -13,6 +13,7 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.ActorTypeException;
 import io.troupe.actor.Backlog;
+import io.troupe.actor.CallGraph;
 import io.troupe.actor.Callback;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.ErrorHandler;
@@ -176,6 +177,19 @@ class JavadocSamplesTest extends InTestSpace {
         assertThat(test.takeProblems())
                 .extracting(TestSpace.Problem::where)
                 .containsExactly("Counter.add(int) of counter");
+    }
+
+    @Test
+    void callGraph_countsWhoCallsWhom() {
+        var graph = new CallGraph();
+        ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withCallGraph(graph));
+        Counter counter = space.spawn(Counter.class, Counter::new);
+        counter.add(5);
+        for (CallGraph.Edge edge : graph.snapshot().edges()) {
+            log.add(edge.from().name() + " -> " + edge.to().name() + ": " + edge.calls());
+        }
+        space.close();
+        assertThat(log).containsExactly("outside -> Counter: 1");
     }
 
     @Test

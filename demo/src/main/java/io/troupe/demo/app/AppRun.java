@@ -1,11 +1,17 @@
 package io.troupe.demo.app;
 
+import io.troupe.actor.CallGraph;
 import io.troupe.bus.Bus;
+import io.troupe.bus.BusMessage;
+import io.troupe.bus.BusMessage.Purpose;
+import io.troupe.bus.BusObserver;
 import io.troupe.bus.BusSettings;
+import io.troupe.bus.Loss;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.services.component.application.Application;
+import io.troupe.services.component.application.ApplicationPlan;
 import io.troupe.services.component.application.ApplicationReader;
 import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.sim.Simulation;
@@ -17,7 +23,10 @@ import io.troupe.view.live.RunControl;
 import io.troupe.view.live.ViewedRun;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.LinkedHashMap;
+import java.util.List;
 import java.util.Map;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
@@ -61,7 +70,7 @@ final class AppRun {
         int port = WorldLoader.robotPort(scenario, scenario.world().file());
         try (var simulation = Simulation.open(scenario, WORLD);
                 var tcp = declaration.contains(TCP) ? tcp(simulation, port) : null;
-                var space = new AppSpace(file, simulation.clock())) {
+                var space = new AppSpace(file, simulation.clock(), page == null ? null : page.callGraph())) {
             Map<String, String> values = new LinkedHashMap<>();
             values.put("host", "localhost");
             values.put("port", String.valueOf(port));
@@ -70,7 +79,7 @@ final class AppRun {
             }
             var plan = ApplicationReader.parse(declaration, file, kinds, values).inOneProcess();
             report.watch(simulation.latest(), simulation::timeMicros);
-            var bus = Bus.inProcess("troupe", BusSettings.on(space.space()));
+            var bus = Bus.inProcess("troupe", BusSettings.on(space.space()).withObserver(observer(plan)));
             Application application = space.start(plan, bus, report);
             try {
                 space.awaitStarted(application);
@@ -85,6 +94,45 @@ final class AppRun {
             space.rethrowFailure();
             report.summary(plan.name(), scenario.world().name());
         }
+    }
+
+    /** Counts messages for the page: a topic to which no component subscribes is forwarded by the application. */
+    private BusObserver observer(ApplicationPlan plan) {
+        var logging = BusObserver.logging();
+        if (page == null) {
+            return logging;
+        }
+        Map<String, List<String>> subscribers = new HashMap<>();
+        plan.components()
+                .forEach((name, component) -> component
+                        .subscribes()
+                        .forEach(topic -> subscribers
+                                .computeIfAbsent(topic.name(), each -> new ArrayList<>())
+                                .add(name)));
+        CallGraph graph = page.callGraph();
+        return new BusObserver() {
+            @Override
+            public void lost(Loss loss) {
+                logging.lost(loss);
+            }
+
+            @Override
+            public void failed(BusMessage request, Throwable error) {
+                logging.failed(request, error);
+            }
+
+            @Override
+            public void passed(BusMessage message) {
+                List<String> receivers = switch (message.purpose()) {
+                    case Purpose.Publication(String topic) -> subscribers.getOrDefault(topic, List.of(plan.name()));
+                    case Purpose.Request request -> List.of(request.to().name());
+                    case Purpose.Notice notice -> List.of(notice.to().name());
+                    case Purpose.Reply reply -> List.of(reply.to().name());
+                    case Purpose.Rejection rejection -> List.of(rejection.to().name());
+                };
+                receivers.forEach(each -> graph.note("bus", message.from().name(), each));
+            }
+        };
     }
 
     private static TcpServer tcp(Simulation simulation, int port) {

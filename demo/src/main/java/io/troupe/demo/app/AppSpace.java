@@ -1,6 +1,7 @@
 package io.troupe.demo.app;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.CallGraph;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
@@ -42,10 +43,16 @@ final class AppSpace implements AutoCloseable {
 
     /** @param file names the application in errors */
     AppSpace(Path file, Clock clock) {
+        this(file, clock, null);
+    }
+
+    /** @param graph counts the calls of actors; null = none */
+    AppSpace(Path file, Clock clock, @Nullable CallGraph graph) {
         this.file = file;
-        this.space = ActorSpace.create(SpaceSettings.named("application")
+        var settings = SpaceSettings.named("application")
                 .withClock(clock)
-                .withOnError((where, error) -> failure.compareAndSet(null, error)));
+                .withOnError((where, error) -> failure.compareAndSet(null, error));
+        this.space = ActorSpace.create(graph == null ? settings : settings.withCallGraph(graph));
     }
 
     ActorSpace space() {

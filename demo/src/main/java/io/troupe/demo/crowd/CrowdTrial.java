@@ -166,13 +166,14 @@ final class CrowdTrial {
             var drivers = new Drivers(settings.robots());
             int port = scenario.devices().getFirst().port();
             var services = new SubsumptionRun.Settings(
-                    Mode.PROMISE,
-                    "localhost",
-                    port,
-                    table,
-                    simulation.clock(),
-                    page == null ? ServiceObserver.NONE : drivers,
-                    watch);
+                            Mode.PROMISE,
+                            "localhost",
+                            port,
+                            table,
+                            simulation.clock(),
+                            page == null ? ServiceObserver.NONE : drivers,
+                            watch)
+                    .withCallGraph(page == null ? null : page.callGraph());
             if (page != null) {
                 var viewed =
                         new ViewedRun(scenario.world(), table, new RunControl(0, false)).onto(page, ViewControl.NONE);

@@ -214,7 +214,7 @@ final class Serving implements AutoCloseable {
         Consumer<Snapshot> observer = snapshot -> {
             report(snapshot, endMicros, line);
             if (page != null) {
-                control.ticked();
+                control.ticked().forEach(each -> viewed.intervened(snapshot.timeMicros(), each));
                 viewed.moved(snapshot);
             }
         };

@@ -2,6 +2,7 @@ package io.troupe.sim.model;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.Stream;
 
 /**
  * The description of a world, as read from its file.
@@ -16,5 +17,18 @@ public record WorldSpec(
     public WorldSpec {
         robots = List.copyOf(robots);
         obstacles = List.copyOf(obstacles);
+    }
+
+    /** This world with boxes, which follow its other obstacles. */
+    public WorldSpec with(List<ColouredBox> boxes) {
+        return boxes.isEmpty()
+                ? this
+                : new WorldSpec(
+                        name,
+                        file,
+                        intervalMillis,
+                        robots,
+                        Stream.concat(obstacles.stream(), boxes.stream().map(ColouredBox::obstacle))
+                                .toList());
     }
 }

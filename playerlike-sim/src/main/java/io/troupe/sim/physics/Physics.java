@@ -224,6 +224,11 @@ public final class Physics {
         changed = true;
     }
 
+    /** True if a robot is held in place. */
+    public boolean isHeld(int robot) {
+        return robots.get(robot).isHeld();
+    }
+
     private Body createBody(BodyType type, Pose pose, int id) {
         var definition = new BodyDef();
         definition.type = type;

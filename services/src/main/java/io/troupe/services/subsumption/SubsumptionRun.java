@@ -1,6 +1,7 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.CallGraph;
 import io.troupe.actor.Callback;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
@@ -44,6 +45,7 @@ public final class SubsumptionRun implements AutoCloseable {
      * @param reconnects whether each service has a separate connection with its robot (section 3.5); not supported in
      *     synchronous mode, which connects once
      * @param round what the synchronous mode does at a reading; ignored in the other modes
+     * @param callGraph counts the calls of the actors, of which the synchronous mode has none; null = none
      */
     public record Settings(
             Mode mode,
@@ -54,7 +56,8 @@ public final class SubsumptionRun implements AutoCloseable {
             ServiceObserver observer,
             Arbitrator.StateListener listener,
             boolean reconnects,
-            SynchronousRound round) {
+            SynchronousRound round,
+            @Nullable CallGraph callGraph) {
         public Settings {
             if (mode == Mode.SYNC && reconnects) {
                 throw new IllegalArgumentException("the mode is " + mode
@@ -71,15 +74,29 @@ public final class SubsumptionRun implements AutoCloseable {
                 Clock clock,
                 ServiceObserver observer,
                 Arbitrator.StateListener listener) {
-            this(mode, host, port, table, clock, observer, listener, false, SynchronousRound.ONE_SERVICE_A_READING);
+            this(
+                    mode,
+                    host,
+                    port,
+                    table,
+                    clock,
+                    observer,
+                    listener,
+                    false,
+                    SynchronousRound.ONE_SERVICE_A_READING,
+                    null);
         }
 
         public Settings withReconnection(boolean newReconnects) {
-            return new Settings(mode, host, port, table, clock, observer, listener, newReconnects, round);
+            return new Settings(mode, host, port, table, clock, observer, listener, newReconnects, round, callGraph);
         }
 
         public Settings withRound(SynchronousRound newRound) {
-            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, newRound);
+            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, newRound, callGraph);
+        }
+
+        public Settings withCallGraph(@Nullable CallGraph newGraph) {
+            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, round, newGraph);
         }
     }
 
@@ -222,9 +239,11 @@ public final class SubsumptionRun implements AutoCloseable {
 
         private ActorRun(Settings settings, Consumer<Throwable> failed) {
             this.failed = failed;
-            this.space = ActorSpace.create(SpaceSettings.named("robots")
+            var space = SpaceSettings.named("robots")
                     .withClock(settings.clock())
-                    .withOnError((where, error) -> report(error)));
+                    .withOnError((where, error) -> report(error));
+            CallGraph graph = settings.callGraph();
+            this.space = ActorSpace.create(graph == null ? space : space.withCallGraph(graph));
         }
 
         /** Returns when the services of the first state have started, or have failed to start. */

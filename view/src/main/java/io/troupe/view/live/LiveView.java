@@ -3,6 +3,7 @@ package io.troupe.view.live;
 import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
+import io.troupe.actor.CallGraph;
 import io.troupe.actor.time.Clock;
 import io.troupe.view.Json;
 import io.troupe.view.tools.FoxgloveConnection;
@@ -61,7 +62,9 @@ public final class LiveView implements AutoCloseable {
     private static final String FOXGLOVE = "https://app.foxglove.dev";
     private static final String UTF_8_TEXT = "text/plain; charset=utf-8";
     private static final long FRAME_NANOS = 1_000_000_000 / MOST_FRAMES_PER_S;
-    private static final long POLL_NANOS = 4_000_000;
+    /** For news that are no frames. */
+    private static final long POLL_NANOS = 50_000_000;
+
     private static final long ALIVE_NANOS = 1_000_000_000;
     private static final Duration CLOSING = Duration.ofSeconds(1);
 
@@ -93,6 +96,7 @@ public final class LiveView implements AutoCloseable {
     private final Map<String, Viewer> viewers = new ConcurrentHashMap<>();
     private final AtomicInteger sockets = new AtomicInteger();
     private final FoxgloveSource foxglove = new FoxgloveSource(board);
+    private final ViewedCalls calls = new ViewedCalls();
     private final SecureRandom random = new SecureRandom();
     private volatile ViewControl control = ViewControl.NONE;
     private volatile @Nullable String ending;
@@ -149,6 +153,11 @@ public final class LiveView implements AutoCloseable {
     /** The number of connected viewers. */
     public int viewers() {
         return viewers.size() + sockets.get();
+    }
+
+    /** Counts calls for the page: it shows the actors of the spaces that have this in their settings. */
+    public CallGraph callGraph() {
+        return calls.graph();
     }
 
     /** What the page shows from now on. */
@@ -273,6 +282,7 @@ public final class LiveView implements AutoCloseable {
                     .map(line -> ViewCommand.parse(line, robots))
                     .toList();
             commands.forEach(control::submit);
+            board.wakeAll();
         } catch (IllegalArgumentException e) {
             answer(exchange, 400, UTF_8_TEXT, e.getMessage() + "\n");
             return;
@@ -294,6 +304,7 @@ public final class LiveView implements AutoCloseable {
                     .limit(MOST_CHOSEN)
                     .map(word -> ((ViewCommand.Release) ViewCommand.parse("release " + word, 0xFFFF)).robot())
                     .toList();
+            board.wakeAll();
         } catch (IllegalArgumentException e) {
             answer(exchange, 400, UTF_8_TEXT, e.getMessage() + "\n");
             return;
@@ -367,6 +378,7 @@ public final class LiveView implements AutoCloseable {
         private List<Integer> sentChosen = List.of();
         private long nextEvent;
         private @Nullable String sentTime;
+        private @Nullable String sentCalls;
         private boolean wrote;
 
         void serve(String name, OutputStream out) throws IOException {
@@ -375,6 +387,16 @@ public final class LiveView implements AutoCloseable {
                     ViewMessages.text(
                             ViewMessages.HELLO, new Json().put("viewer", name).toString()));
             out.flush();
+            var waiting = new ViewBoard.Waiting();
+            board.enter(waiting);
+            try {
+                serve(out, waiting);
+            } finally {
+                board.leave(waiting);
+            }
+        }
+
+        private void serve(OutputStream out, ViewBoard.Waiting waiting) throws IOException {
             long sentNanos = Clock.system().nanos();
             while (true) {
                 String end = ending; // read before the last frame
@@ -395,8 +417,17 @@ public final class LiveView implements AutoCloseable {
                     out.flush();
                     sentNanos = now;
                 }
-                LockSupport.parkNanos(wrote ? FRAME_NANOS : POLL_NANOS);
+                if (wrote) {
+                    LockSupport.parkNanos(FRAME_NANOS);
+                } else {
+                    waiting.await(POLL_NANOS, this::hasNewFrame);
+                }
             }
+        }
+
+        private boolean hasNewFrame() {
+            ViewBoard.Shown newest = board.newest();
+            return ending != null || newest != null && newest.frame.number() != sentFrame;
         }
 
         private void writeNews(OutputStream out) throws IOException {
@@ -420,6 +451,11 @@ public final class LiveView implements AutoCloseable {
             if (!time.equals(sentTime)) {
                 sentTime = time;
                 write(out, ViewMessages.text(ViewMessages.TIME, time));
+            }
+            String counted = calls.text();
+            if (!counted.equals(sentCalls)) {
+                sentCalls = counted;
+                write(out, ViewMessages.text(ViewMessages.CALLS, counted));
             }
             writeFrame(out, now);
         }
@@ -456,6 +492,7 @@ public final class LiveView implements AutoCloseable {
     /** Sends the viewers the last frame and a reason, and stops to listen. */
     public void close(String why) {
         ending = why;
+        board.wakeAll();
         long deadline = Clock.system().nanos() + CLOSING.toNanos();
         while (viewers() > 0 && Clock.system().nanos() < deadline) {
             LockSupport.parkNanos(TimeUnit.MILLISECONDS.toNanos(5)); // a frozen viewer is left behind

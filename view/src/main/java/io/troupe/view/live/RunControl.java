@@ -28,7 +28,8 @@ public final class RunControl implements ViewControl {
     private static final long LATE_NANOS = 250_000_000;
 
     private static final List<String> TIME = List.of("pause", "resume", "step", "speed");
-    static final List<String> ALL = List.of("pause", "resume", "step", "speed", "reset", "place", "drive", "release");
+    static final List<String> ALL =
+            List.of("pause", "resume", "step", "speed", "reset", "place", "drive", "release", "box", "unbox");
 
     private static final Pattern RECORDED =
             Pattern.compile("\\{\"t\":([0-9.]{1,20}),\"type\":\"intervention\",\"what\":\"([^\"]*)\"}");

@@ -5,6 +5,7 @@ import io.troupe.sim.Pace;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.SimulationRunner;
 import io.troupe.view.live.ViewCommand.Intervention;
+import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;
 
@@ -16,6 +17,7 @@ import org.jspecify.annotations.Nullable;
 public final class SimulationControl implements ViewControl {
     private final Simulation simulation;
     private final HandDriving driving = new HandDriving(Clock.system());
+    private final List<Intervention> carriedOut = new ArrayList<>(); // since the last tick
     private volatile double speed;
     private volatile @Nullable SimulationRunner runner;
 
@@ -30,9 +32,19 @@ public final class SimulationControl implements ViewControl {
         runner = newRunner;
     }
 
-    /** To be called after each tick: ends what viewers that have left were doing. */
-    public synchronized void ticked() {
-        driving.takeSilent().forEach(simulation::endOverride);
+    /**
+     * To be called after each tick: ends what viewers that have left were doing.
+     *
+     * @return the interventions since the last call
+     */
+    public synchronized List<Intervention> ticked() {
+        for (int robot : driving.takeSilent()) {
+            simulation.endOverride(robot);
+            carriedOut.add(new ViewCommand.Release(robot));
+        }
+        var taken = List.copyOf(carriedOut);
+        carriedOut.clear();
+        return taken;
     }
 
     @Override
@@ -60,6 +72,7 @@ public final class SimulationControl implements ViewControl {
             case Intervention intervention -> {
                 carryOut(intervention, simulation);
                 driving.note(intervention);
+                carriedOut.add(intervention);
             }
         }
     }
@@ -86,6 +99,8 @@ public final class SimulationControl implements ViewControl {
             case ViewCommand.Drive(int robot, double forwardMps, double turnRadps) ->
                 simulation.override(robot, forwardMps, turnRadps);
             case ViewCommand.Release(int robot) -> simulation.endOverride(robot);
+            case ViewCommand.PutBox(var box) -> simulation.putBox(box);
+            case ViewCommand.RemoveBox(int number) -> simulation.removeBox(number);
         }
     }
 }

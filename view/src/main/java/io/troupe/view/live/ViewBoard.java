@@ -4,6 +4,10 @@ import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Set;
+import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.locks.LockSupport;
+import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -43,6 +47,29 @@ final class ViewBoard implements ViewSink {
         }
     }
 
+    /** A thread that waits for news. */
+    static final class Waiting {
+        private final Thread thread = Thread.currentThread();
+        private volatile boolean isIdle;
+
+        /** Waits for news, or for a time; on the thread that created this. */
+        void await(long nanos, BooleanSupplier hasNews) {
+            isIdle = true;
+            if (!hasNews.getAsBoolean()) {
+                LockSupport.parkNanos(this, nanos);
+            }
+            isIdle = false;
+        }
+
+        private void wake() {
+            if (isIdle) {
+                isIdle = false; // one wake-up is enough, however many frames come
+                LockSupport.unpark(thread);
+            }
+        }
+    }
+
+    private final Set<Waiting> waiting = ConcurrentHashMap.newKeySet();
     private volatile @Nullable ViewedWorld world;
     private volatile @Nullable Shown newest;
     private final Deque<Shown> past = new ArrayDeque<>(); // guarded by this, as are the events
@@ -68,10 +95,27 @@ final class ViewBoard implements ViewSink {
         }
         var shown = new Shown(of, frame);
         newest = shown;
+        wakeAll();
         long micros = frame.snapshot().timeMicros();
         if (micros >= pastMicros + PAST_MICROS || micros < pastMicros) {
             pastMicros = micros;
             keep(shown);
+        }
+    }
+
+    /** Wakes this thread at news, until {@link #leave}. */
+    void enter(Waiting thread) {
+        waiting.add(thread);
+    }
+
+    void leave(Waiting thread) {
+        waiting.remove(thread);
+    }
+
+    /** Has all that wait look for news. */
+    void wakeAll() {
+        if (!waiting.isEmpty()) {
+            waiting.forEach(Waiting::wake);
         }
     }
 

@@ -1,5 +1,6 @@
 package io.troupe.view.live;
 
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import java.util.List;
 import java.util.Locale;
@@ -7,7 +8,7 @@ import java.util.Locale;
 /**
  * What a viewer can ask for. Each command has a form as a line of words, in which robots count from 1: {@code pause},
  * {@code resume}, {@code step}, {@code speed 2}, {@code reset}, {@code place 1 0.5 -1.2 0.3}, {@code drive 1 0.3 -0.5},
- * {@code release 1}.
+ * {@code release 1}, {@code box 1 ff0000 0.5 -1.2}, {@code unbox 1}.
  */
 public sealed interface ViewCommand {
     /** Time stands still. */
@@ -85,6 +86,32 @@ public sealed interface ViewCommand {
         }
     }
 
+    /** Puts a box into the world, or moves it. */
+    record PutBox(ColouredBox box) implements Intervention {
+        @Override
+        public String words() {
+            return "box " + box.words();
+        }
+
+        @Override
+        public boolean replaces(Intervention earlier) {
+            return earlier instanceof PutBox other && other.box.number() == box.number();
+        }
+    }
+
+    /** Removes a box, by number. */
+    record RemoveBox(int number) implements Intervention {
+        @Override
+        public String words() {
+            return "unbox " + number;
+        }
+
+        @Override
+        public boolean replaces(Intervention earlier) {
+            return earlier instanceof PutBox other && other.box.number() == number;
+        }
+    }
+
     /** Largest absolute value of a number in a command. */
     double MOST = 1e6;
 
@@ -99,12 +126,12 @@ public sealed interface ViewCommand {
         String what = words.getFirst();
         int expected = switch (what) {
             case "pause", "resume", "step", "reset" -> 1;
-            case "speed", "release" -> 2;
+            case "speed", "release", "unbox" -> 2;
             case "drive" -> 4;
-            case "place" -> 5;
+            case "place", "box" -> 5;
             default ->
-                throw new IllegalArgumentException("'" + shortened(what)
-                        + "' is no command, expected pause, resume, step, speed, reset, place, drive or release");
+                throw new IllegalArgumentException("'" + shortened(what) + "' is no command, expected one of "
+                        + String.join(", ", RunControl.ALL));
         };
         if (words.size() != expected) {
             throw new IllegalArgumentException(
@@ -118,6 +145,8 @@ public sealed interface ViewCommand {
             case "speed" -> speed(words.get(1));
             case "release" -> new Release(robot(words.get(1), robots));
             case "drive" -> new Drive(robot(words.get(1), robots), number(words.get(2)), number(words.get(3)));
+            case "box" -> new PutBox(ColouredBox.parse(words.subList(1, 5)));
+            case "unbox" -> new RemoveBox(ColouredBox.number(words.get(1)));
             default ->
                 new Place(
                         robot(words.get(1), robots),

@@ -29,6 +29,9 @@ final class ViewMessages {
     static final int HELLO = 6;
     static final int END = 7;
 
+    /** Who calls whom among the actors. */
+    static final int CALLS = 8;
+
     /** Flag of a frame: it is older than the newest one, and only of use for the trails. */
     static final int PAST = 1;
 

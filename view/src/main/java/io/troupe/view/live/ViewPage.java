@@ -12,7 +12,7 @@ import java.util.stream.Collectors;
 /** The page, made of its parts: one text, which loads nothing. */
 final class ViewPage {
     private static final List<String> SCRIPTS =
-            List.of("messages.js", "model.js", "canvas.js", "timeline.js", "page.js");
+            List.of("messages.js", "model.js", "canvas.js", "timeline.js", "actors.js", "page.js");
 
     private final String html;
     private final String policy;

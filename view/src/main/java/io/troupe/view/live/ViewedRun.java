@@ -1,5 +1,6 @@
 package io.troupe.view.live;
 
+import io.troupe.actor.CallGraph;
 import io.troupe.actor.time.Clock;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -7,6 +8,7 @@ import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.Json;
 import io.troupe.view.RecordedHostedRun;
@@ -44,8 +46,10 @@ public final class ViewedRun {
     private final RunControl control;
     private final List<ViewSink> sinks = new ArrayList<>();
     private final boolean[] stalled;
+    private @Nullable CallGraph callGraph;
     private final Map<Integer, Integer> driversShown = new HashMap<>(); // by robot
     private final Set<Integer> driven = new TreeSet<>();
+    private List<ColouredBox> boxesShown = List.of();
     private long frames;
     private int statesShown;
     private double speed;
@@ -77,6 +81,7 @@ public final class ViewedRun {
 
     /** Shows it on a live page, too, whose commands another control carries out. */
     public ViewedRun onto(LiveView page, ViewControl other) {
+        callGraph = page.callGraph();
         return add(page.show(other), other.offers());
     }
 
@@ -107,6 +112,11 @@ public final class ViewedRun {
             @Override
             public boolean isStopRequested() {
                 return inner.isStopRequested();
+            }
+
+            @Override
+            public @Nullable CallGraph callGraph() {
+                return callGraph == null ? inner.callGraph() : callGraph;
             }
 
             @Override
@@ -214,17 +224,22 @@ public final class ViewedRun {
         long now = simulation.timeMicros();
         try {
             SimulationControl.carryOut(intervention, simulation);
-            if (intervention instanceof ViewCommand.Drive drive) {
-                driven.add(drive.robot());
-            } else if (intervention instanceof ViewCommand.Release release) {
-                driven.remove(release.robot());
-            }
         } catch (IllegalArgumentException refused) {
             send(event(now, "refused").put("text", String.valueOf(refused.getMessage())));
             return false;
         }
-        send(event(now, "intervention").put("text", intervention.words()));
+        intervened(now, intervention);
         return true;
+    }
+
+    /** Shows that a viewer has changed the world. */
+    public void intervened(long timeMicros, Intervention intervention) {
+        if (intervention instanceof ViewCommand.Drive drive) {
+            driven.add(drive.robot());
+        } else if (intervention instanceof ViewCommand.Release release) {
+            driven.remove(release.robot());
+        }
+        send(event(timeMicros, "intervention").put("text", intervention.words()));
     }
 
     /**
@@ -253,9 +268,18 @@ public final class ViewedRun {
         for (int robot : driven) {
             states[robot] |= ViewFrame.DRIVEN_BY_HAND;
         }
+        showBoxes(snapshot);
         measureSpeed(snapshot.timeMicros());
         var frame = new ViewFrame(frames++, snapshot, states, speed);
         sinks.forEach(sink -> sink.frame(frame));
+    }
+
+    private void showBoxes(Snapshot snapshot) {
+        if (!snapshot.boxes().equals(boxesShown)) {
+            boxesShown = snapshot.boxes();
+            var boxes = Json.texts(boxesShown.stream().map(ColouredBox::words).toList());
+            send(event(snapshot.timeMicros(), "boxes").put("boxes", boxes));
+        }
     }
 
     /** Shows the world of robots without known services at a tick. */

@@ -7,6 +7,7 @@ import io.troupe.sim.device.ColourBlob;
 import io.troupe.sim.device.Ranger;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.CargoSpec;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
@@ -28,7 +29,12 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
+import java.util.TreeMap;
+import java.util.TreeSet;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -69,6 +75,7 @@ final class FoxgloveChannels {
     private static final int OUTLINE_COLOUR = 0x444444;
     private static final int LINE_LOOP = 1;
     private static final int LINE_LIST = 2;
+    private static final int DELETE_ALL = 1;
 
     private final WorldSpec world;
     private final List<Channel> channels = new ArrayList<>();
@@ -78,7 +85,7 @@ final class FoxgloveChannels {
     private final Channel bodies = add("/robots", MessageSchema.SCENE_UPDATE);
     private final Channel state = add("/state", MessageSchema.STATE);
     private final Channel log = add("/log", MessageSchema.LOG);
-    private final List<RobotChannels> robots = new ArrayList<>();
+    private final Map<Integer, RobotChannels> robots = new TreeMap<>(); // by index
     private final List<String> frames = new ArrayList<>();
     private final Set<String> services = new LinkedHashSet<>();
     private ServiceColours serviceColours = ServiceColours.of(List.of());
@@ -103,7 +110,13 @@ final class FoxgloveChannels {
 
     private record Camera(BlobfinderSpec spec, Channel blobs, Channel view) {}
 
+    /** Of a world with many robots only the channels that these share. */
     FoxgloveChannels(WorldSpec world) {
+        this(world, sensorsUnlessMany(world));
+    }
+
+    /** @param sensorsOf indices of the robots that have their own channels */
+    FoxgloveChannels(WorldSpec world, Set<Integer> sensorsOf) {
         this.world = world;
         Set<String> taken = new HashSet<>(Set.of(WORLD, "tf", "robots", "state", "log"));
         for (RobotSpec robot : world.robots()) {
@@ -114,11 +127,17 @@ final class FoxgloveChannels {
             }
             frames.add(frame);
         }
-        if (world.robots().size() < RunRecorder.MANY_ROBOTS) {
-            for (int i = 0; i < frames.size(); i++) {
-                robots.add(addRobot("/" + frames.get(i), world.robots().get(i)));
-            }
-        }
+        new TreeSet<>(sensorsOf)
+                .forEach(i -> robots.put(
+                        i, addRobot("/" + frames.get(i), world.robots().get(i))));
+    }
+
+    /** All robots of a world, or none if there are many. */
+    static Set<Integer> sensorsUnlessMany(WorldSpec world) {
+        int robots = world.robots().size();
+        return IntStream.range(0, robots < RunRecorder.MANY_ROBOTS ? robots : 0)
+                .boxed()
+                .collect(Collectors.toSet());
     }
 
     private Channel add(String topic, MessageSchema schema) {
@@ -189,13 +208,20 @@ final class FoxgloveChannels {
     // ---- the world and the bodies
 
     /** Sends walls and boxes. They stay until they are sent again. */
-    void sendWorld(long timeMicros, Sink sink) throws IOException {
+    void sendWorld(long timeMicros, List<ColouredBox> boxes, Sink sink) throws IOException {
         if (!sink.isWanted(obstacles)) {
             return;
         }
-        json.begin().array("deletions").endArray().array("entities");
-        for (int i = 0; i < world.obstacles().size(); i++) {
-            ObstacleSpec obstacle = world.obstacles().get(i);
+        json.begin().array("deletions");
+        if (timeMicros > 0) {
+            json.object();
+            time(timeMicros);
+            json.put("type", DELETE_ALL).put("id", "").endObject();
+        }
+        json.endArray().array("entities");
+        List<ObstacleSpec> all = world.with(boxes).obstacles();
+        for (int i = 0; i < all.size(); i++) {
+            ObstacleSpec obstacle = all.get(i);
             beginEntity(timeMicros, WORLD, i + " " + obstacle.name());
             json.array("lines");
             outlines(obstacle.shape(), obstacle.pose(), FLOOR_M, OUTLINE_COLOUR);
@@ -297,15 +323,15 @@ final class FoxgloveChannels {
             json.endArray();
             sink.message(transforms, nanos(snapshot.timeMicros()), json.end());
         }
-        for (int i = 0; i < robots.size(); i++) {
-            sendRobot(i, reading, sink);
+        for (int robot : robots.keySet()) {
+            sendRobot(robot, reading, sink);
         }
     }
 
     private void sendRobot(int robot, Reading reading, Sink sink) throws IOException {
         long micros = reading.snapshot().timeMicros();
         RobotReading now = reading.snapshot().robots().get(robot);
-        RobotChannels its = robots.get(robot);
+        RobotChannels its = Objects.requireNonNull(robots.get(robot));
         if (sink.isWanted(its.pose)) {
             json.begin();
             time(micros);

@@ -1,6 +1,7 @@
 package io.troupe.view.tools;
 
 import io.troupe.sim.Snapshot;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.RunLog;
 import io.troupe.view.tools.FoxgloveChannels.Channel;
@@ -89,6 +90,7 @@ public final class FoxgloveConnection {
     private @Nullable WorldSpec world;
     private @Nullable FoxgloveChannels messages;
     private @Nullable Snapshot sent;
+    private List<ColouredBox> drawnBoxes = List.of();
     private List<String> drawnServices = List.of();
     private @Nullable StateBegins state;
     private long nextEvent;
@@ -254,11 +256,15 @@ public final class FoxgloveConnection {
         }
         if (!begun.isEmpty()) { // what stays until it changes
             var toNew = new Subscribers(begun);
-            now.sendWorld(micros, toNew);
+            now.sendWorld(micros, frame.snapshot().boxes(), toNew);
             now.sendBodies(micros, frame.services(), toNew);
             if (state != null) {
                 now.send(state, toNew);
             }
+        }
+        if (!frame.snapshot().boxes().equals(drawnBoxes)) {
+            drawnBoxes = frame.snapshot().boxes();
+            now.sendWorld(micros, drawnBoxes, new Subscribers(null));
         }
         if (!frame.services().equals(drawnServices)) {
             drawnServices = frame.services();
@@ -288,6 +294,7 @@ public final class FoxgloveConnection {
         world = begun;
         messages = made;
         drawnServices = List.of();
+        drawnBoxes = List.of();
         state = null;
         JsonText text = new JsonText().begin().put("op", "advertise").array("channels");
         for (Channel channel : made.channels()) {
@@ -325,6 +332,9 @@ public final class FoxgloveConnection {
         long micros = StrictMath.round(event.number("t") * 1e6);
         String kind = event.text("kind");
         int robot = event.has("robot") ? event.whole("robot", 1, Integer.MAX_VALUE) : 0;
+        if (kind.equals("boxes")) {
+            return; // they are in the snapshot
+        }
         var to = new Subscribers(null);
         if (kind.equals("state")) {
             state = new StateBegins(

@@ -1,5 +1,6 @@
 package io.troupe.view.tools;
 
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.RunLog;
 import io.troupe.view.tools.FoxgloveChannels.Channel;
@@ -9,6 +10,7 @@ import java.io.OutputStream;
 import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Set;
 
 /** Writes a run as an MCAP file. */
 final class McapExport implements RunListener, Closeable {
@@ -18,11 +20,13 @@ final class McapExport implements RunListener, Closeable {
     private final FoxgloveChannels channels;
     private final List<Integer> ids;
     private final FoxgloveChannels.Sink sink = this::write;
+    private List<ColouredBox> drawnBoxes = List.of();
     private List<String> drawnServices = List.of();
 
-    McapExport(WorldSpec world, OutputStream out) throws IOException {
+    /** @param sensorsOf indices of the robots whose sensors are written */
+    McapExport(WorldSpec world, Set<Integer> sensorsOf, OutputStream out) throws IOException {
         writer = new McapWriter(out, RunLog.PROGRAM);
-        channels = new FoxgloveChannels(world);
+        channels = new FoxgloveChannels(world, sensorsOf);
         Map<MessageSchema, Integer> schemas = new EnumMap<>(MessageSchema.class);
         ids = channels.channels().stream().map(channel -> add(channel, schemas)).toList();
     }
@@ -40,11 +44,16 @@ final class McapExport implements RunListener, Closeable {
     @Override
     public void begin(Map<String, String> header) throws IOException {
         writer.metadata(HEADER, header);
-        channels.sendWorld(0, sink);
+        channels.sendWorld(0, List.of(), sink);
     }
 
     @Override
     public void read(Reading reading) throws IOException {
+        List<ColouredBox> boxes = reading.snapshot().boxes();
+        if (!boxes.equals(drawnBoxes)) {
+            drawnBoxes = boxes;
+            channels.sendWorld(reading.snapshot().timeMicros(), boxes, sink);
+        }
         if (!reading.services().equals(drawnServices)) {
             drawnServices = reading.services();
             channels.sendBodies(reading.snapshot().timeMicros(), drawnServices, sink);

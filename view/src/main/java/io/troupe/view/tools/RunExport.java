@@ -23,6 +23,8 @@ import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -66,8 +68,18 @@ public final class RunExport {
 
     /** Writes a file that Foxglove, Lichtblick and the MCAP libraries read. */
     public Report writeMcap(Path file) throws IOException {
+        return writeMcap(file, FoxgloveChannels.sensorsUnlessMany(world));
+    }
+
+    /**
+     * As above, with the sensors of chosen robots only.
+     *
+     * @param sensorsOf their indices; all robots of a world with at most ten, and none of a larger one, unless given
+     */
+    public Report writeMcap(Path file, Set<Integer> sensorsOf) throws IOException {
+        sensorsOf.forEach(robot -> Objects.checkIndex(robot, world.robots().size()));
         return write(
-                () -> new McapExport(world, new BufferedOutputStream(Files.newOutputStream(file))),
+                () -> new McapExport(world, sensorsOf, new BufferedOutputStream(Files.newOutputStream(file))),
                 file,
                 List.of(file));
     }

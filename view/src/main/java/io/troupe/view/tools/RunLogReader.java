@@ -8,6 +8,7 @@ import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Sonar;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
@@ -28,6 +29,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -47,7 +49,8 @@ final class RunLogReader {
     private final Path file;
     private final WorldSpec world;
     private final RunListener listener;
-    private final Scene scene;
+    private final Map<Integer, ColouredBox> boxes = new TreeMap<>();
+    private Scene scene;
     private final List<Sensors> sensors = new ArrayList<>();
     /** Those of the reading that has not been complete yet. */
     private final List<PoseLine> poses = new ArrayList<>();
@@ -180,7 +183,7 @@ final class RunLogReader {
             case "charge" -> charge(line);
             case "driver" -> driver(line);
             case "lost" -> lost(line);
-            case "intervention" -> remark(Level.WARNING, 0, "changed from outside: " + line.text("what"));
+            case "intervention" -> intervention(line);
             case "summary" -> summary(line);
             case "cutShort" -> cutShort(line);
             default -> unknownLines++; // a later program may add types
@@ -250,6 +253,28 @@ final class RunLogReader {
         remark(Level.ERROR, robot(line), "has lost its driver" + node + ": " + line.text("why"));
     }
 
+    private void intervention(JsonObject line) throws IOException, JsonObject.Problem {
+        String what = line.text("what");
+        remark(Level.WARNING, 0, "changed from outside: " + what);
+        List<String> words = List.of(what.split(" "));
+        try {
+            switch (words.getFirst()) {
+                case "box" -> {
+                    ColouredBox box = ColouredBox.parse(words.subList(1, words.size()));
+                    boxes.put(box.number(), box);
+                }
+                case "unbox" -> boxes.remove(ColouredBox.number(words.getLast()));
+                case "reset" -> boxes.clear();
+                default -> {
+                    return;
+                }
+            }
+        } catch (IllegalArgumentException wrong) {
+            throw new JsonObject.Problem(1, String.valueOf(wrong.getMessage()));
+        }
+        scene = new Scene(world.with(List.copyOf(boxes.values())));
+    }
+
     private void summary(JsonObject line) throws IOException, JsonObject.Problem {
         cutShort = line.has("cutShort");
         remark(
@@ -308,7 +333,7 @@ final class RunLogReader {
                             .toList(),
                     poses.get(robot).gapM()));
         }
-        var snapshot = new Snapshot(ticks++, timeMicros, readings, List.of());
+        var snapshot = new Snapshot(ticks++, timeMicros, readings, List.of(), List.copyOf(boxes.values()));
         return new Reading(snapshot, poses.stream().map(PoseLine::service).toList(), false);
     }
 

@@ -18,6 +18,7 @@ class WorldCanvas {
     this.trails = true;
     this.names = true;
     this.ghost = null;
+    this.boxGhost = null;
     this.fitted = true;
     this.x = 0;
     this.y = 0;
@@ -92,8 +93,8 @@ class WorldCanvas {
     const [left, bottom, right, top] = this.bounds;
     const margin = WorldCanvas.MARGIN_M;
     const ratio = window.devicePixelRatio || 1;
-    const tools = 48; // the buttons above the world, and the legend below
-    const legend = 40;
+    const tools = document.querySelector("#stage .tools").offsetHeight + 14; // above the world
+    const legend = 40; // below
     this.x = (left + right) / 2;
     const height = this.canvas.height / ratio - tools - legend;
     this.scale = Math.min(this.canvas.width / ratio / (right - left + 2 * margin), height / (top - bottom + 2 * margin));
@@ -179,6 +180,7 @@ class WorldCanvas {
     this.pixel = 1 / this.scale;
     this.drawGrid();
     this.drawObstacles();
+    this.drawBoxes();
     if (!frame) {
       return;
     }
@@ -227,6 +229,31 @@ class WorldCanvas {
       to.fill(path, "evenodd");
       to.stroke(path);
     }
+  }
+
+  drawBoxes() {
+    const to = this.context;
+    to.lineWidth = this.pixel;
+    for (const box of this.model.boxes) {
+      to.fillStyle = Model.colour(box.colour);
+      to.strokeStyle = this.colours.text;
+      to.beginPath();
+      to.rect(box.x - box.side / 2, box.y - box.side / 2, box.side, box.side);
+      to.fill();
+      to.stroke();
+    }
+    if (this.boxGhost) {
+      const {x, y, side} = this.boxGhost;
+      to.strokeStyle = this.colours.accent;
+      to.lineWidth = 2 * this.pixel;
+      to.strokeRect(x - side / 2, y - side / 2, side, side);
+    }
+  }
+
+  /** The box at a point of the page, or undefined. */
+  boxAt(pageX, pageY) {
+    const [x, y] = this.toWorld(pageX, pageY);
+    return this.model.boxes.findLast(box => Math.max(Math.abs(box.x - x), Math.abs(box.y - y)) <= box.side / 2);
   }
 
   drawTrails(end) {

@@ -2,7 +2,7 @@
 
 /** Reads the messages of a stream: docs/live-view-format.md. */
 const Messages = {
-  ALIVE: 0, WORLD: 1, FRAME: 2, SENSORS: 3, EVENTS: 4, TIME: 5, HELLO: 6, END: 7,
+  ALIVE: 0, WORLD: 1, FRAME: 2, SENSORS: 3, EVENTS: 4, TIME: 5, HELLO: 6, END: 7, CALLS: 8,
   MOST_BYTES: 1 << 26,
 
   /** Returns a function that takes bytes as they come, and calls `handle(type, value)` for each whole message. */
@@ -46,6 +46,7 @@ const Messages = {
       case Messages.SENSORS:
         return Messages.sensors(content);
       case Messages.WORLD: case Messages.EVENTS: case Messages.TIME: case Messages.HELLO: case Messages.END:
+      case Messages.CALLS:
         return JSON.parse(new TextDecoder().decode(content));
       default:
         return undefined;

@@ -9,6 +9,7 @@ class Model {
   static CROWD_TRAIL_STEP_M = 0.15;
   /** A robot that is so much farther away in the next frame has not driven there. */
   static JUMP_M = 0.6;
+  static BOX_M = 0.4;
 
   constructor() {
     this.clear();
@@ -23,6 +24,7 @@ class Model {
     this.trails = [];
     this.drivers = new Map();
     this.state = null;
+    this.boxes = [];
     this.frames = 0;
   }
 
@@ -89,6 +91,9 @@ class Model {
       this.events.push(event);
       if (event.kind === "state") {
         this.state = event;
+      } else if (event.kind === "boxes") {
+        event.boxes = event.boxes.map(Model.box);
+        this.boxes = event.boxes;
       } else if (event.kind === "driver") {
         this.drivers.set(event.robot - 1, event.node);
       }
@@ -139,7 +144,12 @@ class Model {
 
   /** Events for lists: in a crowd robots touch each other all the time. */
   isListed(event) {
-    return this.world.robots.length <= 20 || event.kind !== "contact" && event.kind !== "stall";
+    return event.kind !== "boxes" && (this.world.robots.length <= 20 || event.kind !== "contact" && event.kind !== "stall");
+  }
+
+  /** The boxes at a time, for a recorded run. */
+  boxesAt(time) {
+    return this.events.findLast(each => each.kind === "boxes" && each.t <= time + 1e-9)?.boxes ?? [];
   }
 
   /** Changes of state, and what else happened to be shown, as text. */
@@ -161,6 +171,12 @@ class Model {
       default:
         return event.text ?? event.kind;
     }
+  }
+
+  /** A box of its words: number, colour, x and y of its centre. */
+  static box(words) {
+    const [number, colour, x, y] = words.split(" ");
+    return {number: Number(number), colour: parseInt(colour, 16), x: Number(x), y: Number(y), side: Model.BOX_M};
   }
 
   static colour(number) {

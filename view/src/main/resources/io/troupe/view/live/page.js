@@ -10,11 +10,14 @@ class Page {
   static DRIVE_MPS = 0.4;
   static DRIVE_RADPS = 0.8;
   static SEND_MILLIS = 50;
+  static BOX_COLOURS = {red: "ff0000", green: "00ff00", blue: "0000ff", yellow: "ffff00", orange: "ffa500", black: "000000"};
 
   constructor() {
     this.model = new Model();
     this.view = new WorldCanvas(element("world"), this.model);
     this.timeline = new Timeline(element("timeline"), this.model);
+    this.actors = new ActorGraph(
+      element("calls"), element("actor-figures").tBodies[0], element("call-figures").tBodies[0]);
     this.source = null;
     this.paused = false;
     this.listed = 0;
@@ -41,6 +44,11 @@ class Page {
         this.model.addEvents(value);
         value.filter(each => each.kind === "refused").forEach(each => this.complain(this.model.describe(each)));
         break;
+      case Messages.CALLS:
+        this.actors.update(value);
+        element("actors-shown").hidden = this.actors.isEmpty();
+        this.showActors(!element("actors").hidden);
+        break;
       case Messages.TIME:
         this.paused = value.paused;
         this.showTime(value.speed);
@@ -61,6 +69,9 @@ class Page {
       element(word).disabled = !world.controls.includes(word);
     }
     element("play").disabled = !world.controls.includes("pause");
+    for (const what of ["box", "box-colour"]) {
+      element(what).hidden = !world.controls.includes("box");
+    }
     element("speed").disabled = !world.controls.includes("speed");
     element("legend").replaceChildren(...world.services.map(each => Page.labelled(each.colour, each.name)));
     this.view.selected = new Set(selected.length ? selected : world.robots.length <= 2 ? world.robots.keys() : []);
@@ -105,6 +116,16 @@ class Page {
     this.listEvents();
     this.showRobots(frame);
     this.showDetails(frame);
+  }
+
+  showActors(asked) {
+    const wanted = asked && !this.actors.isEmpty();
+    element("actors").hidden = !wanted;
+    element("actors-shown").setAttribute("aria-pressed", wanted);
+    document.querySelector("main").classList.toggle("with-actors", wanted);
+    if (wanted) {
+      this.actors.draw();
+    }
   }
 
   listRobots() {
@@ -268,6 +289,7 @@ class Page {
   addControls() {
     const view = this.view;
     element("theme").onclick = () => this.chooseTheme(document.documentElement.dataset.theme !== "dark");
+    element("actors-shown").onclick = () => this.showActors(element("actors").hidden);
     element("zoom-in").onclick = () => view.zoom(1.4);
     element("zoom-out").onclick = () => view.zoom(1 / 1.4);
     element("fit").onclick = () => { view.follow = false; view.fit(); this.showToggles(); };
@@ -278,6 +300,9 @@ class Page {
     element("step").onclick = () => this.source?.step();
     element("reset").onclick = () => this.source?.send("reset");
     element("speed").onchange = event => this.source?.setSpeed(Number(event.target.value));
+    element("box-colour").replaceChildren(
+      ...Object.entries(Page.BOX_COLOURS).map(([name, colour]) => new Option(name, colour)));
+    element("box").onclick = () => this.choosePlaces(!this.putsBox);
     element("find").oninput = () => this.listRobots();
     this.addPointer();
     document.addEventListener("keydown", event => this.keyDown(event));
@@ -327,7 +352,8 @@ class Page {
     canvas.addEventListener("pointermove", event => {
       const before = pointers.get(event.pointerId);
       if (!before) {
-        canvas.classList.toggle("over", this.model.frame !== null && this.view.robotAt(event.offsetX, event.offsetY) >= 0);
+        canvas.classList.toggle("over", this.model.frame !== null && (this.view.robotAt(event.offsetX, event.offsetY) >= 0
+          || this.view.boxAt(event.offsetX, event.offsetY) !== undefined));
         return;
       }
       const now = [event.offsetX, event.offsetY];
@@ -355,6 +381,13 @@ class Page {
     const at = [event.offsetX, event.offsetY];
     const frame = this.model.frame;
     const mayPlace = frame !== null && this.model.world.controls.includes("place");
+    if (frame !== null && this.model.world.controls.includes("box")) {
+      const [x, y] = this.view.toWorld(...at);
+      const box = this.putsBox ? this.newBox(x, y) : this.view.robotAt(...at) < 0 ? this.view.boxAt(...at) : undefined;
+      if (box) {
+        return {robot: -1, begin: at, moved: false, sent: 0, isNew: this.putsBox, box: {...box}, grip: [box.x - x, box.y - y]};
+      }
+    }
     const handle = mayPlace ? this.view.handleAt(...at) : -1;
     const robot = handle >= 0 ? handle : frame ? this.view.robotAt(...at) : -1;
     const drag = {robot, turns: handle >= 0, begin: at, moved: false, mayPlace, sent: 0};
@@ -367,6 +400,13 @@ class Page {
   moveDrag(drag, now, before) {
     drag.moved ||= Math.hypot(now[0] - drag.begin[0], now[1] - drag.begin[1]) > 4;
     if (!drag.moved) {
+      return;
+    }
+    if (drag.box) {
+      const [x, y] = this.view.toWorld(...now);
+      drag.box.x = x + drag.grip[0];
+      drag.box.y = y + drag.grip[1];
+      this.view.boxGhost = drag.box;
       return;
     }
     if (!drag.pose) {
@@ -390,6 +430,14 @@ class Page {
 
   endDrag(drag, event) {
     this.view.ghost = null;
+    this.view.boxGhost = null;
+    if (drag.box) {
+      this.box = drag.box.number;
+      if (drag.moved || drag.isNew) {
+        this.putBox(drag.box);
+      }
+      return;
+    }
     if (drag.moved && drag.pose) {
       this.place(drag.pose);
     } else if (!drag.moved && drag.robot >= 0) {
@@ -404,20 +452,52 @@ class Page {
     this.source.send(`place ${pose.robot + 1} ${pose.x.toFixed(3)} ${pose.y.toFixed(3)} ${pose.heading.toFixed(4)}`);
   }
 
+  /** Whether the next click puts a box. */
+  choosePlaces(wanted) {
+    this.putsBox = wanted;
+    element("box").setAttribute("aria-pressed", wanted);
+    element("world").classList.toggle("puts", wanted);
+  }
+
+  newBox(x, y) {
+    const used = new Set(this.model.boxes.map(each => each.number));
+    const number = [...Array(20).keys()].map(each => each + 1).find(each => !used.has(each));
+    if (number === undefined) {
+      this.complain("there are 20 boxes, and that is the most: choose one by a click, and remove it by Delete");
+      return undefined;
+    }
+    return {number, colour: parseInt(element("box-colour").value, 16), x, y, side: Model.BOX_M};
+  }
+
+  putBox(box) {
+    this.choosePlaces(false);
+    this.box = box.number;
+    const colour = box.colour.toString(16).padStart(6, "0");
+    this.source.send(`box ${box.number} ${colour} ${box.x.toFixed(3)} ${box.y.toFixed(3)}`);
+  }
+
   keyDown(event) {
     if (event.target.closest("input, select") || event.ctrlKey || event.altKey || event.metaKey) {
       return;
     }
     const onButton = event.target.closest("button") !== null;
     const clicks = {".": "step", "+": "zoom-in", "-": "zoom-out", "0": "fit", "f": "follow", "r": "rays", "t": "trails",
-      "n": "names"};
+      "n": "names", "a": "actors-shown", "b": "box"};
     if (event.key.startsWith("Arrow")) {
       event.preventDefault();
       this.arrow(event.key);
     } else if (event.key === " " && !onButton) {
       event.preventDefault();
       element("play").click();
+    } else if (event.key === "Enter" && this.putsBox && event.target === element("world")) {
+      const box = this.newBox(this.view.x, this.view.y);
+      if (box) {
+        this.putBox(box);
+      }
+    } else if ((event.key === "Delete" || event.key === "Backspace") && this.model.boxes.some(each => each.number === this.box)) {
+      this.source.send(`unbox ${this.box}`);
     } else if (event.key === "Escape") {
+      this.choosePlaces(false);
       this.view.selected.clear();
       this.selectionChanged();
     } else if (clicks[event.key.toLowerCase()]) {
@@ -637,6 +717,7 @@ class Film {
     const frame = this.frames[i];
     const next = this.frames[i + 1];
     this.page.model.frame = frame ?? null;
+    this.page.model.boxes = this.page.model.boxesAt(this.now);
     this.page.model.readings = this.readings[i] ?? new Map();
     if (!frame || !next) {
       return frame ?? null;

@@ -4,6 +4,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.CallGraph;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
@@ -16,6 +21,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CountDownLatch;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
@@ -25,6 +31,8 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.EnumSource;
 
 /**
  * The page in Chromium; skipped where there is none. With {@code -Dpictures=DIR} it writes the pictures of the guide.
@@ -33,6 +41,7 @@ import org.junit.jupiter.api.io.TempDir;
 class BrowserTest {
     private static final char ARROW_UP = '\uE013';
     private static final char ESCAPE = '\uE00C';
+    private static final char DELETE = '\uE017';
 
     private static @Nullable Browser browser;
 
@@ -101,7 +110,7 @@ class BrowserTest {
             String start = page().get("troupe.model.frame.x[0] + ' ' + troupe.model.frame.y[0]");
             page().await("Math.hypot(troupe.model.frame.x[0] - " + start.replace(" ", ", troupe.model.frame.y[0] - ")
                     + ") > 0.3");
-            page().await("troupe.model.trails[0].length > 5 && troupe.model.readings.size === 2");
+            page().await("troupe.model.trails[0].length > 60 && troupe.model.readings.size === 2");
             run.control.submit(new ViewCommand.Pause());
             page().await("troupe.paused && document.querySelector('#play').textContent === 'Go on'");
             page().await("troupe.view.sonarEnds(troupe.model.frame, 0).some(ray => ray.hit)");
@@ -160,6 +169,41 @@ class BrowserTest {
                 .isLessThan(0.1);
     }
 
+    @Test
+    void coloured_box_isPutByAClick_movedByDragging_seenByTheRobot_andRemovedByDelete() throws Exception {
+        try (var run = run(1)) {
+            open(run.page);
+            run.control.submit(new ViewCommand.Place(0, new Pose(-3, 0, 0)));
+            run.control.submit(new ViewCommand.Pause());
+            page().await("troupe.paused");
+            page().get("(document.querySelector('#box-colour').value = '00ff00')");
+            page().press('b');
+            page().await("document.querySelector('#box').getAttribute('aria-pressed') === 'true'");
+            int[] spot = point("[-1, 1]");
+            page().drag(List.of(spot, spot));
+            page().await("document.querySelector('#box').getAttribute('aria-pressed') === 'false'");
+            run.control.submit(new ViewCommand.Step());
+            page().await("troupe.model.boxes.length === 1");
+            assertThat(page().get("JSON.stringify(troupe.model.boxes[0].colour)"))
+                    .isEqualTo("65280");
+            drag("[troupe.model.boxes[0].x, troupe.model.boxes[0].y]", "[-1, 0]");
+            run.control.submit(new ViewCommand.Step());
+            page().await("troupe.model.boxes.length === 1 && Math.abs(troupe.model.boxes[0].y) < 0.1");
+            page().await("troupe.model.readings.get(0)?.blobs.some(blob => blob.colour === 0x00ff00)");
+            picture("watching-box.png");
+            drag("[troupe.model.boxes[0].x, troupe.model.boxes[0].y]", "[-3, 0]");
+            run.control.submit(new ViewCommand.Step());
+            page().await("document.querySelector('#problem').textContent.includes('overlap')");
+            assertThat(page().get("Math.abs(troupe.model.boxes[0].x + 1) < 0.1"))
+                    .as("it has stayed where it was")
+                    .isEqualTo("true");
+            page().press(DELETE);
+            run.control.submit(new ViewCommand.Step());
+            page().await("troupe.model.boxes.length === 0");
+        }
+        assertThat(folder.resolve("run.jsonl")).content().contains("\"what\":\"box 1 00ff00 ", "\"what\":\"unbox 1\"");
+    }
+
     private static double number(String line, String key) {
         var found = Pattern.compile("\"" + key + "\":([-0-9.E]+)").matcher(line);
         assertThat(found.find()).isTrue();
@@ -195,6 +239,81 @@ class BrowserTest {
         assertThat(folder.resolve("run.jsonl"))
                 .content()
                 .contains("\"what\":\"drive 1 0.4 0.0\"", "\"what\":\"release 1\"");
+    }
+
+    @ParameterizedTest
+    @EnumSource(
+            value = Mode.class,
+            names = {"CALLBACK", "PROMISE"})
+    void actors_areAGraphOfWhoCallsWhom_withRatesAndMailboxes(Mode mode) throws Exception {
+        try (var run = new LiveRuns.Endless(folder.resolve("run.jsonl"), 0, 20, mode)) {
+            open(run.page);
+            page().await("!document.querySelector('#actors-shown').hidden");
+            page().press('a');
+            page().await("document.querySelectorAll('#calls g').length >= 4");
+            page().await("document.querySelector('#calls').textContent.includes('Arbitrator')");
+            String receiver = mode == Mode.CALLBACK ? "'Arbitrator (results)'" : "'robots/robotServices'";
+            page().await("troupe.actors.before !== null && [...document.querySelectorAll('#call-figures tbody tr')]"
+                    + ".some(row => row.children[1].textContent === " + receiver
+                    + " && Number(row.children[2].textContent) > 0)");
+            assertThat(
+                            page().get(
+                                            "[...document.querySelectorAll('#calls g')].every(box => / waiting/.test(box.textContent))"))
+                    .isEqualTo("true");
+            var graph = run.page.callGraph().snapshot();
+            assertThat(graph.nodes()).extracting(CallGraph.Node::name).contains("Arbitrator", "robots/robotServices");
+            assertThat(graph.edges().stream()
+                            .filter(each -> each.to().name().equals("Arbitrator"))
+                            .anyMatch(each -> each.results() > 0))
+                    .as("colours that were sent one after the other")
+                    .isEqualTo(mode == Mode.CALLBACK);
+            if (mode == Mode.CALLBACK) {
+                picture("watching-actors.png");
+            }
+            page().press('a');
+            page().await("document.querySelector('#actors').hidden");
+        }
+    }
+
+    @Test
+    void actorThatIsStuckInATurn_isMarked_withItsMailbox() throws Exception {
+        var release = new CountDownLatch(1);
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0));
+                var space = ActorSpace.create(SpaceSettings.named("stuck").withCallGraph(view.callGraph()))) {
+            new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
+                    .onto(view)
+                    .moved(LiveRuns.start());
+            Sleeper sleeper = space.spawn(
+                    Sleeper.class, () -> () -> awaitUninterruptibly(release), ActorSettings.named("sleeper"));
+            for (int i = 0; i < 4; i++) {
+                sleeper.sleep();
+            }
+            try {
+                open(view);
+                page().await("!document.querySelector('#actors-shown').hidden");
+                page().get("document.querySelector('#actors-shown').click()");
+                page().await("document.querySelector('#calls g.alarm')?.dataset.name === 'sleeper'");
+                assertThat(page().get("document.querySelector('#calls g.alarm').textContent"))
+                        .contains("3 waiting", "s in one turn");
+                assertThat(page().get("document.querySelector('#actor-figures tr.alarm').textContent"))
+                        .startsWith("sleeper");
+            } finally {
+                release.countDown();
+            }
+            page().await("document.querySelector('#calls g.alarm') === null");
+        }
+    }
+
+    interface Sleeper {
+        void sleep();
+    }
+
+    private static void awaitUninterruptibly(CountDownLatch latch) {
+        try {
+            latch.await();
+        } catch (InterruptedException e) {
+            Thread.currentThread().interrupt();
+        }
     }
 
     @Test

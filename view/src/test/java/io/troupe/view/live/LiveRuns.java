@@ -1,6 +1,10 @@
 package io.troupe.view.live;
 
+import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
+import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.ScenarioReader;
 import io.troupe.view.RecordedRun;
@@ -22,9 +26,19 @@ final class LiveRuns {
 
     /** Runs the main job. */
     static void run(Path log, double seconds, RecordedRun.Listener listener) throws Exception {
-        var settings = RecordedRun.Settings.DEFAULT.withSeconds(seconds);
+        run(log, RecordedRun.Settings.DEFAULT.withSeconds(seconds), listener);
+    }
+
+    private static void run(Path log, RecordedRun.Settings settings, RecordedRun.Listener listener) throws Exception {
         try (var written = new RunLog(log)) {
             new RecordedRun(ARENA, TABLE, settings).run(written, listener);
+        }
+    }
+
+    /** The arena at the start. */
+    static Snapshot start() {
+        try (var simulation = Simulation.open(ARENA, WorldSettings.DEFAULT)) {
+            return simulation.latest();
         }
     }
 
@@ -36,6 +50,10 @@ final class LiveRuns {
         private final Future<?> running;
 
         Endless(Path log, int port, double speed) throws IOException {
+            this(log, port, speed, Mode.PROMISE);
+        }
+
+        Endless(Path log, int port, double speed, Mode mode) throws IOException {
             page = LiveView.open(LiveView.Settings.DEFAULT.withPort(port));
             control = new RunControl(speed, true);
             var viewed = new ViewedRun(ARENA.world(), TABLE, control).onto(page);
@@ -47,7 +65,7 @@ final class LiveRuns {
             });
             var thread = Executors.newSingleThreadExecutor();
             running = thread.submit(() -> {
-                run(log, 1e6, listener);
+                run(log, RecordedRun.Settings.DEFAULT.withSeconds(1e6).withMode(mode), listener);
                 return null;
             });
             thread.shutdown();

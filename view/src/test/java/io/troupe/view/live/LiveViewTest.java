@@ -154,8 +154,14 @@ class LiveViewTest {
             {"4", "release 2"},
             {"5", "place 2 0 0 1.5707"},
             {"5", "place 1 100 100 0"},
+            {"5.1", "box 2 00ff00 0.0 0.0"}, // where robot 2 is
+            {"5.5", "box 1 ff0000 4.5 -1.0"},
+            {"6", "box 1 ff0000 0.5 1.5"},
+            {"6.5", "box 3 00ff00 -3.0 0.0"},
             {"7", "reset"},
+            {"8", "box 4 0000ff 0.0 0.0"},
             {"9", "drive 1 -0.1 0"},
+            {"9.5", "unbox 4"},
             {"10", "release 1"},
         };
         Path first = folder.resolve("first.jsonl");
@@ -173,9 +179,11 @@ class LiveViewTest {
         List<String> lines = Files.readAllLines(first);
         assertThat(lines.stream().filter(line -> line.contains("\"intervention\"")))
                 .as("of those at 5 s only the newest place of robot 1 counts, and it is outside of every wall")
-                .hasSizeBetween(7, 8)
+                .hasSizeBetween(12, 13)
                 .first()
                 .isEqualTo("{\"t\":1.0,\"type\":\"intervention\",\"what\":\"place 1 3.5 -1.0 0.7\"}");
+        assertThat(lines).anyMatch(line -> line.contains("\"what\":\"box 1 ff0000 0.5 1.5\""));
+        assertThat(lines).noneMatch(line -> line.contains("\"what\":\"box 2 "));
         assertThat(lines).anyMatch(line -> line.startsWith("{\"t\":1.1,\"type\":\"pose\",\"robot\":1,\"x\":3.5"));
     }
 

@@ -3,6 +3,7 @@ package io.troupe.view.live;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.view.live.ViewCommand.Intervention;
 import java.util.List;
@@ -22,6 +23,9 @@ class ViewCommandTest {
             "place",
             "drive",
             "release",
+            "box",
+            "unbox",
+            "ff0000",
             "1",
             "2",
             "0",
@@ -49,7 +53,9 @@ class ViewCommandTest {
                 new ViewCommand.Reset(),
                 new ViewCommand.Place(1, new Pose(0.1, -2.5e-7, 3.0)),
                 new ViewCommand.Drive(0, 0.25, -1),
-                new ViewCommand.Release(1));
+                new ViewCommand.Release(1),
+                new ViewCommand.PutBox(new ColouredBox(20, 0x00FF7F, 0.1, -2.5e-7)),
+                new ViewCommand.RemoveBox(3));
         assertThat(all)
                 .allSatisfy(
                         each -> assertThat(ViewCommand.parse(each.words(), 2)).isEqualTo(each));
@@ -70,6 +76,10 @@ class ViewCommandTest {
                 "release 3      | robot '3', expected a number from 1 to 2",
                 "drive 1 NaN 0  | 'NaN', expected a number",
                 "drive 1 1e9 0  | '1e9', expected a number of at most 1000000",
+                "box 1 ff0000 1 | 'box' has 3 words after it, expected 4",
+                "box 1 red 1 1  | colour 'red', expected six hexadecimal digits",
+                "box 21 0000ff 1 1 | box '21', expected a number from 1 to 20",
+                "unbox 0        | box '0', expected a number from 1 to 20",
                 "speed -1       | the speed is -1, expected 0 or more",
             })
     void wrongWords_areNamed(String line, String message) {

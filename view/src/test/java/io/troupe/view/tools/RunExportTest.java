@@ -297,6 +297,15 @@ class RunExportTest {
         assertThat(file.texts("/tf")).hasSize(2).allMatch(text -> text.contains("\"child_frame_id\":\"robot12\""));
         export.writeCsv(folder.resolve("tables"));
         assertThat(Files.readAllLines(folder.resolve("tables/ranges.csv"))).hasSize(1 + 2 * 12);
+        Path chosen = folder.resolve("chosen.mcap");
+        export.writeMcap(chosen, Set.of(10, 2));
+        McapFile two = new McapFile(Files.readAllBytes(chosen));
+        assertThat(two.texts("/robot11/sonar")).hasSize(2);
+        assertThat(two.texts("/robot3/blobs")).hasSize(2);
+        assertThat(two.channels.values())
+                .extracting(Object::toString)
+                .noneMatch(channel -> channel.contains("/robot12/"));
+        assertThatThrownBy(() -> export.writeMcap(chosen, Set.of(12))).isInstanceOf(IndexOutOfBoundsException.class);
     }
 
     // ---- tables

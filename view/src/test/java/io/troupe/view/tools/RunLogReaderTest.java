@@ -12,6 +12,7 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
@@ -83,6 +84,10 @@ class RunLogReaderTest {
         SubsumptionTable table = SubsumptionTable.ofThePaper();
         Path file = folder.resolve("run.jsonl");
         List<Snapshot> snapshots = new ArrayList<>();
+        Map<Long, ColouredBox> boxes = Map.of(
+                10_000_000L, new ColouredBox(1, 0xFFFF00, 3, 0),
+                20_000_000L, new ColouredBox(2, 0x00FFFF, -5, -3.5),
+                25_000_000L, new ColouredBox(1, 0xFFFF00, 2, 3));
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
                 var log = new RunLog(file)) {
             log.begin(scenario.world(), RecordedRun.Settings.DEFAULT);
@@ -93,6 +98,14 @@ class RunLogReaderTest {
                 recorder.start(simulation.latest());
                 snapshots.add(simulation.latest());
                 while (simulation.timeMicros() < 60_000_000) {
+                    ColouredBox box = boxes.get(simulation.timeMicros());
+                    if (box != null) {
+                        simulation.putBox(box);
+                        recorder.intervened("box " + box.words());
+                    } else if (simulation.timeMicros() == 40_000_000) {
+                        simulation.removeBox(1);
+                        recorder.intervened("unbox 1");
+                    }
                     snapshots.add(simulation.tick());
                     running.check();
                     recorder.record(snapshots.getLast());
@@ -106,6 +119,10 @@ class RunLogReaderTest {
                 .as("a robot has seen a blob")
                 .anyMatch(each -> each.robots().stream()
                         .anyMatch(robot -> !robot.blobs().blobs().isEmpty()));
+        assertThat(collector.readings)
+                .as("readings with one, two and no box")
+                .extracting(each -> each.snapshot().boxes().size())
+                .contains(0, 1, 2);
         assertThat(collector.readings.getFirst().services()).containsExactly("wallFollower", "spaceWanderer");
         assertThat(collector.header).containsEntry("world", "paper arena").containsEntry("seed", "1");
         assertThat(collector.events)
@@ -117,6 +134,7 @@ class RunLogReaderTest {
         for (int i = 0; i < snapshots.size(); i++) {
             Snapshot read = collector.readings.get(i).snapshot();
             assertThat(read.timeMicros()).isEqualTo(snapshots.get(i).timeMicros());
+            assertThat(read.boxes()).isEqualTo(snapshots.get(i).boxes());
             for (int robot = 0; robot < read.robots().size(); robot++) {
                 RobotReading had = snapshots.get(i).robots().get(robot);
                 RobotReading computed = read.robots().get(robot);

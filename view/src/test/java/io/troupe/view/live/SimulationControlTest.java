@@ -1,0 +1,32 @@
+package io.troupe.view.live;
+
+import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
+
+import io.troupe.sim.Simulation;
+import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.ColouredBox;
+import io.troupe.sim.model.Pose;
+import java.util.List;
+import org.junit.jupiter.api.Test;
+
+/** Commands of viewers in a served world. */
+class SimulationControlTest {
+    @Test
+    void interventions_areCarriedOut_andListedOnce_exceptThoseThatAreImpossible() {
+        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.DEFAULT)) {
+            var control = new SimulationControl(simulation, 1);
+            var place = new ViewCommand.Place(0, new Pose(-3, 0, 1));
+            var box = new ViewCommand.PutBox(new ColouredBox(2, 0xFF0000, 0, 1));
+            control.submit(place);
+            control.submit(box);
+            assertThatThrownBy(() -> control.submit(new ViewCommand.Place(0, new Pose(1000, 0, 0))))
+                    .isInstanceOf(IllegalArgumentException.class);
+            var after = simulation.tick();
+            assertThat(after.robots().getFirst().pose()).isEqualTo(place.pose());
+            assertThat(after.boxes()).containsExactly(box.box());
+            assertThat(control.ticked()).isEqualTo(List.of(place, box));
+            assertThat(control.ticked()).isEmpty();
+        }
+    }
+}
