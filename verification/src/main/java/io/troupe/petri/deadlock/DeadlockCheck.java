@@ -32,7 +32,7 @@ import java.util.Set;
  *
  * <p><b>Threads.</b> Thread-safe.
  *
- * <p><b>Cost.</b> The hunts and proofs have limits of their own, a second or two together for a net of some thousand
+ * <p><b>Cost.</b> The hunts and proofs have separate limits, a second or two together for a net of some thousand
  * places. The last search is that of {@link DeadlockSearch#run} on the reduced net.
  *
  * <p><b>Errors.</b> A place that can hold more than {@link Integer#MAX_VALUE} tokens throws
