@@ -37,6 +37,7 @@ class SamplesTest {
                 "docs/guide/15-watching-robots.md",
                 "docs/guide/16-recordings-in-other-tools.md",
                 "docs/guide/17-a-world-as-a-library.md",
+                "docs/guide/18-bip.md",
                 "actor-core/README.md",
                 "actor-service/README.md",
                 "actor-nats/README.md",

@@ -88,6 +88,16 @@ class PaperBipTest {
         assertThat(BipStates.explore(model.build()).neverFired()).isEmpty();
     }
 
+    @Test
+    void samples_ofTheJavadoc() throws IOException {
+        var states = BipStates.explore(PaperBip.waiting());
+        assertThat(states.find(PaperBip.twoServices(1))).isEmpty();
+
+        var file = directory.resolve("paper.svg");
+        Files.writeString(file, BipDrawing.of(PaperBip.waiting()).svg());
+        assertThat(file).isNotEmptyFile();
+    }
+
     // ---- text
 
     @Test
