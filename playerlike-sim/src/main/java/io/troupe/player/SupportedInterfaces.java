@@ -50,6 +50,14 @@ abstract class SupportedInterfaces extends UnsupportedInterfaces {
         return request(new BlobfinderInterface(client()), Interfaces.BLOBFINDER, index, access);
     }
 
+    public FiducialInterface requestInterfaceFiducial(int index, int access) {
+        return request(new FiducialInterface(client()), Interfaces.FIDUCIAL, index, access);
+    }
+
+    public BumperInterface requestInterfaceBumper(int index, int access) {
+        return request(new BumperInterface(client()), Interfaces.BUMPER, index, access);
+    }
+
     public SimulationInterface requestInterfaceSimulation(int index, int access) {
         return request(new SimulationInterface(client()), Interfaces.SIMULATION, index, access);
     }
@@ -62,6 +70,8 @@ abstract class SupportedInterfaces extends UnsupportedInterfaces {
             case PLAYER_RANGER_CODE -> requestInterfaceRanger(index, access);
             case PLAYER_LASER_CODE -> requestInterfaceLaser(index, access);
             case PLAYER_BLOBFINDER_CODE -> requestInterfaceBlobfinder(index, access);
+            case PLAYER_FIDUCIAL_CODE -> requestInterfaceFiducial(index, access);
+            case PLAYER_BUMPER_CODE -> requestInterfaceBumper(index, access);
             case PLAYER_SIMULATION_CODE -> requestInterfaceSimulation(index, access);
             default -> throw notSupported(Interfaces.name(type) + ":" + index);
         };

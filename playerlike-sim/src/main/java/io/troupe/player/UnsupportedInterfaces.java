@@ -28,20 +28,12 @@ abstract class UnsupportedInterfaces extends Thread implements PlayerConstants {
         throw notSupported("ptz:" + index);
     }
 
-    public FiducialInterface requestInterfaceFiducial(int index, int access) {
-        throw notSupported("fiducial:" + index);
-    }
-
     public SpeechInterface requestInterfaceSpeech(int index, int access) {
         throw notSupported("speech:" + index);
     }
 
     public GPSInterface requestInterfaceGPS(int index, int access) {
         throw notSupported("gps:" + index);
-    }
-
-    public BumperInterface requestInterfaceBumper(int index, int access) {
-        throw notSupported("bumper:" + index);
     }
 
     public DIOInterface requestInterfaceDIO(int index, int access) {

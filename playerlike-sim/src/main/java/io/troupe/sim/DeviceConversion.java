@@ -37,6 +37,8 @@ final class DeviceConversion {
                         reading.rangersM().get(device.ranger()),
                         now.tick());
             case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
+            case FIDUCIAL, BUMPER ->
+                FurtherDevices.data(reading.devices().get(device.ranger()));
             case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
         };
         return new DeviceDataMessage(device.address(), now.timeMicros() / 1e6, data);

@@ -52,7 +52,7 @@ final class DeviceRequestHandler {
         switch (device.type()) {
             case POSITION2D -> drive(device, command);
             case SIMULATION -> simulate(device, command);
-            case SONAR, RANGER, LASER, BLOBFINDER -> throw new IllegalArgumentException(device + " takes no commands");
+            case SONAR, RANGER, LASER, BLOBFINDER, FIDUCIAL, BUMPER -> throw new IllegalArgumentException(device + " takes no commands");
         }
     }
 
@@ -129,6 +129,8 @@ final class DeviceRequestHandler {
             case LASER -> ofLaser(device, robot(device).rangers().get(device.ranger()), request);
             case RANGER -> ofRanger(device, ranger(device), request);
             case BLOBFINDER -> NOT_OFFERED;
+            case FIDUCIAL, BUMPER ->
+                FurtherDevices.request(robot(device), robot(device).devices().get(device.ranger()), request);
             case SIMULATION -> ofSimulation(device, request);
         };
     }
@@ -302,7 +304,7 @@ final class DeviceRequestHandler {
                     switch (device) {
                         case POSITION2D -> List.of(1, 2, 3, 4);
                         case SIMULATION -> List.of(1, 2);
-                        case SONAR, RANGER, LASER, BLOBFINDER -> List.of();
+                        case SONAR, RANGER, LASER, BLOBFINDER, FIDUCIAL, BUMPER -> List.of();
                     };
                 case REQUEST ->
                     switch (device) {
@@ -311,6 +313,8 @@ final class DeviceRequestHandler {
                         case RANGER -> List.of(1, 2, 3, 4, 5);
                         case LASER -> List.of(1, 2, 3, 4, 5);
                         case BLOBFINDER -> List.of();
+                        case FIDUCIAL -> List.of(1, 2, 3, 7, 8);
+                        case BUMPER -> List.of(1);
                     };
                 default -> List.of();
             };

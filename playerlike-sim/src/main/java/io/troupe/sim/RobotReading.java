@@ -1,6 +1,7 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.BlobImage;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.model.Pose;
 import java.util.List;
@@ -13,6 +14,7 @@ import org.jspecify.annotations.Nullable;
  * @param sonarM one range per sonar, in metres; null if it has no sonar
  * @param blobs null if it has no blobfinder
  * @param rangersM the ranges of all rays of each laser and ranger, in metres
+ * @param devices those that {@link io.troupe.sim.model.RobotSpec#devices} lists, in this order
  * @param wallGapM from the body's edge to the nearest obstacle that blocks bodies: 0 if they touch or overlap, infinite
  *     if there is none
  */
@@ -22,4 +24,20 @@ public record RobotReading(
         @Nullable List<Double> sonarM,
         @Nullable BlobImage blobs,
         List<List<Double>> rangersM,
-        double wallGapM) {}
+        List<DeviceReading> devices,
+        double wallGapM) {
+    public RobotReading {
+        devices = List.copyOf(devices);
+    }
+
+    /** Creates the reading of a robot without further devices. */
+    public RobotReading(
+            Pose pose,
+            Odometry odometry,
+            @Nullable List<Double> sonarM,
+            @Nullable BlobImage blobs,
+            List<List<Double>> rangersM,
+            double wallGapM) {
+        this(pose, odometry, sonarM, blobs, rangersM, List.of(), wallGapM);
+    }
+}

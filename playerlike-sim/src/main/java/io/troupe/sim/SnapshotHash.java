@@ -2,6 +2,7 @@ package io.troupe.sim;
 
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.ColourBlob;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.model.Pose;
 import java.nio.ByteBuffer;
 import java.util.List;
@@ -65,7 +66,27 @@ public final class SnapshotHash {
         add(robot.blobs());
         add(robot.rangersM().size());
         robot.rangersM().forEach(this::addAll);
+        robot.devices().forEach(this::add);
         add(robot.wallGapM());
+    }
+
+    /** Robots without such devices add nothing, so their checksums are those of the time before these devices. */
+    private void add(DeviceReading device) {
+        switch (device) {
+            case DeviceReading.Fiducials(var seen) -> {
+                add(seen.size());
+                for (DeviceReading.Fiducial each : seen) {
+                    add(each.id());
+                    add(each.x());
+                    add(each.y());
+                    add(each.headingRad());
+                }
+            }
+            case DeviceReading.Pressed(var bumpers) -> {
+                add(bumpers.size());
+                bumpers.forEach(each -> add(each ? 1 : 0));
+            }
+        }
     }
 
     private void add(Pose pose) {

@@ -412,6 +412,11 @@ public final class World implements AutoCloseable {
                         : robotDevices.rangersM().stream()
                                 .map(ranges -> Arrays.stream(ranges).boxed().toList())
                                 .toList(),
+                robotDevices.others().isEmpty()
+                        ? List.of()
+                        : robotDevices.others().stream()
+                                .map(device -> device.reading(scene, robot))
+                                .toList(),
                 scene.wallGapM(robot));
     }
 

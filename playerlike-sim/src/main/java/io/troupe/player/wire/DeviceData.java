@@ -61,6 +61,23 @@ public sealed interface DeviceData {
         }
     }
 
+    /** fiducial DATA 1: the markers in view. */
+    record Fiducials(List<Fiducial> seen) implements DeviceData {
+        public Fiducials {
+            seen = List.copyOf(seen);
+        }
+    }
+
+    /** One marker: its number (-1 if it cannot be read), its pose relative to the finder, and how uncertain that is. */
+    record Fiducial(int id, Pose3d pose, Pose3d uncertainty) {}
+
+    /** bumper DATA 1: for each bumper whether it is pressed, 0 if not. */
+    record BumperStates(List<Byte> states) implements DeviceData {
+        public BumperStates {
+            states = List.copyOf(states);
+        }
+    }
+
     /** ranger DATA 3: the intensity of the echo of each range of DATA 1. */
     record RangerIntensities(List<Double> intensities) implements DeviceData {
         public RangerIntensities {
@@ -85,7 +102,7 @@ public sealed interface DeviceData {
     }
 
     /**
-     * DATA 2 of position2d and sonar, DATA 5 of ranger: the geometry has changed.
+     * DATA 2 of position2d, sonar and bumper, DATA 5 of ranger: the geometry has changed.
      *
      * @param geometry the same as in the reply to {@link DeviceRequest.Geometry}
      */

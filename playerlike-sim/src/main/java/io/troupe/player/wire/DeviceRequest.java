@@ -21,7 +21,7 @@ public sealed interface DeviceRequest {
      */
     String COMMAND_AGE_KEY = "troupe_command_age_ms";
 
-    /** REQ 1 of position2d, sonar, ranger and laser: requests the geometry. */
+    /** REQ 1 of position2d, sonar, ranger, laser, fiducial and bumper: requests the geometry. */
     record Geometry() implements DeviceRequest {}
 
     /** position2d, sonar and ranger REQ 2, laser REQ 4: switches the device on or off. */
@@ -80,6 +80,18 @@ public sealed interface DeviceRequest {
 
     /** laser REQ 5. */
     record LaserId() implements DeviceRequest {}
+
+    /** fiducial REQ 2. */
+    record GetFieldOfView() implements DeviceRequest {}
+
+    /** fiducial REQ 3. */
+    record SetFieldOfView(float minRangeM, float maxRangeM, float angleRad) implements DeviceRequest {}
+
+    /** fiducial REQ 7: requests the number of the marker that the robot itself has. */
+    record GetMarker() implements DeviceRequest {}
+
+    /** fiducial REQ 8: sets it. */
+    record SetMarker(int id) implements DeviceRequest {}
 
     /** simulation REQ 1: requests the pose of a model. */
     record GetPose(String model) implements DeviceRequest {

@@ -4,6 +4,8 @@ import io.troupe.player.wire.DeviceRequest.Capability;
 import io.troupe.player.wire.DeviceRequest.Geometry;
 import io.troupe.player.wire.DeviceRequest.GetColour;
 import io.troupe.player.wire.DeviceRequest.GetConfiguration;
+import io.troupe.player.wire.DeviceRequest.GetFieldOfView;
+import io.troupe.player.wire.DeviceRequest.GetMarker;
 import io.troupe.player.wire.DeviceRequest.GetPose;
 import io.troupe.player.wire.DeviceRequest.Intensities;
 import io.troupe.player.wire.DeviceRequest.LaserId;
@@ -12,9 +14,11 @@ import io.troupe.player.wire.DeviceRequest.PositionPid;
 import io.troupe.player.wire.DeviceRequest.Power;
 import io.troupe.player.wire.DeviceRequest.ResetOdometry;
 import io.troupe.player.wire.DeviceRequest.SetColour;
+import io.troupe.player.wire.DeviceRequest.SetFieldOfView;
 import io.troupe.player.wire.DeviceRequest.SetImager;
 import io.troupe.player.wire.DeviceRequest.SetIntegerProperty;
 import io.troupe.player.wire.DeviceRequest.SetLaserConfiguration;
+import io.troupe.player.wire.DeviceRequest.SetMarker;
 import io.troupe.player.wire.DeviceRequest.SetOdometry;
 import io.troupe.player.wire.DeviceRequest.SetPose;
 import io.troupe.player.wire.DeviceRequest.SetRangerConfiguration;
@@ -71,6 +75,11 @@ final class RequestCodec {
                 yield 2;
             }
             case LaserId id -> 5;
+            case GetFieldOfView get -> 2;
+            case SetFieldOfView set ->
+                subtype(3, out.float32(set.minRangeM()).float32(set.maxRangeM()).float32(set.angleRad()));
+            case GetMarker get -> 7;
+            case SetMarker set -> subtype(8, out.int32(set.id()));
             case GetPose get -> subtype(1, out.string(get.model()).float64(0, 0, 0));
             case SetPose set -> subtype(2, out.string(set.model()).float64(set.px(), set.py(), set.pa()));
             case SetIntegerProperty property ->
@@ -107,6 +116,8 @@ final class RequestCodec {
             case RANGER -> ranger(subtype, in);
             case LASER -> laser(subtype, in);
             case SIMULATION -> simulation(subtype, in);
+            case FIDUCIAL -> fiducial(subtype, in);
+            case BUMPER -> subtype == 1 ? new Geometry() : new Unknown(subtype);
         };
     }
 
@@ -180,6 +191,21 @@ final class RequestCodec {
             case 3 -> new GetConfiguration();
             case 4 -> ended(new Power(in.bool("state")), in);
             case 5 -> new LaserId();
+            default -> new Unknown(subtype);
+        };
+    }
+
+    private static DeviceRequest fiducial(int subtype, XdrReader in) throws WireException {
+        return switch (subtype) {
+            case 1 -> new Geometry();
+            case 2 -> new GetFieldOfView();
+            case 3 ->
+                ended(
+                        new SetFieldOfView(
+                                in.float32("min_range"), in.float32("max_range"), in.float32("view_angle")),
+                        in);
+            case 7 -> new GetMarker();
+            case 8 -> ended(new SetMarker(in.int32("id")), in);
             default -> new Unknown(subtype);
         };
     }

@@ -1,6 +1,7 @@
 package io.troupe.sim.device;
 
 import io.troupe.sim.model.CargoSpec;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
@@ -12,6 +13,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The geometry that the devices sense: all outlines and colours.
@@ -36,6 +38,9 @@ public final class Scene {
     private final double[] y;
     private final double[] cos;
     private final double[] sin;
+    private final double[] headingRad;
+    private final boolean[] blocksBodies; // by robot
+    private final @Nullable Markers markers; // null if there is no finder
     private final List<List<Part>> parts = new ArrayList<>(); // by robot
     private final int[] colours; // by thing: obstacles, then robots, then what they carry
     private final int firstRobot;
@@ -64,6 +69,9 @@ public final class Scene {
         y = new double[robotCount];
         cos = new double[robotCount];
         sin = new double[robotCount];
+        headingRad = new double[robotCount];
+        blocksBodies = new boolean[robotCount];
+        markers = hasFinder(spec) ? new Markers(spec) : null;
         int cargoCount =
                 spec.robots().stream().mapToInt(robot -> robot.cargo().size()).sum();
         circles = new BoundingCircles(firstRobot + robotCount + cargoCount);
@@ -109,6 +117,11 @@ public final class Scene {
         refresh();
     }
 
+    private static boolean hasFinder(WorldSpec spec) {
+        return spec.robots().stream()
+                .anyMatch(robot -> robot.devices().stream().anyMatch(DeviceSpec.FiducialFinder.class::isInstance));
+    }
+
     private void paint(int thing, int colour, boolean visible, Map<Integer, List<Integer>> byColour) {
         colours[thing] = colour;
         if (visible) {
@@ -118,6 +131,7 @@ public final class Scene {
 
     private void addRobot(int index, RobotSpec robot, int firstCargo, Map<Integer, List<Integer>> byColour) {
         Pose pose = robot.pose();
+        blocksBodies[index] = robot.blocksBodies();
         robots[index] = new Outline(robot.collisionShape(), pose);
         Outline body = robot.cargo().isEmpty() ? robots[index] : new Outline(robot.shape(), pose);
         var seen = new ArrayList<Part>();
@@ -169,10 +183,11 @@ public final class Scene {
     }
 
     /** As {@link #place(int, Pose)}, without allocating a pose. */
-    public void place(int robot, double robotX, double robotY, double headingRad) {
+    public void place(int robot, double robotX, double robotY, double robotHeadingRad) {
         x[robot] = robotX;
         y[robot] = robotY;
-        direction.set(headingRad);
+        headingRad[robot] = robotHeadingRad;
+        direction.set(robotHeadingRad);
         cos[robot] = direction.cos();
         sin[robot] = direction.sin();
         robots[robot].place(robotX, robotY, cos[robot], sin[robot]);
@@ -196,6 +211,9 @@ public final class Scene {
         movingProjection.sort(movingX, movingY);
         for (int i = 0; i < movingGroups.size(); i++) {
             movingGroups.get(i).sort();
+        }
+        if (markers != null) {
+            markers.refresh(this);
         }
     }
 
@@ -255,6 +273,79 @@ public final class Scene {
      */
     public double wallGapM(int robot) {
         return walls.gapM(robots[robot]);
+    }
+
+    /** True if an obstacle or another robot that blocks bodies touches or overlaps a zone of this robot. */
+    boolean hasBodyIn(int robot, Outline zone) {
+        if (walls.gapM(zone) == 0) {
+            return true;
+        }
+        for (int other = 0; other < robots.length; other++) {
+            if (other != robot && blocksBodies[other] && robots[other].isWithin(zone, 0)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The markers, or null if no robot has a finder. */
+    @Nullable
+    Markers markers() {
+        return markers;
+    }
+
+    double x(int robot) {
+        return x[robot];
+    }
+
+    double y(int robot) {
+        return y[robot];
+    }
+
+    double headingRad(int robot) {
+        return headingRad[robot];
+    }
+
+    double cos(int robot) {
+        return cos[robot];
+    }
+
+    double sin(int robot) {
+        return sin[robot];
+    }
+
+    /**
+     * True if nothing that rangers or blobfinders notice is between a point of a robot and a point of a thing, other
+     * than this robot and that thing. A robot does not see itself.
+     *
+     * @param dx from the first point to the second, as is {@code dy}
+     */
+    boolean isInSight(int robot, double fromX, double fromY, double dx, double dy, int thing, Ray ray) {
+        double distanceM = StrictMath.hypot(dx, dy);
+        if (thing == firstRobot + robot || distanceM == 0) {
+            return thing != firstRobot + robot;
+        }
+        ray.x = fromX;
+        ray.y = fromY;
+        ray.dirX = dx / distanceM;
+        ray.dirY = dy / distanceM;
+        ray.skip = firstRobot + robot;
+        ray.kind = Ray.RANGE | Ray.SIGHT;
+        ray.maxM = distanceM;
+        caster.cast(ray);
+        return ray.hitThing == Ray.NOTHING || ray.hitM >= distanceM || carrier(ray.hitThing) == thing;
+    }
+
+    /** The robot that carries a thing, or the thing itself. */
+    private int carrier(int thing) {
+        if (thing < firstRobot + robots.length) {
+            return thing;
+        }
+        int robot = 0;
+        while (parts.get(robot).getLast().thing < thing) { // cargo is numbered in the order of the robots
+            robot++;
+        }
+        return firstRobot + robot;
     }
 
     /**

@@ -10,6 +10,7 @@ import io.troupe.common.text.SourcePosition;
  * @param blocksBodies robots collide with it
  * @param blocksRangers it stops the rays of sonars, lasers and rangers
  * @param visible blobfinders see it (and it hides what is behind it)
+ * @param traits what only some devices notice
  */
 public record ObstacleSpec(
         String name,
@@ -19,4 +20,18 @@ public record ObstacleSpec(
         boolean blocksBodies,
         boolean blocksRangers,
         boolean visible,
-        SourcePosition where) {}
+        Traits traits,
+        SourcePosition where) {
+    /** Creates an obstacle without a marker. */
+    public ObstacleSpec(
+            String name,
+            Pose pose,
+            Shape shape,
+            int colour,
+            boolean blocksBodies,
+            boolean blocksRangers,
+            boolean visible,
+            SourcePosition where) {
+        this(name, pose, shape, colour, blocksBodies, blocksRangers, visible, Traits.PLAIN, where);
+    }
+}

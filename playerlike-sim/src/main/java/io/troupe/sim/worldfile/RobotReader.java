@@ -3,6 +3,7 @@ package io.troupe.sim.worldfile;
 import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.CargoSpec;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
@@ -55,6 +56,8 @@ final class RobotReader {
                 blocksBodies,
                 drives.read(position),
                 parts.cargo(),
+                DeviceReader.traits(position),
+                parts.devices(),
                 position.where());
     }
 
@@ -74,6 +77,8 @@ final class RobotReader {
         private final SensorReader sensors;
         private final List<RangerSpec> rangers = new ArrayList<>();
         private final List<CargoSpec> cargo = new ArrayList<>();
+        private final List<DeviceSpec> devices = new ArrayList<>();
+        private final DeviceReader deviceReader;
         private @Nullable SonarSpec sonar;
         private @Nullable SourcePosition sonarAt;
         private @Nullable BlobfinderSpec blobfinder;
@@ -87,6 +92,7 @@ final class RobotReader {
             this.diagnostics = diagnostics;
             this.robotBlocksBodies = robotBlocksBodies;
             sensors = new SensorReader(units, diagnostics);
+            deviceReader = new DeviceReader(units);
         }
 
         @Nullable
@@ -107,6 +113,10 @@ final class RobotReader {
             return cargo;
         }
 
+        List<DeviceSpec> devices() {
+            return devices;
+        }
+
         /** Adds everything attached to {@code holder}, whose pose in the robot's frame is {@code at}. */
         void collect(Entity holder, Pose at) {
             for (Entity child : holder.children()) {
@@ -123,6 +133,8 @@ final class RobotReader {
                                         + " carries");
                         cargo(child, mount);
                     }
+                    case String device when DeviceReader.isDevice(device) ->
+                        devices.add(deviceReader.read(child, mount));
                     default -> {
                         continue; // a block or a sensor, which is read with its parent; or something left out
                     }
@@ -169,6 +181,11 @@ final class RobotReader {
         }
 
         private void cargo(Entity model, Pose mount) {
+            if (model.number("fiducial_return", 0) != 0) {
+                diagnostics.warn(
+                        model.whereOf("fiducial_return"),
+                        "a marker of a model that a robot carries is not seen here: give it to the robot");
+            }
             boolean blocksBodies = model.flag("obstacle_return", true);
             if (blocksBodies && !robotBlocksBodies) {
                 throw new WorldFileException(

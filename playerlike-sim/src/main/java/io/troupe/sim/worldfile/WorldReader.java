@@ -82,6 +82,7 @@ final class WorldReader {
                 model.flag("obstacle_return", true),
                 dialect.blocksRangers(model),
                 model.flag("blob_return", true),
+                DeviceReader.traits(model),
                 model.where()));
         for (Entity child : model.children()) {
             if (child.type().equals("model")) {

@@ -117,6 +117,9 @@ final class RandomMessages {
         add(62, 0, new DeviceData.RangerStamped(intensities, geometry, null));
         add(62, 0, new DeviceData.GeometryChanged(geometry));
         add(6, DeviceData.LaserScan.class);
+        add(10, DeviceData.Fiducials.class);
+        add(14, DeviceData.BumperStates.class);
+        add(14, 0, new DeviceData.GeometryChanged(content(DeviceReply.BumperGeometry.class)));
     }
 
     private void addRequests() {
@@ -131,8 +134,11 @@ final class RandomMessages {
         add(6, DeviceRequest.Geometry.class, DeviceRequest.Power.class, DeviceRequest.LaserId.class);
         add(6, DeviceRequest.SetLaserConfiguration.class, DeviceRequest.GetConfiguration.class);
         add(31, DeviceRequest.GetPose.class, DeviceRequest.SetPose.class, DeviceRequest.Capability.class);
-        add(10, DeviceRequest.Capability.class);
-        add(10, 0, new DeviceRequest.Unknown(random.nextInt(255)));
+        add(10, DeviceRequest.Geometry.class, DeviceRequest.GetFieldOfView.class, DeviceRequest.SetFieldOfView.class);
+        add(10, DeviceRequest.GetMarker.class, DeviceRequest.SetMarker.class);
+        add(14, DeviceRequest.Geometry.class);
+        add(66, DeviceRequest.Capability.class);
+        add(66, 0, new DeviceRequest.Unknown(random.nextInt(255)));
         add(1, PlayerRequest.DeviceList.class, PlayerRequest.DriverInfo.class, PlayerRequest.NextData.class);
         add(1, PlayerRequest.DataMode.class, PlayerRequest.Capability.class);
         add(1, 0, new PlayerRequest.Access(address(), random.nextInt(256)));
@@ -158,6 +164,12 @@ final class RandomMessages {
         add(6, 2, content(DeviceReply.OfLaser.class));
         add(6, 3, content(DeviceReply.OfLaser.class));
         add(6, 5, content(DeviceReply.LaserId.class));
+        add(10, 1, content(DeviceReply.FiducialGeometry.class));
+        add(10, 2, content(DeviceReply.FieldOfView.class));
+        add(10, 3, content(DeviceReply.FieldOfView.class));
+        add(10, 7, content(DeviceReply.Marker.class));
+        add(10, 8, content(DeviceReply.Marker.class));
+        add(14, 1, content(DeviceReply.BumperGeometry.class));
         add(31, 1, content(DeviceReply.ModelPose.class));
         add(31, 2, new DeviceReply.Ack());
         add(1, 1, content(PlayerReply.DeviceList.class));

@@ -260,10 +260,10 @@ class WorldErrorsTest extends WorldFiles {
             position ( drive "omni" ) | t.world:1:18: "drive" "omni" is not simulated: the robot has two driven wheels, as with "diff"
             position ( drive "car" ) | t.world:1:18: "drive" "car" is not simulated: the robot has two driven wheels, as with "diff"
             position ( velocity [0 1 0 0] ) | t.world:1:21: a robot with differential drive cannot move sideways: its start speed of 1.0 that way is left out
-            position ( gripper () ) | t.world:1:12: "gripper" is not simulated and left out; simulated are model, position, ranger, laser and blobfinder
-            define arm gripper () position ( arm () ) | t.world:1:34: "gripper" is not simulated and left out; simulated are model, position, ranger, laser and blobfinder
-            position ( wifi ( essid "x" ) ) | t.world:1:12: "wifi" is not simulated and left out; simulated are model, position, ranger, laser and blobfinder
-            position ( blinkenlight () ) | t.world:1:12: "blinkenlight" is not simulated and left out; simulated are model, position, ranger, laser and blobfinder
+            position ( gripper () ) | t.world:1:12: "gripper" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial and bumper
+            define arm gripper () position ( arm () ) | t.world:1:34: "gripper" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial and bumper
+            position ( wifi ( essid "x" ) ) | t.world:1:12: "wifi" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial and bumper
+            position ( blinkenlight () ) | t.world:1:12: "blinkenlight" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial and bumper
             model ( position () ) | t.world:1:9: a position on a model does not drive here: it is read as a part of the model
             position ( position () ) | t.world:1:12: a position on a robot does not drive by itself here: it is read as a model that the robot carries
             position ( blobfinder () blobfinder () ) | t.world:1:26: a second blobfinder on one robot is not simulated and left out; the first is at t.world:1:12
@@ -293,7 +293,7 @@ class WorldErrorsTest extends WorldFiles {
             model ( siez [1 1] ) | t.world:1:9: unknown property "siez" of model; did you mean "size"?
             psition () | t.world:1:1: unknown entity "psition"; did you mean "position"?
             define wall modle () | t.world:1:13: unknown entity "modle"; did you mean "model"?
-            position ( wifii () ) | t.world:1:12: unknown entity "wifii"; known: blobfinder, block, laser, model, position, ranger
+            position ( wifii () ) | t.world:1:12: unknown entity "wifii"; known: blobfinder, block, bumper, fiducial, fiducialfinder, laser, model, position, ranger
             """)
     void nameThatNobodyKnows_isAnErrorAndLenientlyAWarning(String text, String message) {
         assertThat(problem(text)).isEqualTo(message);
@@ -324,12 +324,11 @@ class WorldErrorsTest extends WorldFiles {
         WorldSpec world = ScenarioReader.readLeniently(file, into(warnings)).world();
         assertThat(world.robots()).extracting(RobotSpec::name).containsExactly("a", "b");
         assertThat(world.obstacles()).hasSize(1);
-        String leftOut = " is not simulated and left out; simulated are model, position, ranger, laser and blobfinder";
+        String leftOut = " is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial and bumper";
         assertThat(warnings)
                 .extracting(warning -> warning.replaceFirst("; known.*", ""))
                 .containsExactlyInAnyOrder(
                         "t.world:1:27: unknown property \"paint\" of position",
-                        "t.world:1:40: \"fiducial\"" + leftOut,
                         "t.world:2:58: \"camera\"" + leftOut,
                         "t.world:2:68: unknown property \"wheel\" of position",
                         "t.world:3:1: unknown property \"speed\" of world file",

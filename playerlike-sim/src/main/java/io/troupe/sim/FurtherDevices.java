@@ -1,0 +1,80 @@
+package io.troupe.sim;
+
+import io.troupe.player.wire.DeviceData;
+import io.troupe.player.wire.DeviceReply;
+import io.troupe.player.wire.DeviceRequest;
+import io.troupe.player.wire.Pose3d;
+import io.troupe.player.wire.Size3d;
+import io.troupe.sim.device.DeviceReading;
+import io.troupe.sim.model.DeviceSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RobotSpec;
+
+/**
+ * Converts the readings of the devices of {@link RobotSpec#devices} to Player data, and answers requests to them.
+ *
+ * <p><b>Source.</b> What Stage acknowledges and refuses. It refuses the field of view of a finder, which is answered
+ * here.
+ */
+final class FurtherDevices {
+    private static final DeviceReply NOT_OFFERED =
+            new DeviceReply.Nack("the simulator does not offer that for this device");
+    private static final Pose3d NO_UNCERTAINTY = Pose3d.flat(0, 0, 0);
+
+    private FurtherDevices() {}
+
+    static DeviceData data(DeviceReading reading) {
+        return switch (reading) {
+            case DeviceReading.Fiducials(var seen) ->
+                new DeviceData.Fiducials(
+                        seen.stream().map(FurtherDevices::fiducial).toList());
+            case DeviceReading.Pressed(var bumpers) ->
+                new DeviceData.BumperStates(
+                        bumpers.stream().map(pressed -> (byte) (pressed ? 1 : 0)).toList());
+        };
+    }
+
+    private static DeviceData.Fiducial fiducial(DeviceReading.Fiducial marker) {
+        return new DeviceData.Fiducial(
+                marker.id(), Pose3d.flat(marker.x(), marker.y(), marker.headingRad()), NO_UNCERTAINTY);
+    }
+
+    static DeviceReply request(RobotSpec robot, DeviceSpec device, DeviceRequest request) {
+        return switch (device) {
+            case DeviceSpec.FiducialFinder finder -> ofFinder(robot, finder, request);
+            case DeviceSpec.Bumpers bumpers ->
+                request instanceof DeviceRequest.Geometry
+                        ? new DeviceReply.BumperGeometry(bumpers.parts().stream()
+                                .map(part -> new DeviceReply.Bumper(flat(part.mount()), (float) part.lengthM(), 0))
+                                .toList())
+                        : NOT_OFFERED;
+        };
+    }
+
+    private static DeviceReply ofFinder(RobotSpec robot, DeviceSpec.FiducialFinder finder, DeviceRequest request) {
+        var view = new DeviceReply.FieldOfView(
+                (float) finder.minRangeM(), (float) finder.maxRangeM(), (float) finder.fovRad());
+        int own = robot.traits().fiducial();
+        return switch (request) {
+            case DeviceRequest.Geometry geometry ->
+                new DeviceReply.FiducialGeometry(
+                        flat(finder.mount()), new Size3d(finder.widthM(), finder.lengthM(), 0), 0, 0);
+            case DeviceRequest.GetFieldOfView get -> view;
+            case DeviceRequest.SetFieldOfView(float least, float most, float angle) ->
+                new DeviceReply.FieldOfView(least, most, angle).equals(view)
+                        ? view
+                        : new DeviceReply.Nack("the field of view of a simulated finder is that of its world file");
+            case DeviceRequest.GetMarker get -> new DeviceReply.Marker(own);
+            case DeviceRequest.SetMarker(int id) ->
+                id == own
+                        ? new DeviceReply.Marker(own)
+                        : new DeviceReply.Nack("the marker of robot '" + robot.name() + "' is " + own
+                                + ", that of its world file, and cannot be set to " + Integer.toUnsignedString(id));
+            default -> NOT_OFFERED;
+        };
+    }
+
+    private static Pose3d flat(Pose pose) {
+        return Pose3d.flat(pose.x(), pose.y(), pose.headingRad());
+    }
+}
