@@ -80,7 +80,8 @@ public class BumperInterface extends PlayerDevice {
     void accept(DeviceReply reply) {
         if (reply instanceof DeviceReply.BumperGeometry(List<DeviceReply.Bumper> bumpers)) {
             var result = new PlayerBumperGeom();
-            result.setBumper_def(bumpers.stream().map(BumperInterface::definition).toArray(PlayerBumperDefine[]::new));
+            result.setBumper_def(
+                    bumpers.stream().map(BumperInterface::definition).toArray(PlayerBumperDefine[]::new));
             result.setBumper_def_count(bumpers.size());
             geometry.put(result);
         }

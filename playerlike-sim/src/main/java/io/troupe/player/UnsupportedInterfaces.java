@@ -84,10 +84,6 @@ abstract class UnsupportedInterfaces extends Thread implements PlayerConstants {
         throw notSupported("blinkenlight:" + index);
     }
 
-    public CameraInterface requestInterfaceCamera(int index, int access) {
-        throw notSupported("camera:" + index);
-    }
-
     public MapInterface requestInterfaceMap(int index, int access) {
         throw notSupported("map:" + index);
     }

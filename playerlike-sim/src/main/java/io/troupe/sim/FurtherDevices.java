@@ -3,6 +3,7 @@ package io.troupe.sim;
 import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
+import io.troupe.player.wire.Octets;
 import io.troupe.player.wire.Pose3d;
 import io.troupe.player.wire.Size3d;
 import io.troupe.sim.device.DeviceReading;
@@ -28,9 +29,19 @@ final class FurtherDevices {
             case DeviceReading.Fiducials(var seen) ->
                 new DeviceData.Fiducials(
                         seen.stream().map(FurtherDevices::fiducial).toList());
+            case DeviceReading.Picture picture ->
+                new DeviceData.CameraImage(
+                        picture.columns().size(),
+                        picture.heightPx(),
+                        24,
+                        DeviceData.CameraImage.RGB888,
+                        1,
+                        DeviceData.CameraImage.RAW,
+                        Octets.of(picture.rgb()));
             case DeviceReading.Pressed(var bumpers) ->
-                new DeviceData.BumperStates(
-                        bumpers.stream().map(pressed -> (byte) (pressed ? 1 : 0)).toList());
+                new DeviceData.BumperStates(bumpers.stream()
+                        .map(pressed -> (byte) (pressed ? 1 : 0))
+                        .toList());
         };
     }
 
@@ -42,6 +53,7 @@ final class FurtherDevices {
     static DeviceReply request(RobotSpec robot, DeviceSpec device, DeviceRequest request) {
         return switch (device) {
             case DeviceSpec.FiducialFinder finder -> ofFinder(robot, finder, request);
+            case DeviceSpec.Camera camera -> NOT_OFFERED; // images only, as with Stage
             case DeviceSpec.Bumpers bumpers ->
                 request instanceof DeviceRequest.Geometry
                         ? new DeviceReply.BumperGeometry(bumpers.parts().stream()

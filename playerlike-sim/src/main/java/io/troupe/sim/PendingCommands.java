@@ -23,6 +23,7 @@ final class PendingCommands {
         PLACE,
         ODOMETRY,
         POWER,
+        INTENSITIES,
         SPEED
     }
 

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.DriveSpec.Steering;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.RobotSpec;
@@ -62,7 +63,10 @@ final class PhysicsSetup {
                     .mapToDouble(point -> StrictMath.hypot(point.x(), point.y()))
                     .max()
                     .orElseThrow();
-            travelM = Math.max(travelM, (settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS);
+            double mostMps = robot.drive().steering() instanceof Steering.Omnidirectional
+                    ? settings.maxForwardMps() * StrictMath.sqrt(2)
+                    : settings.maxForwardMps();
+            travelM = Math.max(travelM, (mostMps + settings.maxTurnRadps() * radiusM) * stepS);
         }
         return 1 + (int) Math.min(travelM / (smallestM / 2), settings.physicsStepMicros());
     }

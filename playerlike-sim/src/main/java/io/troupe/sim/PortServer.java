@@ -85,7 +85,7 @@ final class PortServer implements PlayerServer {
     }
 
     private static boolean isFurther(Interfaces type) {
-        return type == Interfaces.FIDUCIAL || type == Interfaces.BUMPER;
+        return type == Interfaces.FIDUCIAL || type == Interfaces.BUMPER || type == Interfaces.CAMERA;
     }
 
     private void checkFurther(DeviceBinding binding, int robot) {

@@ -66,8 +66,21 @@ public final class Recording implements AutoCloseable {
         write();
     }
 
+    synchronized void intensities(int robot, int ranger, boolean on) {
+        begin("intensities").append(' ').append(robot).append(' ').append(ranger);
+        line.append(on ? " on" : " off");
+        write();
+    }
+
     synchronized void drive(int robot, MotionCommand drive) {
         switch (drive) {
+            case MotionCommand.Velocity velocity
+            when velocity.sidewaysMps() != 0 -> {
+                begin("omni").append(' ').append(robot);
+                line.append(' ').append(velocity.forwardMps()).append(' ').append(velocity.sidewaysMps());
+                line.append(' ').append(velocity.turnRadps());
+                write();
+            }
             case MotionCommand.Velocity velocity -> {
                 begin("velocity").append(' ').append(robot);
                 line.append(' ').append(velocity.forwardMps()).append(' ').append(velocity.turnRadps());

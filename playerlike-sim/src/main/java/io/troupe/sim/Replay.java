@@ -44,6 +44,15 @@ public final class Replay {
             throw error("'" + word + "', expected a finite number");
         }
 
+        /** The number of a device of the robot. */
+        int device() {
+            String word = words.get(2);
+            if (word.matches("\\d{1,7}")) {
+                return Integer.parseInt(word);
+            }
+            throw error("device '" + word + "', expected a number from 0");
+        }
+
         Pose pose() {
             return new Pose(number(2), number(3), number(4));
         }
@@ -150,8 +159,8 @@ public final class Replay {
             case "reset", "pause", "resume" -> 1;
             case "is", "end" -> 2;
             case "power" -> 3;
-            case "velocity", "heading" -> 4;
-            case "teleport", "odometry", "goto" -> 5;
+            case "velocity", "heading", "intensities" -> 4;
+            case "teleport", "odometry", "goto", "omni" -> 5;
             default -> throw line.error("'" + line.words().getFirst() + "' is nothing that can be recorded");
         };
         if (line.words().size() != expected) {
@@ -160,11 +169,17 @@ public final class Replay {
         }
         if (expected > 2) {
             line.robot(robots);
-            for (int i = 2; i < (expected == 3 ? 2 : expected); i++) {
-                line.number(i);
+            boolean switches = line.words().getLast().matches("on|off");
+            boolean isSwitch =
+                    List.of("power", "intensities").contains(line.words().getFirst());
+            if (isSwitch && !switches) {
+                throw line.error(line.words().getFirst() + " '" + line.words().getLast() + "', expected on or off");
             }
-            if (expected == 3 && !line.words().get(2).matches("on|off")) {
-                throw line.error("power '" + line.words().get(2) + "', expected on or off");
+            if (line.words().getFirst().equals("intensities")) {
+                line.device();
+            }
+            for (int i = 2; i < expected && !isSwitch; i++) {
+                line.number(i);
             }
         }
         return line;
@@ -237,6 +252,10 @@ public final class Replay {
             case "reset" -> player.reset();
             case "power" -> player.motorPower(line.robot(robots), words.get(2).equals("on"));
             case "velocity" -> player.command(line.robot(robots), line.number(2), line.number(3));
+            case "omni" -> player.command(line.robot(robots), line.number(2), line.number(3), line.number(4));
+            case "intensities" ->
+                player.measureIntensities(
+                        line.robot(robots), line.device(), words.get(3).equals("on"));
             case "heading" -> player.steer(line.robot(robots), line.number(2), line.number(3));
             case "goto" -> player.goTo(line.robot(robots), line.pose());
             case "odometry" -> player.setOdometry(line.robot(robots), line.pose());

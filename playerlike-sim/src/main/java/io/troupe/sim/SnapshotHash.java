@@ -61,16 +61,20 @@ public final class SnapshotHash {
         add(robot.odometry().pose());
         add(robot.odometry().forwardMps());
         add(robot.odometry().turnRadps());
+        if (robot.odometry().sidewaysMps() != 0) {
+            add(robot.odometry().sidewaysMps());
+        }
         add(robot.odometry().stalled() ? 1 : 0);
         addAll(robot.sonarM());
         add(robot.blobs());
         add(robot.rangersM().size());
         robot.rangersM().forEach(this::addAll);
+        robot.intensities().forEach(this::addAll);
         robot.devices().forEach(this::add);
         add(robot.wallGapM());
     }
 
-    /** Robots without such devices add nothing, so their checksums are those of the time before these devices. */
+    /** Robots without such devices add nothing: their checksums are those of versions that did not have them. */
     private void add(DeviceReading device) {
         switch (device) {
             case DeviceReading.Fiducials(var seen) -> {
@@ -80,6 +84,15 @@ public final class SnapshotHash {
                     add(each.x());
                     add(each.y());
                     add(each.headingRad());
+                }
+            }
+            case DeviceReading.Picture(int heightPx, var columns) -> {
+                add(heightPx);
+                add(columns.size());
+                for (DeviceReading.Column column : columns) {
+                    add(column.colour());
+                    add(column.top());
+                    add(column.bottom());
                 }
             }
             case DeviceReading.Pressed(var bumpers) -> {

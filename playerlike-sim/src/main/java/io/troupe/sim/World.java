@@ -4,9 +4,11 @@ import static java.util.Objects.requireNonNull;
 
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Position2d;
+import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
@@ -95,6 +97,9 @@ public final class World implements AutoCloseable {
         physics = PhysicsSetup.atStart(spec, settings, starts);
         devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
+        if (spec.robots().stream().anyMatch(robot -> robot.rangers().stream().anyMatch(RangerSpec::intensities))) {
+            scene.readReflectances();
+        }
         scratches = Stream.generate(Scratch::new).limit(threads).toArray(Scratch[]::new);
         sensing = new SensingThreads(spec.name(), threads, robotCount, this::senseRange);
         sense();
@@ -130,20 +135,29 @@ public final class World implements AutoCloseable {
      * Sets a robot's speed from the next {@link #advance} on, until another command replaces it.
      *
      * @param forwardMps clamped to the robot's bounds and the settings' limits, as is the turn rate
-     * @param turnRadps left positive
+     * @param turnRadps left positive; for a robot that steers like a car, the angle of its front wheels
      */
     public void command(int robot, double forwardMps, double turnRadps) {
-        command(robot, forwardMps, turnRadps, 0);
+        commands.drive(robot, forwardMps, 0, turnRadps, 0);
     }
 
     /**
-     * As {@link #command(int, double, double)}, for a client whose commands expire.
+     * As {@link #command(int, double, double)}, for a robot that can move sideways.
+     *
+     * @param sidewaysMps left positive; without effect unless the drive is omnidirectional
+     */
+    public void command(int robot, double forwardMps, double sidewaysMps, double turnRadps) {
+        commands.drive(robot, forwardMps, sidewaysMps, turnRadps, 0);
+    }
+
+    /**
+     * As {@link #command(int, double, double, double)}, for a client whose commands expire.
      *
      * @param limitMicros how long the speed holds, in simulated time from the beginning of the interval in which it
      *     takes effect, but for one interval at least; 0 = until another command
      */
-    void command(int robot, double forwardMps, double turnRadps, long limitMicros) {
-        commands.drive(robot, forwardMps, turnRadps, limitMicros);
+    void commandFor(long limitMicros, int robot, double forwardMps, double sidewaysMps, double turnRadps) {
+        commands.drive(robot, forwardMps, sidewaysMps, turnRadps, limitMicros);
     }
 
     /** As {@link #command(int, double, double)}, for the thread that advances the world. */
@@ -179,6 +193,14 @@ public final class World implements AutoCloseable {
      */
     public void motorPower(int robot, boolean on) {
         commands.power(robot, on);
+    }
+
+    /**
+     * Switches the measuring of intensities by a laser or ranger, from the next interval on. It is off at the start,
+     * unless the file says that something is bright ({@code laser_return 2}).
+     */
+    public void measureIntensities(int robot, int ranger, boolean on) {
+        commands.measureIntensities(robot, ranger, on);
     }
 
     /**
@@ -324,7 +346,7 @@ public final class World implements AutoCloseable {
     }
 
     private void advanceUnpublished() {
-        commands.apply(tick, tick * intervalMicros, physics, devices);
+        commands.apply(tick, tick * intervalMicros, physics, devices, scene);
         physics.forgetTouches();
         physics.advance(stepsPerInterval);
         tick++;
@@ -398,6 +420,7 @@ public final class World implements AutoCloseable {
         var odometry = new Odometry(
                 robotDevices.position2d().reported(),
                 commands.forwardMps(robot),
+                commands.sidewaysMps(robot),
                 commands.turnRadps(robot),
                 physics.stalled(robot));
         return new RobotReading(
@@ -412,6 +435,7 @@ public final class World implements AutoCloseable {
                         : robotDevices.rangersM().stream()
                                 .map(ranges -> Arrays.stream(ranges).boxed().toList())
                                 .toList(),
+                intensities(robotDevices),
                 robotDevices.others().isEmpty()
                         ? List.of()
                         : robotDevices.others().stream()
@@ -420,7 +444,20 @@ public final class World implements AutoCloseable {
                 scene.wallGapM(robot));
     }
 
+    private static List<List<Double>> intensities(SimulatedDevices devices) {
+        for (int i = 0; i < devices.rangers().size(); i++) {
+            if (devices.rangers().get(i).measuresIntensities()) {
+                return devices.rangers().stream().map(Ranger::intensities).toList();
+            }
+        }
+        return List.of();
+    }
+
     // ---- for the view
+
+    double sidewaysMps(int robot) {
+        return commands.sidewaysMps(robot);
+    }
 
     long tick() {
         return tick;

@@ -1,13 +1,18 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Position2d;
+import io.troupe.sim.device.Ranger;
+import io.troupe.sim.device.Scene;
 import io.troupe.sim.model.DriveSpec;
+import io.troupe.sim.model.DriveSpec.Steering;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Queue;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -31,22 +36,33 @@ final class WorldCommands {
     private final List<RobotCommands> robotCommands = new ArrayList<>();
     private final AtomicBoolean resetWanted = new AtomicBoolean();
     private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
+    private final Queue<IntensitySwitch> switches = new ConcurrentLinkedQueue<>();
+
+    private record IntensitySwitch(int robot, int ranger, boolean on) {}
 
     WorldCommands(WorldSpec spec, WorldSettings settings) {
         this.spec = spec;
         this.settings = settings;
         placement = new PlacementCheck(spec);
         for (int i = 0; i < spec.robots().size(); i++) {
-            robotCommands.add(new RobotCommands(spec.robots().get(i).drive(), i, settings));
+            robotCommands.add(
+                    new RobotCommands(spec.robots().get(i).drive(), i, settings, spec.intervalMillis() / 1000.0));
         }
     }
 
     // ---- from any thread
 
     /** @param limitMicros time for which the command holds; 0 = until another command */
-    void drive(int robot, double forwardMps, double turnRadps, long limitMicros) {
+    void drive(int robot, double forwardMps, double sidewaysMps, double turnRadps, long limitMicros) {
         check(robot, forwardMps, turnRadps);
-        robotCommands.get(robot).drive(new MotionCommand.Velocity(forwardMps, turnRadps), limitMicros);
+        if (!Double.isFinite(sidewaysMps)) {
+            throw new IllegalArgumentException("robot '" + robot(robot).name() + "' was told to drive sideways at "
+                    + sidewaysMps + " m/s, expected a finite number");
+        }
+        boolean sideways = robot(robot).drive().steering() instanceof Steering.Omnidirectional;
+        robotCommands
+                .get(robot)
+                .drive(new MotionCommand.Velocity(forwardMps, sideways ? sidewaysMps : 0, turnRadps), limitMicros);
     }
 
     /** Speed command from the thread that advances the world; replaces all commands sent so far by other threads. */
@@ -66,6 +82,7 @@ final class WorldCommands {
     /** @param limitMicros time for which the command holds; 0 = until another command */
     void steer(int robot, double forwardMps, double headingRad, long limitMicros) {
         RobotSpec target = robot(robot);
+        checkTurns(target, "steered to a heading");
         if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
             throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
                     + " m/s to a heading of " + headingRad + " rad, expected finite numbers");
@@ -75,11 +92,30 @@ final class WorldCommands {
 
     void goTo(int robot, Pose goal) {
         RobotSpec target = robot(robot);
+        checkTurns(target, "sent to a pose");
         if (!isFinite(goal)) {
             throw new IllegalArgumentException(
                     "robot '" + target.name() + "' was told to go to " + goal + ", expected finite numbers");
         }
         robotCommands.get(robot).drive(new MotionCommand.GoTo(goal), 0);
+    }
+
+    /** Position control turns on the spot, which a car cannot. */
+    private static void checkTurns(RobotSpec robot, String what) {
+        if (robot.drive().steering() instanceof Steering.Car) {
+            throw new IllegalArgumentException("robot '" + robot.name() + "' steers like a car and cannot be " + what
+                    + ": command its speed and steering angle");
+        }
+    }
+
+    /** Whether a laser or ranger measures intensities. */
+    void measureIntensities(int robot, int ranger, boolean on) {
+        int count = robot(robot).rangers().size();
+        if (ranger < 0 || ranger >= count) {
+            throw new IllegalArgumentException("robot '" + robot(robot).name() + "' has no laser or ranger " + ranger
+                    + ", but " + count + " of them, counted from 0");
+        }
+        switches.add(new IntensitySwitch(robot, ranger, on));
     }
 
     void power(int robot, boolean on) {
@@ -127,6 +163,7 @@ final class WorldCommands {
     /** Requests a reset. Commands sent from now on apply after it. */
     void reset() {
         robotCommands.forEach(RobotCommands::forgetUntaken);
+        switches.clear();
         resetWanted.set(true);
     }
 
@@ -180,7 +217,7 @@ final class WorldCommands {
      * Takes teleports, then odometry, motor power and commands, by robot index. Allocates nothing unless another thread
      * has sent a command.
      */
-    void apply(long tick, long nowMicros, Physics physics, List<SimulatedDevices> devices) {
+    void apply(long tick, long nowMicros, Physics physics, List<SimulatedDevices> devices, Scene scene) {
         Recording log = recording.get();
         PlacementCheck.Occupancy occupancy = null;
         for (int i = 0; i < robotCommands.size(); i++) {
@@ -204,7 +241,23 @@ final class WorldCommands {
             }
             commands.apply(nowMicros, log);
             commands.steer(odometry);
-            physics.drive(i, commands.forwardMps(), commands.turnRadps());
+            physics.drive(i, commands.forwardMps(), commands.sidewaysMps(), commands.turnRadps());
+        }
+        if (!switches.isEmpty()) {
+            scene.readReflectances();
+            applySwitches(log, devices);
+        }
+    }
+
+    private void applySwitches(@Nullable Recording log, List<SimulatedDevices> devices) {
+        for (IntensitySwitch next = switches.poll(); next != null; next = switches.poll()) {
+            Ranger ranger = devices.get(next.robot).rangers().get(next.ranger);
+            if (ranger.measuresIntensities() != next.on) {
+                ranger.measureIntensities(next.on);
+                if (log != null) {
+                    log.intensities(next.robot, next.ranger, next.on);
+                }
+            }
         }
     }
 
@@ -234,6 +287,11 @@ final class WorldCommands {
         return robotCommands.get(robot).forwardMps();
     }
 
+    /** Speed to the left in the interval that has ended. */
+    double sidewaysMps(int robot) {
+        return robotCommands.get(robot).sidewaysMps();
+    }
+
     /** Turn rate in the interval that has ended. */
     double turnRadps(int robot) {
         return robotCommands.get(robot).turnRadps();
@@ -258,6 +316,7 @@ final class WorldCommands {
         private final DriveSpec spec;
         private final int robot;
         private final WorldSettings settings;
+        private final double intervalS;
         private final AtomicReference<@Nullable PendingDrive> newestDrive = new AtomicReference<>();
         private final AtomicReference<@Nullable Boolean> newestPower = new AtomicReference<>();
         private final AtomicReference<@Nullable Pose> newestOdometry = new AtomicReference<>();
@@ -267,18 +326,21 @@ final class WorldCommands {
         private double directTurnRadps;
         private @Nullable MotionCommand steering; // null: the held speeds below apply
         private double heldForwardMps;
+        private double heldSidewaysMps;
         private double heldTurnRadps;
+        private double sidewaysMps;
         private double forwardMps; // in force in the interval that has ended
         private double turnRadps;
         private boolean powered = true;
         private long commandedAtMicros;
         private long limitMicros; // of the current command; 0 = none
 
-        RobotCommands(DriveSpec spec, int robot, WorldSettings settings) {
+        RobotCommands(DriveSpec spec, int robot, WorldSettings settings, double intervalS) {
+            this.intervalS = intervalS;
             this.spec = spec;
             this.robot = robot;
             this.settings = settings;
-            hold(spec.startForwardMps(), spec.startTurnRadps(), 0, 0);
+            hold(spec.startForwardMps(), spec.startSidewaysMps(), spec.startTurnRadps(), 0, 0);
         }
 
         /** @param newLimitMicros time for which a speed holds; 0 = until another command, as always for a goal */
@@ -346,8 +408,8 @@ final class WorldCommands {
             if (hasDirect) {
                 hasDirect = false;
                 if (powered) {
-                    recordDirect(recording, steering != null || differs(directForwardMps, directTurnRadps));
-                    hold(directForwardMps, directTurnRadps, nowMicros, 0);
+                    recordDirect(recording, steering != null || differs(directForwardMps, 0, directTurnRadps));
+                    hold(directForwardMps, 0, directTurnRadps, nowMicros, 0);
                 }
             }
             PendingDrive command = take(newestDrive);
@@ -364,6 +426,7 @@ final class WorldCommands {
         private void stop() {
             steering = null;
             heldForwardMps = 0;
+            heldSidewaysMps = 0;
             heldTurnRadps = 0;
             limitMicros = 0;
         }
@@ -373,7 +436,7 @@ final class WorldCommands {
          * has no clients and so no command limits.
          */
         private void expire(@Nullable Recording recording) {
-            if (recording != null && (steering != null || differs(0, 0))) {
+            if (recording != null && (steering != null || differs(0, 0, 0))) {
                 recording.drive(robot, MotionCommand.STILL);
             }
             stop();
@@ -382,10 +445,12 @@ final class WorldCommands {
         private void accept(MotionCommand command, long newLimitMicros, long nowMicros, @Nullable Recording recording) {
             if (command instanceof MotionCommand.Velocity velocity) {
                 if (recording != null
-                        && (isWatched() || steering != null || differs(velocity.forwardMps(), velocity.turnRadps()))) {
+                        && (isWatched()
+                                || steering != null
+                                || differs(velocity.forwardMps(), velocity.sidewaysMps(), velocity.turnRadps()))) {
                     recording.drive(robot, velocity);
                 }
-                hold(velocity.forwardMps(), velocity.turnRadps(), nowMicros, newLimitMicros);
+                hold(velocity.forwardMps(), velocity.sidewaysMps(), velocity.turnRadps(), nowMicros, newLimitMicros);
                 return;
             }
             if (recording != null && (isWatched() || !command.equals(steering))) {
@@ -402,14 +467,17 @@ final class WorldCommands {
             }
         }
 
-        private boolean differs(double newForwardMps, double newTurnRadps) {
+        private boolean differs(double newForwardMps, double newSidewaysMps, double newTurnRadps) {
             return Double.compare(newForwardMps, heldForwardMps) != 0
+                    || newSidewaysMps != heldSidewaysMps
                     || Double.compare(newTurnRadps, heldTurnRadps) != 0;
         }
 
-        private void hold(double newForwardMps, double newTurnRadps, long nowMicros, long newLimitMicros) {
+        private void hold(
+                double newForwardMps, double newSidewaysMps, double newTurnRadps, long nowMicros, long newLimitMicros) {
             steering = null;
             heldForwardMps = newForwardMps;
+            heldSidewaysMps = newSidewaysMps;
             heldTurnRadps = newTurnRadps;
             commandedAtMicros = nowMicros;
             limitMicros = newLimitMicros;
@@ -433,16 +501,45 @@ final class WorldCommands {
         void steer(Position2d odometry) {
             MotionCommand how = steering;
             if (how == null) {
-                clamp(heldForwardMps, heldTurnRadps);
+                approach(heldForwardMps, heldSidewaysMps, heldTurnRadps);
             } else {
-                MotionCommand.Velocity wanted = how.now(odometry.reported());
-                clamp(wanted.forwardMps(), wanted.turnRadps());
+                MotionCommand.Velocity wanted = how.now(odometry.reported(), spec.steering());
+                approach(wanted.forwardMps(), wanted.sidewaysMps(), wanted.turnRadps());
             }
         }
 
-        private void clamp(double wantedForwardMps, double wantedTurnRadps) {
+        /** Sets the speeds to the wanted ones, as far as the bounds and the kind of drive allow. */
+        private void approach(double wantedForwardMps, double wantedSidewaysMps, double wantedTurnRadps) {
+            double beforeForwardMps = forwardMps;
+            double beforeSidewaysMps = sidewaysMps;
+            double beforeTurnRadps = turnRadps;
+            if (spec.steering() instanceof Steering.Car car) {
+                clamp(
+                        wantedForwardMps * StrictMath.cos(wantedTurnRadps),
+                        0,
+                        wantedForwardMps * StrictMath.sin(wantedTurnRadps) / car.wheelbaseM());
+            } else {
+                clamp(wantedForwardMps, wantedSidewaysMps, wantedTurnRadps);
+            }
+            if (settings.obeysAccelerationBounds()) {
+                DriveSpec.Bounds bounds = spec.accelerationBounds();
+                forwardMps = limited(beforeForwardMps, forwardMps, bounds.leastForward(), bounds.mostForward());
+                sidewaysMps = limited(beforeSidewaysMps, sidewaysMps, bounds.leastSideways(), bounds.mostSideways());
+                turnRadps = limited(beforeTurnRadps, turnRadps, bounds.leastTurn(), bounds.mostTurn());
+            }
+        }
+
+        /** @param least of the acceleration, as is {@code most} */
+        private double limited(double before, double wanted, double least, double most) {
+            return Math.clamp(wanted, before + least * intervalS, before + most * intervalS);
+        }
+
+        private void clamp(double wantedForwardMps, double wantedSidewaysMps, double wantedTurnRadps) {
             DriveSpec.Bounds bounds = spec.velocityBounds();
             forwardMps = clamp(wantedForwardMps, bounds.leastForward(), bounds.mostForward(), settings.maxForwardMps());
+            sidewaysMps = wantedSidewaysMps == 0
+                    ? 0
+                    : clamp(wantedSidewaysMps, bounds.leastSideways(), bounds.mostSideways(), settings.maxForwardMps());
             turnRadps = clamp(wantedTurnRadps, bounds.leastTurn(), bounds.mostTurn(), settings.maxTurnRadps());
         }
 
@@ -454,16 +551,20 @@ final class WorldCommands {
             return forwardMps;
         }
 
+        double sidewaysMps() {
+            return sidewaysMps;
+        }
+
         double turnRadps() {
             return turnRadps;
         }
 
         /** Resets the robot to its start speeds. */
         void forget(long nowMicros) {
-            hold(spec.startForwardMps(), spec.startTurnRadps(), nowMicros, 0);
+            hold(spec.startForwardMps(), spec.startSidewaysMps(), spec.startTurnRadps(), nowMicros, 0);
             hasDirect = false;
             powered = true;
-            clamp(0, 0);
+            clamp(0, 0, 0);
         }
     }
 }

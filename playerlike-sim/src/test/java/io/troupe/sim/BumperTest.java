@@ -8,8 +8,7 @@ import org.junit.jupiter.api.Test;
 
 /** When bumpers are pressed. The robots are 0.4 m long and wide, with a bumper along each side. */
 class BumperTest {
-    private static final String ROBOT =
-            """
+    private static final String ROBOT = """
             define bumpy position ( size [ 0.4 0.4 0.2 ]
               bumper ( bcount 4 blength 0.4 bpose[0] [ 0.2 0 0 0 ] bpose[1] [ 0 0.2 0 90 ] bpose[2] [ -0.2 0 0 180 ]
                 bpose[3] [ 0 -0.2 0 -90 ] ) )

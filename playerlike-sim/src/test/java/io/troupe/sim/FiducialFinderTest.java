@@ -48,8 +48,7 @@ class FiducialFinderTest {
 
     @Test
     void marker_seenByARobotThatIsTurned_isInTheFramesOfRobotAndFinder() {
-        var world = Specs.start(
-                """
+        var world = Specs.start("""
                 position ( pose [ 1 1 0 90 ] size [ 0.4 0.4 0.2 ] fiducial ( pose [ 0 0.1 0 -90 ] ) )
                 model ( pose [ 3 1.5 0 -170 ] size [ 0.2 0.2 0.5 ] fiducial_return 3 )
                 """);
@@ -87,8 +86,10 @@ class FiducialFinderTest {
 
     @Test
     void markers_ofObstaclesAndRobots_comeInTheOrderOfTheFileAndNeverTheOwn() {
-        String robot = "position ( name \"other\" pose [ 1.1 0 0 180 ] size [ 0.2 0.2 0.2 ] fiducial_return 4 ranger () )\n";
-        List<Fiducial> seen = seen(robot + marker("2.1 1 0 0", "fiducial_return 5") + marker("2.1 -1 0 0", "fiducial_return 6"));
+        String robot =
+                "position ( name \"other\" pose [ 1.1 0 0 180 ] size [ 0.2 0.2 0.2 ] fiducial_return 4 ranger () )\n";
+        List<Fiducial> seen =
+                seen(robot + marker("2.1 1 0 0", "fiducial_return 5") + marker("2.1 -1 0 0", "fiducial_return 6"));
         assertThat(seen).extracting(Fiducial::id).containsExactly(5, 6, 4);
     }
 
@@ -117,7 +118,9 @@ class FiducialFinderTest {
             }
             Snapshot now = world.advance();
             for (int i = 0; i < 12; i++) {
-                assertThat(seen(world, i)).as("seed %s, tick %s, robot %s", seed, tick, i).extracting(Fiducial::id)
+                assertThat(seen(world, i))
+                        .as("seed %s, tick %s, robot %s", seed, tick, i)
+                        .extracting(Fiducial::id)
                         .isEqualTo(inView(now, i));
             }
         }

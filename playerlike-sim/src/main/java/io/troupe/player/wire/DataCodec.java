@@ -3,6 +3,7 @@ package io.troupe.player.wire;
 import io.troupe.player.wire.DeviceData.Blob;
 import io.troupe.player.wire.DeviceData.Blobs;
 import io.troupe.player.wire.DeviceData.BumperStates;
+import io.troupe.player.wire.DeviceData.CameraImage;
 import io.troupe.player.wire.DeviceData.Fiducial;
 import io.troupe.player.wire.DeviceData.Fiducials;
 import io.troupe.player.wire.DeviceData.GeometryChanged;
@@ -49,6 +50,14 @@ final class DataCodec {
             }
             case LaserScan scan -> scan(out, scan);
             case Fiducials fiducials -> out.array(fiducials.seen(), DataCodec::fiducial);
+            case CameraImage image ->
+                out.int32(image.width())
+                        .int32(image.height())
+                        .int32(image.bitsPerPixel())
+                        .int32(image.format())
+                        .int32(image.divisor())
+                        .int32(image.compression())
+                        .opaque(image.pixels().toArray());
             case BumperStates bumpers -> out.opaque(bytes(bumpers.states()));
             case GeometryChanged changed -> {
                 ReplyCodec.write(out, changed.geometry());
@@ -153,6 +162,17 @@ final class DataCodec {
             case SIMULATION -> null;
             case FIDUCIAL ->
                 subtype == 1 ? new Fiducials(in.array("fiducials", FIDUCIAL_BYTES, DataCodec::fiducial)) : null;
+            case CAMERA ->
+                subtype == 1
+                        ? new CameraImage(
+                                in.int32("width"),
+                                in.int32("height"),
+                                in.int32("bpp"),
+                                in.int32("format"),
+                                in.int32("fdiv"),
+                                in.int32("compression"),
+                                Octets.of(in.opaque("image")))
+                        : null;
             case BUMPER ->
                 switch (subtype) {
                     case 1 -> new BumperStates(bytes("bumpers", in));

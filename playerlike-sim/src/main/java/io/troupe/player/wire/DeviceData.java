@@ -71,6 +71,22 @@ public sealed interface DeviceData {
     /** One marker: its number (-1 if it cannot be read), its pose relative to the finder, and how uncertain that is. */
     record Fiducial(int id, Pose3d pose, Pose3d uncertainty) {}
 
+    /**
+     * camera DATA 1: an image, its rows from the top.
+     *
+     * @param bitsPerPixel 8, 16, 24 or 32
+     * @param format Player's number of it
+     * @param divisor of pixel values that are scaled, else 1
+     * @param compression 0 = none, 1 = JPEG
+     */
+    record CameraImage(int width, int height, int bitsPerPixel, int format, int divisor, int compression, Octets pixels)
+            implements DeviceData {
+        /** Value of {@link #format}: a byte each for red, green and blue. */
+        public static final int RGB888 = 5;
+        /** Value of {@link #compression}. */
+        public static final int RAW = 0;
+    }
+
     /** bumper DATA 1: for each bumper whether it is pressed, 0 if not. */
     record BumperStates(List<Byte> states) implements DeviceData {
         public BumperStates {

@@ -81,6 +81,20 @@ public sealed interface DeviceReply {
         }
     }
 
+    /**
+     * Reply to {@link DeviceRequest.GetPose3d}.
+     *
+     * @param timeMicros simulated time of the pose, as Stage sends it
+     */
+    record ModelPose3d(String model, Pose3d pose, double timeMicros) implements DeviceReply {
+        public ModelPose3d {
+            requireNonNull(model, "model");
+        }
+    }
+
+    /** Reply to {@link DeviceRequest.GetProperty}; the bytes of the value are those in the memory of the server. */
+    record ModelProperty(String model, String property, int index, Octets value) implements DeviceReply {}
+
     /** Reply to {@link DeviceRequest.GetColour}. */
     record Colour(int channel, int rmin, int rmax, int gmin, int gmax, int bmin, int bmax) implements DeviceReply {}
 }

@@ -107,6 +107,41 @@ public sealed interface DeviceRequest {
         }
     }
 
+    /** simulation REQ 3: requests the pose of a model in space. */
+    record GetPose3d(String model) implements DeviceRequest {
+        public GetPose3d {
+            requireNonNull(model, "model");
+        }
+    }
+
+    /** simulation REQ 4: moves a model to a pose in space. */
+    record SetPose3d(String model, Pose3d pose, double timeMicros) implements DeviceRequest {
+        public SetPose3d {
+            requireNonNull(model, "model");
+        }
+    }
+
+    /**
+     * simulation REQ 5: requests a property of a model.
+     *
+     * @param index of a property with several values
+     * @param valueBytes length of the value
+     */
+    record GetProperty(String model, String property, int index, int valueBytes) implements DeviceRequest {
+        public GetProperty {
+            requireNonNull(model, "model");
+            requireNonNull(property, "property");
+        }
+    }
+
+    /** simulation REQ 6: sets a property of a model. */
+    record SetProperty(String model, String property, int index, Octets value) implements DeviceRequest {
+        public SetProperty {
+            requireNonNull(model, "model");
+            requireNonNull(property, "property");
+        }
+    }
+
     /**
      * position2d REQ 253: sets an integer property of the driver.
      *

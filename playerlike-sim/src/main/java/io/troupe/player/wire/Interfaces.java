@@ -11,7 +11,8 @@ public enum Interfaces {
     BLOBFINDER(7, "blobfinder"),
     SIMULATION(31, "simulation"),
     FIDUCIAL(10, "fiducial"),
-    BUMPER(14, "bumper");
+    BUMPER(14, "bumper"),
+    CAMERA(40, "camera");
 
     private final int code;
     private final String playerName;

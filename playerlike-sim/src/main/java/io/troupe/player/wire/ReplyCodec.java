@@ -4,12 +4,14 @@ import io.troupe.player.wire.DeviceReply.Ack;
 import io.troupe.player.wire.DeviceReply.Bumper;
 import io.troupe.player.wire.DeviceReply.BumperGeometry;
 import io.troupe.player.wire.DeviceReply.Colour;
-import io.troupe.player.wire.DeviceReply.FieldOfView;
 import io.troupe.player.wire.DeviceReply.FiducialGeometry;
+import io.troupe.player.wire.DeviceReply.FieldOfView;
 import io.troupe.player.wire.DeviceReply.LaserGeometry;
 import io.troupe.player.wire.DeviceReply.LaserId;
 import io.troupe.player.wire.DeviceReply.Marker;
 import io.troupe.player.wire.DeviceReply.ModelPose;
+import io.troupe.player.wire.DeviceReply.ModelPose3d;
+import io.troupe.player.wire.DeviceReply.ModelProperty;
 import io.troupe.player.wire.DeviceReply.Nack;
 import io.troupe.player.wire.DeviceReply.OfLaser;
 import io.troupe.player.wire.DeviceReply.OfRanger;
@@ -75,6 +77,16 @@ final class ReplyCodec {
             case Marker marker -> out.int32(marker.id());
             case BumperGeometry row -> out.array(row.bumpers(), ReplyCodec::bumper);
             case ModelPose model -> out.string(model.model()).float64(model.px(), model.py(), model.pa());
+            case ModelPose3d model -> {
+                out.string(model.model());
+                XdrStructures.pose3d(out, model.pose());
+                out.float64(model.timeMicros());
+            }
+            case ModelProperty property ->
+                out.string(property.model())
+                        .string(property.property())
+                        .int32(property.index())
+                        .opaque(property.value().toArray());
             case Colour colour ->
                 out.int32(colour.channel())
                         .int32(colour.rmin())
@@ -130,9 +142,15 @@ final class ReplyCodec {
                     default -> new Ack();
                 };
             case SIMULATION ->
-                subtype == 1
-                        ? new ModelPose(in.string("name"), in.float64("px"), in.float64("py"), in.float64("pa"))
-                        : new Ack();
+                switch (subtype) {
+                    case 1 -> new ModelPose(in.string("name"), in.float64("px"), in.float64("py"), in.float64("pa"));
+                    case 3 -> new ModelPose3d(in.string("name"), XdrStructures.pose3d(in), in.float64("simtime"));
+                    case 5 ->
+                        new ModelProperty(
+                                in.string("name"), in.string("prop"), in.int32("index"), Octets.of(in.opaque("value")));
+                    default -> new Ack();
+                };
+            case CAMERA -> new Ack();
             case FIDUCIAL ->
                 switch (subtype) {
                     case 1 ->
@@ -142,8 +160,7 @@ final class ReplyCodec {
                                 in.float64("marker width"),
                                 in.float64("marker length"));
                     case 2, 3 ->
-                        new FieldOfView(
-                                in.float32("min_range"), in.float32("max_range"), in.float32("view_angle"));
+                        new FieldOfView(in.float32("min_range"), in.float32("max_range"), in.float32("view_angle"));
                     case 7, 8 -> new Marker(in.int32("id"));
                     default -> new Ack();
                 };

@@ -3,11 +3,12 @@ package io.troupe.sim.device;
 import io.troupe.sim.model.DeviceSpec;
 
 /** A simulated device of a {@link DeviceSpec}. */
-public sealed interface Device permits FiducialFinder, BumperRow {
+public sealed interface Device permits FiducialFinder, BumperRow, ColourCamera {
     static Device of(DeviceSpec spec) {
         return switch (spec) {
             case DeviceSpec.FiducialFinder finder -> new FiducialFinder(finder);
             case DeviceSpec.Bumpers bumpers -> new BumperRow(bumpers);
+            case DeviceSpec.Camera camera -> new ColourCamera(camera);
         };
     }
 

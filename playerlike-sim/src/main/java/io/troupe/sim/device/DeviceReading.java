@@ -25,6 +25,55 @@ public sealed interface DeviceReading {
      */
     record Fiducial(int id, double x, double y, double headingRad) {}
 
+    /**
+     * An image: columns from left to right.
+     *
+     * @param heightPx number of rows
+     */
+    record Picture(int heightPx, List<Column> columns) implements DeviceReading {
+        /** Colour above everything, {@code 0x00RRGGBB}. */
+        public static final int SKY = 0xFFFFFF;
+        /** Colour below everything, {@code 0x00RRGGBB}. */
+        public static final int FLOOR = 0xC0C0C0;
+
+        public Picture {
+            columns = List.copyOf(columns);
+        }
+
+        /** Colour of a pixel, {@code 0x00RRGGBB}; row 0 is the top. */
+        public int colour(int column, int row) {
+            Column at = columns.get(column);
+            if (row >= at.top() && row < at.bottom()) {
+                return at.colour();
+            }
+            return row < heightPx / 2 ? SKY : FLOOR;
+        }
+
+        /** All pixels: rows from the top, each from left to right, three bytes (red, green, blue) for each pixel. */
+        public byte[] rgb() {
+            byte[] pixels = new byte[3 * heightPx * columns.size()];
+            int at = 0;
+            for (int row = 0; row < heightPx; row++) {
+                for (int column = 0; column < columns.size(); column++) {
+                    int colour = colour(column, row);
+                    pixels[at++] = (byte) (colour >> 16);
+                    pixels[at++] = (byte) (colour >> 8);
+                    pixels[at++] = (byte) colour;
+                }
+            }
+            return pixels;
+        }
+    }
+
+    /**
+     * A column of an image, and the thing in it.
+     *
+     * @param colour of the thing
+     * @param top its first row
+     * @param bottom the row after its last one; that of {@code top} if there is nothing
+     */
+    record Column(int colour, int top, int bottom) {}
+
     /** Whether something presses each bumper of a row. */
     record Pressed(List<Boolean> bumpers) implements DeviceReading {
         public Pressed {

@@ -45,7 +45,8 @@ final class Markers {
         markers = all.toArray(Marker[]::new);
         x = all.stream().mapToDouble(marker -> marker.pose().x()).toArray();
         y = all.stream().mapToDouble(marker -> marker.pose().y()).toArray();
-        headingRad = all.stream().mapToDouble(marker -> marker.pose().headingRad()).toArray();
+        headingRad =
+                all.stream().mapToDouble(marker -> marker.pose().headingRad()).toArray();
         sorted = IntStream.range(0, markers.length)
                 .boxed()
                 .sorted(Comparator.comparingDouble(i -> x[i]))

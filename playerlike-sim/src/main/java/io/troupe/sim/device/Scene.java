@@ -1,5 +1,7 @@
 package io.troupe.sim.device;
 
+import static java.util.Objects.requireNonNull;
+
 import io.troupe.sim.model.CargoSpec;
 import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.ObstacleSpec;
@@ -13,6 +15,7 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.DoubleStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -53,6 +56,8 @@ public final class Scene {
     private final double[] movingY;
     private final Direction direction = new Direction();
     private final BoundingCircles circles;
+    private final WorldSpec spec;
+    private double @Nullable [] reflectances; // by thing; null until a ranger measures intensities
     private final List<ColourGroup> fixedGroups = new ArrayList<>();
     private final List<ColourGroup> movingGroups = new ArrayList<>();
 
@@ -61,6 +66,7 @@ public final class Scene {
 
     /** Creates the scene with every robot at its start pose. */
     public Scene(WorldSpec spec) {
+        this.spec = spec;
         List<ObstacleSpec> obstacles = spec.obstacles();
         firstRobot = obstacles.size();
         int robotCount = spec.robots().size();
@@ -469,6 +475,26 @@ public final class Scene {
         caster.cast(ray);
         scratch.things()[i] = ray.hitThing;
         scratch.distancesM()[i] = ray.hitM;
+    }
+
+    /** Prepares {@link #reflectance}; called by the thread that moves robots, before rangers measure intensities. */
+    public void readReflectances() {
+        if (reflectances == null) {
+            reflectances = DoubleStream.concat(
+                            DoubleStream.concat(
+                                    spec.obstacles().stream()
+                                            .mapToDouble(each -> each.traits().reflectance()),
+                                    spec.robots().stream()
+                                            .mapToDouble(each -> each.traits().reflectance())),
+                            spec.robots().stream()
+                                    .flatMap(robot -> robot.cargo().stream())
+                                    .mapToDouble(CargoSpec::reflectance))
+                    .toArray();
+        }
+    }
+
+    double reflectance(int thing) {
+        return requireNonNull(reflectances, "read before use")[thing];
     }
 
     int colour(int thing) {

@@ -49,6 +49,21 @@ public sealed interface DeviceSpec {
     }
 
     /**
+     * A camera that gives images.
+     *
+     * @param mount its heading includes the pan angle
+     * @param rangeM maximum distance of visible things
+     * @param fovRad horizontal field of view
+     */
+    record Camera(Pose mount, int widthPx, int heightPx, double rangeM, double fovRad, double verticalFovRad)
+            implements DeviceSpec {
+        @Override
+        public String interfaceName() {
+            return "camera";
+        }
+    }
+
+    /**
      * One bumper of {@link Bumpers}.
      *
      * @param mount the middle of the line, which is perpendicular to the heading

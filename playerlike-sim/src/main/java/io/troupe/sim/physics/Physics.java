@@ -229,7 +229,12 @@ public final class Physics {
 
     /** Sets a robot's speed, until it is set again. */
     public void drive(int robot, double forwardMps, double turnRadps) {
-        robots.get(robot).drive(forwardMps, turnRadps);
+        drive(robot, forwardMps, 0, turnRadps);
+    }
+
+    /** Sets the speed of a robot that can move sideways (left positive), until it is set again. */
+    public void drive(int robot, double forwardMps, double sidewaysMps, double turnRadps) {
+        robots.get(robot).drive(forwardMps, sidewaysMps, turnRadps);
     }
 
     /** Moves a robot to a pose; its current touches end. */

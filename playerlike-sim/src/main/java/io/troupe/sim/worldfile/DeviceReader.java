@@ -10,29 +10,37 @@ import java.util.List;
 /** Reads the devices of {@link io.troupe.sim.model.RobotSpec#devices}, and what they notice of a model. */
 final class DeviceReader {
     private static final int MOST_BUMPERS = 1000;
+    private static final int MOST_PIXELS = 1_000_000;
     private static final double FARTHEST_M = 1000;
 
     private final Units units;
+    private final Diagnostics diagnostics;
 
-    DeviceReader(Units units) {
+    DeviceReader(Units units, Diagnostics diagnostics) {
         this.units = units;
+        this.diagnostics = diagnostics;
     }
 
     static boolean isDevice(String type) {
         return switch (type) {
-            case "fiducial", "fiducialfinder", "bumper" -> true;
+            case "fiducial", "fiducialfinder", "bumper", "camera" -> true;
             default -> false;
         };
     }
 
     /** Reads a device of which {@link #isDevice} is true. */
     DeviceSpec read(Entity device, Pose mount) {
-        return device.type().equals("bumper") ? bumpers(device, mount) : finder(device, mount);
+        return switch (device.type()) {
+            case "bumper" -> bumpers(device, mount);
+            case "camera" -> camera(device, mount);
+            default -> finder(device, mount);
+        };
     }
 
     /** What devices notice of a model. */
-    static Traits traits(Entity model) {
-        return new Traits(model.whole("fiducial_return", 0), model.whole("fiducial_key", 0));
+    static Traits traits(Entity model, Dialect dialect) {
+        return new Traits(
+                model.whole("fiducial_return", 0), model.whole("fiducial_key", 0), dialect.reflectance(model));
     }
 
     private DeviceSpec finder(Entity finder, Pose mount) {
@@ -61,6 +69,42 @@ final class DeviceReader {
                 finder.whole("fiducial_key", 0),
                 units.metres(size[0], where),
                 units.metres(size[1], where));
+    }
+
+    private DeviceSpec camera(Entity camera, Pose mount) {
+        double[] pixels = camera.numbers("resolution", 32, 32);
+        for (double count : pixels) {
+            if (count < 1 || count != StrictMath.rint(count) || pixels[0] * pixels[1] > MOST_PIXELS) {
+                throw new WorldFileException(
+                        camera.whereOf("resolution"),
+                        "\"resolution\" must be two whole numbers from 1, with at most " + MOST_PIXELS
+                                + " pixels together, not " + pixels[0] + " and " + pixels[1]);
+            }
+        }
+        double[] range = camera.numbers("range", 0, 0);
+        SourcePosition where = camera.whereOf("range");
+        double most = camera.has("range") ? units.metres(range[1], where) : 8;
+        if (!(most > 0 && most <= FARTHEST_M)) {
+            throw new WorldFileException(
+                    where,
+                    "the range of a camera must end above 0 and at most at " + FARTHEST_M + " m, not at " + most);
+        }
+        double[] fov = camera.numbers("fov", 0, 0);
+        double across = camera.has("fov") ? units.radians(fov[0]) : StrictMath.toRadians(70);
+        double upright = camera.has("fov") ? units.radians(fov[1]) : StrictMath.toRadians(40);
+        if (!(across > 0 && across <= 2 * Math.PI && upright > 0 && upright <= Math.PI)) {
+            throw new WorldFileException(
+                    camera.whereOf("fov"),
+                    "\"fov\" [across upright] of a camera must be above 0, at most a full circle and half of one, not "
+                            + fov[0] + " and " + fov[1]);
+        }
+        double[] panTilt = camera.numbers("pantilt", 0, 0);
+        if (panTilt[1] != 0) {
+            diagnostics.warn(
+                    camera.whereOf("pantilt"), "the tilt of a camera has no effect here: it looks straight ahead");
+        }
+        Pose looking = mount.compose(new Pose(0, 0, units.radians(panTilt[0])));
+        return new DeviceSpec.Camera(looking, (int) pixels[0], (int) pixels[1], most, across, upright);
     }
 
     private DeviceSpec bumpers(Entity row, Pose mount) {
@@ -98,8 +142,7 @@ final class DeviceReader {
         double metres = entity.has(key) ? units.metres(entity.number(key, 0), entity.whereOf(key)) : otherwiseM;
         if (!(metres >= 0 && metres <= FARTHEST_M)) {
             throw new WorldFileException(
-                    entity.whereOf(key),
-                    "\"" + key + "\" must be from 0 to " + FARTHEST_M + " m, not " + metres);
+                    entity.whereOf(key), "\"" + key + "\" must be from 0 to " + FARTHEST_M + " m, not " + metres);
         }
         return metres;
     }

@@ -20,13 +20,13 @@ final class ProvidedInterfaces {
     private static final String BLOBFINDER = "blobfinder";
     private static final String LASER = "laser";
     private static final String RANGER = "ranger";
-    static final List<String> INTERFACES = List.of(SIMULATION, POSITION, SONAR, LASER, RANGER, BLOBFINDER, "fiducial", "bumper");
+    static final List<String> INTERFACES =
+            List.of(SIMULATION, POSITION, SONAR, LASER, RANGER, BLOBFINDER, "fiducial", "bumper", "camera");
 
     /** Player interfaces that are known and not provided here. */
     static final List<String> LATER = List.of(
             "gripper",
             "ptz",
-            "camera",
             "map",
             "power",
             "speech",

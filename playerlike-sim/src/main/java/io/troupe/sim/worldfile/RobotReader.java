@@ -19,8 +19,11 @@ final class RobotReader {
     private final ShapeReader shapes;
     private final DriveReader drives;
     private final Diagnostics diagnostics;
+    private final boolean intensities;
 
-    RobotReader(Units units, Dialect dialect, ShapeReader shapes, Diagnostics diagnostics) {
+    /** @param intensities lasers measure them from the start */
+    RobotReader(Units units, Dialect dialect, ShapeReader shapes, Diagnostics diagnostics, boolean intensities) {
+        this.intensities = intensities;
         this.units = units;
         this.dialect = dialect;
         this.shapes = shapes;
@@ -36,7 +39,7 @@ final class RobotReader {
             throw new WorldFileException(position.whereOf("mass"), "\"mass\" must be above 0 kg, not " + mass);
         }
         boolean blocksBodies = position.flag("obstacle_return", true);
-        var parts = new RobotParts(units, dialect, shapes, diagnostics, blocksBodies);
+        var parts = new RobotParts(units, dialect, shapes, diagnostics, blocksBodies, intensities);
         parts.collect(position, Pose.ORIGIN);
         return new RobotSpec(
                 name,
@@ -56,7 +59,7 @@ final class RobotReader {
                 blocksBodies,
                 drives.read(position),
                 parts.cargo(),
-                DeviceReader.traits(position),
+                DeviceReader.traits(position, dialect),
                 parts.devices(),
                 position.where());
     }
@@ -85,14 +88,19 @@ final class RobotReader {
         private @Nullable SourcePosition blobfinderAt;
 
         RobotParts(
-                Units units, Dialect dialect, ShapeReader shapes, Diagnostics diagnostics, boolean robotBlocksBodies) {
+                Units units,
+                Dialect dialect,
+                ShapeReader shapes,
+                Diagnostics diagnostics,
+                boolean robotBlocksBodies,
+                boolean intensities) {
             this.units = units;
             this.dialect = dialect;
             this.shapes = shapes;
             this.diagnostics = diagnostics;
             this.robotBlocksBodies = robotBlocksBodies;
-            sensors = new SensorReader(units, diagnostics);
-            deviceReader = new DeviceReader(units);
+            sensors = new SensorReader(units, diagnostics, intensities);
+            deviceReader = new DeviceReader(units, diagnostics);
         }
 
         @Nullable
@@ -133,8 +141,8 @@ final class RobotReader {
                                         + " carries");
                         cargo(child, mount);
                     }
-                    case String device when DeviceReader.isDevice(device) ->
-                        devices.add(deviceReader.read(child, mount));
+                    case String device
+                    when DeviceReader.isDevice(device) -> devices.add(deviceReader.read(child, mount));
                     default -> {
                         continue; // a block or a sensor, which is read with its parent; or something left out
                     }
@@ -201,7 +209,8 @@ final class RobotReader {
                     model.colour(),
                     blocksBodies,
                     dialect.blocksRangers(model),
-                    model.flag("blob_return", true)));
+                    model.flag("blob_return", true),
+                    dialect.reflectance(model)));
         }
     }
 }

@@ -46,7 +46,6 @@ final class Vocabulary {
             "actuator",
             "audio",
             "blinkenlight",
-            "camera",
             "energy",
             "gripper",
             "lightindicator",
@@ -55,10 +54,20 @@ final class Vocabulary {
             "speech",
             "wifi");
 
-    private static final Set<String> SENSORS = Set.of("ranger", "laser", "blobfinder", "fiducial", "fiducialfinder", "bumper");
+    private static final Set<String> SENSORS =
+            Set.of("ranger", "laser", "blobfinder", "fiducial", "fiducialfinder", "bumper", "camera");
 
-    private static final Set<String> MODEL_CHILDREN =
-            Set.of("model", "block", "ranger", "laser", "blobfinder", "position", "fiducial", "fiducialfinder", "bumper");
+    private static final Set<String> MODEL_CHILDREN = Set.of(
+            "model",
+            "block",
+            "ranger",
+            "laser",
+            "blobfinder",
+            "position",
+            "fiducial",
+            "fiducialfinder",
+            "bumper",
+            "camera");
 
     private static final Map<String, PropertyRule> WORLD_PROPERTIES = union(
             all(TEXT, "name", "unit_length", "unit_angle"),
@@ -161,11 +170,11 @@ final class Vocabulary {
     private static final Map<String, PropertyRule> FIDUCIAL_PROPERTIES =
             union(MODEL_PROPERTIES, all(NUMBER, "range_min", "range_max", "range_max_id", "fov"));
 
-    private static final Map<String, PropertyRule> BUMPER_PROPERTIES = union(
-            MODEL_PROPERTIES,
-            all(WHOLE, "bcount"),
-            all(array(3, 4), "bpose"),
-            all(numberOrArray(), "blength"));
+    private static final Map<String, PropertyRule> BUMPER_PROPERTIES =
+            union(MODEL_PROPERTIES, all(WHOLE, "bcount"), all(array(3, 4), "bpose"), all(numberOrArray(), "blength"));
+
+    private static final Map<String, PropertyRule> CAMERA_PROPERTIES = union(
+            MODEL_PROPERTIES, all(numbers(2, 2), "resolution", "range", "fov", "pantilt"), all(NO_ENERGY, "watts"));
 
     private static final Map<String, PropertyRule> BLOCK_PROPERTIES = union(
             all(WHOLE, "points"),
@@ -191,6 +200,7 @@ final class Vocabulary {
             entry("fiducial", FIDUCIAL_PROPERTIES, MODEL_CHILDREN),
             entry("fiducialfinder", FIDUCIAL_PROPERTIES, MODEL_CHILDREN),
             entry("bumper", BUMPER_PROPERTIES, MODEL_CHILDREN),
+            entry("camera", CAMERA_PROPERTIES, MODEL_CHILDREN),
             entry("block", BLOCK_PROPERTIES, Set.of()),
             entry(CONFIG, Map.of(), Set.of("driver")),
             entry("driver", DRIVER_PROPERTIES, Set.of()));

@@ -81,7 +81,7 @@ final class VocabularyCheck {
                 diagnostics.warn(
                         child.where(),
                         "\"" + child.type() + "\" is not simulated and left out; simulated are model, position, ranger,"
-                                + " laser, blobfinder, fiducial and bumper");
+                                + " laser, blobfinder, fiducial, bumper and camera");
             }
             return false;
         }

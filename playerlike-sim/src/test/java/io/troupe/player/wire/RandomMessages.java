@@ -42,6 +42,12 @@ final class RandomMessages {
                 .reduce("", String::concat);
     }
 
+    private Octets octets() {
+        var bytes = new byte[random.nextInt(40)];
+        random.nextBytes(bytes);
+        return Octets.of(bytes);
+    }
+
     private DeviceAddress address() {
         return new DeviceAddress(random.nextInt(), random.nextInt(), random.nextInt(0x10000), random.nextInt(0x10000));
     }
@@ -62,6 +68,7 @@ final class RandomMessages {
             case "boolean" -> b();
             case "String" -> name();
             case "DeviceAddress" -> address();
+            case "Octets" -> octets();
             case "Delivery" -> b() ? Delivery.PUSH : Delivery.PULL;
             default -> content(known);
         };
@@ -118,6 +125,7 @@ final class RandomMessages {
         add(62, 0, new DeviceData.GeometryChanged(geometry));
         add(6, DeviceData.LaserScan.class);
         add(10, DeviceData.Fiducials.class);
+        add(40, DeviceData.CameraImage.class);
         add(14, DeviceData.BumperStates.class);
         add(14, 0, new DeviceData.GeometryChanged(content(DeviceReply.BumperGeometry.class)));
     }
@@ -134,6 +142,8 @@ final class RandomMessages {
         add(6, DeviceRequest.Geometry.class, DeviceRequest.Power.class, DeviceRequest.LaserId.class);
         add(6, DeviceRequest.SetLaserConfiguration.class, DeviceRequest.GetConfiguration.class);
         add(31, DeviceRequest.GetPose.class, DeviceRequest.SetPose.class, DeviceRequest.Capability.class);
+        add(31, DeviceRequest.GetPose3d.class, DeviceRequest.SetPose3d.class, DeviceRequest.SetProperty.class);
+        add(31, 0, new DeviceRequest.GetProperty(name(), name(), random.nextInt(), random.nextInt(40)));
         add(10, DeviceRequest.Geometry.class, DeviceRequest.GetFieldOfView.class, DeviceRequest.SetFieldOfView.class);
         add(10, DeviceRequest.GetMarker.class, DeviceRequest.SetMarker.class);
         add(14, DeviceRequest.Geometry.class);
@@ -172,6 +182,8 @@ final class RandomMessages {
         add(14, 1, content(DeviceReply.BumperGeometry.class));
         add(31, 1, content(DeviceReply.ModelPose.class));
         add(31, 2, new DeviceReply.Ack());
+        add(31, 3, content(DeviceReply.ModelPose3d.class));
+        add(31, 5, content(DeviceReply.ModelProperty.class));
         add(1, 1, content(PlayerReply.DeviceList.class));
         add(1, 2, content(PlayerReply.DriverInfo.class));
         add(1, 3, new PlayerReply.Access(address(), 2, name()));
