@@ -157,6 +157,7 @@ public abstract class PlayerDevice implements PlayerConstants {
             case DeviceData.Fiducials fiducials -> 1;
             case DeviceData.BumperStates bumpers -> 1;
             case DeviceData.CameraImage image -> 1;
+            case DeviceData.GripperState gripper -> 1;
             case DeviceData.RangerRanges ranges -> 1;
             case DeviceData.RangerIntensities intensities -> 3;
             case DeviceData.RangerStamped stamped -> (byte) (subtype(stamped.data()) + 1);

@@ -20,10 +20,6 @@ abstract class UnsupportedInterfaces extends Thread implements PlayerConstants {
         throw notSupported("power:" + index);
     }
 
-    public GripperInterface requestInterfaceGripper(int index, int access) {
-        throw notSupported("gripper:" + index);
-    }
-
     public PtzInterface requestInterfacePtz(int index, int access) {
         throw notSupported("ptz:" + index);
     }

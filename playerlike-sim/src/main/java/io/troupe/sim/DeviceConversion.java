@@ -38,7 +38,7 @@ final class DeviceConversion {
                         intensities(device, now),
                         now.tick());
             case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
-            case FIDUCIAL, BUMPER, CAMERA ->
+            case FIDUCIAL, BUMPER, CAMERA, GRIPPER ->
                 FurtherDevices.data(reading.devices().get(device.ranger()));
             case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
         };

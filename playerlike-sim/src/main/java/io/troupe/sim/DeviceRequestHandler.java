@@ -9,6 +9,7 @@ import io.troupe.player.wire.Octets;
 import io.troupe.player.wire.Pose3d;
 import io.troupe.sim.PendingCommands.Kind;
 import io.troupe.sim.PortServer.PortDevice;
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RangerSpec;
@@ -63,6 +64,7 @@ final class DeviceRequestHandler {
         switch (device.type()) {
             case POSITION2D -> drive(device, command);
             case SIMULATION -> simulate(device, command);
+            case GRIPPER -> grip(device, command);
             case SONAR, RANGER, LASER, BLOBFINDER, FIDUCIAL, BUMPER, CAMERA ->
                 throw new IllegalArgumentException(device + " takes no commands");
         }
@@ -95,6 +97,7 @@ final class DeviceRequestHandler {
             case DeviceCommand.Pause other -> throw notUnderstood(device, other);
             case DeviceCommand.Reset other -> throw notUnderstood(device, other);
             case DeviceCommand.Save other -> throw notUnderstood(device, other);
+            case DeviceCommand.Gripper other -> throw notUnderstood(device, other);
         };
         queue.add(device, Kind.SPEED, action);
     }
@@ -110,7 +113,30 @@ final class DeviceRequestHandler {
             case DeviceCommand.Car other -> throw notUnderstood(device, other);
             case DeviceCommand.VelocityHeading other -> throw notUnderstood(device, other);
             case DeviceCommand.GoTo other -> throw notUnderstood(device, other);
+            case DeviceCommand.Gripper other -> throw notUnderstood(device, other);
         }
+    }
+
+    /** As with Stage, a gripper opens and closes; it neither stops on the way nor stores anything. */
+    private void grip(PortDevice device, DeviceCommand command) {
+        if (!(command instanceof DeviceCommand.Gripper(int order))) {
+            throw notUnderstood(device, command);
+        }
+        switch (order) {
+            case DeviceCommand.Gripper.OPEN -> grip(device, GripperDevice.Order.OPEN);
+            case DeviceCommand.Gripper.CLOSE -> grip(device, GripperDevice.Order.CLOSE);
+            default ->
+                System.getLogger(Simulation.class.getName())
+                        .log(
+                                System.Logger.Level.WARNING,
+                                "{0} was sent command {1}, and only opens (1) and closes (2)",
+                                device,
+                                order);
+        }
+    }
+
+    private void grip(PortDevice device, GripperDevice.Order order) {
+        queue.add(device, Kind.GRIPPER, () -> world.grip(device.robot(), device.ranger(), order));
     }
 
     private static IllegalArgumentException notUnderstood(PortDevice device, DeviceCommand command) {
@@ -141,7 +167,7 @@ final class DeviceRequestHandler {
             case LASER -> ofLaser(device, robot(device).rangers().get(device.ranger()), request);
             case RANGER -> ofRanger(device, ranger(device), request);
             case BLOBFINDER -> NOT_OFFERED;
-            case FIDUCIAL, BUMPER, CAMERA ->
+            case FIDUCIAL, BUMPER, CAMERA, GRIPPER ->
                 FurtherDevices.request(robot(device), robot(device).devices().get(device.ranger()), request);
             case SIMULATION -> ofSimulation(device, request);
         };
@@ -308,9 +334,14 @@ final class DeviceRequestHandler {
         if (robot >= 0) {
             return world.latest().robots().get(robot).pose();
         }
-        for (ObstacleSpec obstacle : world.spec().obstacles()) {
-            if (obstacle.name().equals(model)) {
-                return obstacle.pose();
+        List<ObstacleSpec> obstacles = world.spec().obstacles();
+        for (int i = 0; i < obstacles.size(); i++) {
+            if (obstacles.get(i).name().equals(model)) {
+                Snapshot now = world.latest();
+                int mover = now.moved().isEmpty()
+                        ? -1
+                        : world.spec().movingObstacles().indexOf(i);
+                return mover < 0 ? obstacles.get(i).pose() : now.moved().get(mover);
             }
         }
         return null;
@@ -405,6 +436,7 @@ final class DeviceRequestHandler {
                         case POSITION2D -> List.of(1, 2, 3, 4);
                         case SIMULATION -> List.of(1, 2);
                         case SONAR, RANGER, LASER, BLOBFINDER, FIDUCIAL, BUMPER, CAMERA -> List.of();
+                        case GRIPPER -> List.of(1, 2);
                     };
                 case REQUEST ->
                     switch (device) {
@@ -415,7 +447,7 @@ final class DeviceRequestHandler {
                         case LASER -> List.of(1, 2, 3, 4, 5);
                         case BLOBFINDER, CAMERA -> List.of();
                         case FIDUCIAL -> List.of(1, 2, 3, 7, 8);
-                        case BUMPER -> List.of(1);
+                        case BUMPER, GRIPPER -> List.of(1);
                     };
                 default -> List.of();
             };

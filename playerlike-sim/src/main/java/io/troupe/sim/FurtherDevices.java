@@ -22,7 +22,23 @@ final class FurtherDevices {
             new DeviceReply.Nack("the simulator does not offer that for this device");
     private static final Pose3d NO_UNCERTAINTY = Pose3d.flat(0, 0, 0);
 
+    /** Bits of the beams, as Stage sends them. */
+    private static final int INNER_BEAM = 4;
+
+    private static final int OUTER_BEAM = 8;
+
     private FurtherDevices() {}
+
+    private static DeviceReply geometry(DeviceSpec.Gripper gripper) {
+        double innerLengthM = gripper.paddleLength() * gripper.lengthM();
+        double innerWidthM = gripper.widthM() * (1 - 2 * gripper.paddleWidth());
+        return new DeviceReply.GripperGeometry(
+                flat(gripper.mount()),
+                new Size3d(gripper.widthM(), gripper.lengthM(), gripper.heightM()),
+                new Size3d(innerWidthM, innerLengthM, gripper.heightM()),
+                2,
+                0);
+    }
 
     static DeviceData data(DeviceReading reading) {
         return switch (reading) {
@@ -38,6 +54,15 @@ final class FurtherDevices {
                         1,
                         DeviceData.CameraImage.RAW,
                         Octets.of(picture.rgb()));
+            case DeviceReading.Grip(var paddles, boolean outer, boolean inner, boolean holds) ->
+                new DeviceData.GripperState(
+                        switch (paddles) {
+                            case OPEN -> DeviceData.GripperState.OPEN;
+                            case CLOSED -> DeviceData.GripperState.CLOSED;
+                            case OPENING, CLOSING -> DeviceData.GripperState.MOVING;
+                        },
+                        (inner ? INNER_BEAM : 0) | (outer ? OUTER_BEAM : 0),
+                        0);
             case DeviceReading.Pressed(var bumpers) ->
                 new DeviceData.BumperStates(bumpers.stream()
                         .map(pressed -> (byte) (pressed ? 1 : 0))
@@ -53,6 +78,8 @@ final class FurtherDevices {
     static DeviceReply request(RobotSpec robot, DeviceSpec device, DeviceRequest request) {
         return switch (device) {
             case DeviceSpec.FiducialFinder finder -> ofFinder(robot, finder, request);
+            case DeviceSpec.Gripper gripper ->
+                request instanceof DeviceRequest.Geometry ? geometry(gripper) : NOT_OFFERED;
             case DeviceSpec.Camera camera -> NOT_OFFERED; // images only, as with Stage
             case DeviceSpec.Bumpers bumpers ->
                 request instanceof DeviceRequest.Geometry

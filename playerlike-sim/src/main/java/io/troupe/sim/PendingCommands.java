@@ -24,6 +24,7 @@ final class PendingCommands {
         ODOMETRY,
         POWER,
         INTENSITIES,
+        GRIPPER,
         SPEED
     }
 

@@ -17,15 +17,27 @@ final class PhysicsSetup {
 
     /** Creates the physics with all bodies at their start poses. */
     static Physics atStart(WorldSpec spec, WorldSettings settings, StartPoses starts) {
-        var begun = new Physics(spec.robots().size(), stepMicros(spec, settings));
-        for (ObstacleSpec obstacle : spec.obstacles()) {
-            begun.addObstacle(obstacle.pose(), obstacle.blocksBodies() ? obstacle.shape() : NO_SHAPE);
+        List<Integer> movers = spec.movingObstacles();
+        var begun = Physics.withMovers(spec.robots().size(), stepMicros(spec, settings), movers);
+        for (int i = 0; i < spec.obstacles().size(); i++) {
+            ObstacleSpec obstacle = spec.obstacles().get(i);
+            boolean stands = movers.isEmpty() || !movers.contains(i);
+            begun.addObstacle(obstacle.pose(), obstacle.blocksBodies() && stands ? obstacle.shape() : NO_SHAPE);
         }
         for (int i = 0; i < spec.robots().size(); i++) {
             RobotSpec robot = spec.robots().get(i);
             begun.addRobot(starts.poses().get(i), robot.collisionShape(), robot.massKg(), robot.blocksBodies());
             if (starts.stuck().get(i)) {
                 begun.hold(i);
+            }
+        }
+        for (int i = 0; i < movers.size(); i++) {
+            ObstacleSpec obstacle = spec.obstacles().get(movers.get(i));
+            double massKg = obstacle.traits().pushableKg();
+            begun.addRobot(obstacle.pose(), obstacle.shape(), massKg > 0 ? massKg : 1, obstacle.blocksBodies());
+            begun.drive(spec.robots().size() + i, 0, 0);
+            if (massKg == 0) {
+                begun.hold(spec.robots().size() + i);
             }
         }
         return begun;
@@ -67,6 +79,14 @@ final class PhysicsSetup {
                     ? settings.maxForwardMps() * StrictMath.sqrt(2)
                     : settings.maxForwardMps();
             travelM = Math.max(travelM, (mostMps + settings.maxTurnRadps() * radiusM) * stepS);
+        }
+        for (int mover : spec.movingObstacles()) {
+            smallestM = Math.min(
+                    smallestM,
+                    spec.obstacles().get(mover).shape().polygons().stream()
+                            .mapToDouble(PhysicsSetup::widthM)
+                            .max()
+                            .orElseThrow());
         }
         return 1 + (int) Math.min(travelM / (smallestM / 2), settings.physicsStepMicros());
     }

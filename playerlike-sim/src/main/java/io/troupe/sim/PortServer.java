@@ -85,7 +85,10 @@ final class PortServer implements PlayerServer {
     }
 
     private static boolean isFurther(Interfaces type) {
-        return type == Interfaces.FIDUCIAL || type == Interfaces.BUMPER || type == Interfaces.CAMERA;
+        return type == Interfaces.FIDUCIAL
+                || type == Interfaces.BUMPER
+                || type == Interfaces.CAMERA
+                || type == Interfaces.GRIPPER;
     }
 
     private void checkFurther(DeviceBinding binding, int robot) {

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import java.io.IOException;
@@ -69,6 +70,12 @@ public final class Recording implements AutoCloseable {
     synchronized void intensities(int robot, int ranger, boolean on) {
         begin("intensities").append(' ').append(robot).append(' ').append(ranger);
         line.append(on ? " on" : " off");
+        write();
+    }
+
+    synchronized void grip(int robot, int device, GripperDevice.Order order) {
+        begin("gripper").append(' ').append(robot).append(' ').append(device);
+        line.append(order == GripperDevice.Order.OPEN ? " open" : " close");
         write();
     }
 

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.WorldFileException;
@@ -159,7 +160,7 @@ public final class Replay {
             case "reset", "pause", "resume" -> 1;
             case "is", "end" -> 2;
             case "power" -> 3;
-            case "velocity", "heading", "intensities" -> 4;
+            case "velocity", "heading", "intensities", "gripper" -> 4;
             case "teleport", "odometry", "goto", "omni" -> 5;
             default -> throw line.error("'" + line.words().getFirst() + "' is nothing that can be recorded");
         };
@@ -169,13 +170,14 @@ public final class Replay {
         }
         if (expected > 2) {
             line.robot(robots);
-            boolean switches = line.words().getLast().matches("on|off");
-            boolean isSwitch =
-                    List.of("power", "intensities").contains(line.words().getFirst());
-            if (isSwitch && !switches) {
-                throw line.error(line.words().getFirst() + " '" + line.words().getLast() + "', expected on or off");
+            boolean isGripper = line.words().getFirst().equals("gripper");
+            boolean isSwitch = isGripper
+                    || List.of("power", "intensities").contains(line.words().getFirst());
+            if (isSwitch && !line.words().getLast().matches(isGripper ? "open|close" : "on|off")) {
+                throw line.error(line.words().getFirst() + " '" + line.words().getLast() + "', expected "
+                        + (isGripper ? "open or close" : "on or off"));
             }
-            if (line.words().getFirst().equals("intensities")) {
+            if (isSwitch && expected == 4) {
                 line.device();
             }
             for (int i = 2; i < expected && !isSwitch; i++) {
@@ -256,6 +258,11 @@ public final class Replay {
             case "intensities" ->
                 player.measureIntensities(
                         line.robot(robots), line.device(), words.get(3).equals("on"));
+            case "gripper" ->
+                player.grip(
+                        line.robot(robots),
+                        line.device(),
+                        words.get(3).equals("open") ? GripperDevice.Order.OPEN : GripperDevice.Order.CLOSE);
             case "heading" -> player.steer(line.robot(robots), line.number(2), line.number(3));
             case "goto" -> player.goTo(line.robot(robots), line.pose());
             case "odometry" -> player.setOdometry(line.robot(robots), line.pose());

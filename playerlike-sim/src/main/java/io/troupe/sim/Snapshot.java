@@ -1,5 +1,7 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
 import java.util.List;
 
 /**
@@ -10,10 +12,18 @@ import java.util.List;
  * @param robots by index, in the order of the world file
  * @param contacts that began in the interval that ends at this tick, ordered by time, then robot; for one robot other
  *     robots come before obstacles, each in the order of the world file
+ * @param moved where the obstacles are that can move, in the order of {@link WorldSpec#movingObstacles}
  */
-public record Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts) {
+public record Snapshot(
+        long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts, List<Pose> moved) {
     public Snapshot {
         robots = List.copyOf(robots);
         contacts = List.copyOf(contacts);
+        moved = List.copyOf(moved);
+    }
+
+    /** Creates a snapshot of a world in which no obstacle moves. */
+    public Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts) {
+        this(tick, timeMicros, robots, contacts, List.of());
     }
 }

@@ -42,6 +42,7 @@ public final class SnapshotHash {
             add(contact.otherRobot());
             add(contact.other());
         }
+        snapshot.moved().forEach(this::add);
     }
 
     /** Checksum so far, from 0 to 2^32 - 1. */
@@ -94,6 +95,10 @@ public final class SnapshotHash {
                     add(column.top());
                     add(column.bottom());
                 }
+            }
+            case DeviceReading.Grip(var paddles, boolean outer, boolean inner, boolean holds) -> {
+                add(paddles.ordinal());
+                add((outer ? 1 : 0) + (inner ? 2 : 0) + (holds ? 4 : 0));
             }
             case DeviceReading.Pressed(var bumpers) -> {
                 add(bumpers.size());

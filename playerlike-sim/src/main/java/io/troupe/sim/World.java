@@ -2,6 +2,7 @@ package io.troupe.sim;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Ranger;
@@ -58,6 +59,7 @@ public final class World implements AutoCloseable {
     private final AtomicReference<@Nullable Thread> advancer = new AtomicReference<>();
     private List<SimulatedDevices> devices;
     private Physics physics;
+    private Grippers grippers;
     private long physicsStartMicros; // the physics counts its time from the last reset
     private long tick;
     private boolean advancing;
@@ -96,6 +98,7 @@ public final class World implements AutoCloseable {
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
         physics = PhysicsSetup.atStart(spec, settings, starts);
         devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
+        grippers = new Grippers(spec, scene, physics, devices);
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
         if (spec.robots().stream().anyMatch(robot -> robot.rangers().stream().anyMatch(RangerSpec::intensities))) {
             scene.readReflectances();
@@ -201,6 +204,15 @@ public final class World implements AutoCloseable {
      */
     public void measureIntensities(int robot, int ranger, boolean on) {
         commands.measureIntensities(robot, ranger, on);
+    }
+
+    /**
+     * Opens or closes a gripper, from the next interval on.
+     *
+     * @param device its index in {@link RobotSpec#devices}
+     */
+    public void grip(int robot, int device, GripperDevice.Order order) {
+        commands.grip(robot, device, order);
     }
 
     /**
@@ -351,6 +363,7 @@ public final class World implements AutoCloseable {
         physics.advance(stepsPerInterval);
         tick++;
         sense();
+        grippers.update(scratches[0]);
     }
 
     private void checkThread() {
@@ -369,6 +382,7 @@ public final class World implements AutoCloseable {
             physics = PhysicsSetup.atStart(spec, settings, starts);
             physicsStartMicros = nowMicros;
             devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
+            grippers = new Grippers(spec, scene, physics, devices);
             sense(); // as at the start: each reading advances the random streams
         }
     }
@@ -382,6 +396,7 @@ public final class World implements AutoCloseable {
             scene.place(i, x, y, headingRad);
             devices.get(i).position2d().sense(x, y, headingRad);
         }
+        grippers.place();
         scene.refresh();
         sensing.run();
     }
@@ -397,7 +412,7 @@ public final class World implements AutoCloseable {
         for (int i = 0; i < devices.size(); i++) {
             readings.add(read(i));
         }
-        return new Snapshot(tick, tick * intervalMicros, readings, contacts());
+        return new Snapshot(tick, tick * intervalMicros, readings, contacts(), grippers.poses());
     }
 
     /** The touches of the physics, with names instead of indices and with the world's time. */

@@ -1,8 +1,10 @@
 package io.troupe.sim;
 
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.DriveSpec;
 import io.troupe.sim.model.DriveSpec.Steering;
 import io.troupe.sim.model.Pose;
@@ -36,9 +38,14 @@ final class WorldCommands {
     private final List<RobotCommands> robotCommands = new ArrayList<>();
     private final AtomicBoolean resetWanted = new AtomicBoolean();
     private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
-    private final Queue<IntensitySwitch> switches = new ConcurrentLinkedQueue<>();
+    private final Queue<DeviceCommand> deviceCommands = new ConcurrentLinkedQueue<>();
 
-    private record IntensitySwitch(int robot, int ranger, boolean on) {}
+    /** A command for a device other than the drive. */
+    private sealed interface DeviceCommand {
+        record Intensities(int robot, int ranger, boolean on) implements DeviceCommand {}
+
+        record Grip(int robot, int device, GripperDevice.Order order) implements DeviceCommand {}
+    }
 
     WorldCommands(WorldSpec spec, WorldSettings settings) {
         this.spec = spec;
@@ -115,7 +122,19 @@ final class WorldCommands {
             throw new IllegalArgumentException("robot '" + robot(robot).name() + "' has no laser or ranger " + ranger
                     + ", but " + count + " of them, counted from 0");
         }
-        switches.add(new IntensitySwitch(robot, ranger, on));
+        deviceCommands.add(new DeviceCommand.Intensities(robot, ranger, on));
+    }
+
+    /** Opens or closes a gripper. */
+    void grip(int robot, int device, GripperDevice.Order order) {
+        List<DeviceSpec> devices = robot(robot).devices();
+        if (device < 0 || device >= devices.size() || !(devices.get(device) instanceof DeviceSpec.Gripper)) {
+            throw new IllegalArgumentException(
+                    "device " + device + " of robot '" + robot(robot).name()
+                            + "' is no gripper; its devices, counted from 0, are "
+                            + devices.stream().map(DeviceSpec::interfaceName).toList());
+        }
+        deviceCommands.add(new DeviceCommand.Grip(robot, device, order));
     }
 
     void power(int robot, boolean on) {
@@ -153,17 +172,22 @@ final class WorldCommands {
         robot(robot);
         TeleportCheck known = lastCheck.get();
         if (known == null || known.at() != at) {
-            known = new TeleportCheck(
-                    at, placement.occupancy(other -> at.robots().get(other).pose()));
+            known = new TeleportCheck(at, placement.occupancy(body -> pose(at, body)));
             lastCheck.set(known);
         }
         return known.occupancy().refusal(robot, pose);
     }
 
+    /** Pose of a robot or, after the robots, of an obstacle that moves. */
+    private static Pose pose(Snapshot at, int body) {
+        int robotCount = at.robots().size();
+        return body < robotCount ? at.robots().get(body).pose() : at.moved().get(body - robotCount);
+    }
+
     /** Requests a reset. Commands sent from now on apply after it. */
     void reset() {
         robotCommands.forEach(RobotCommands::forgetUntaken);
-        switches.clear();
+        deviceCommands.clear();
         resetWanted.set(true);
     }
 
@@ -243,19 +267,29 @@ final class WorldCommands {
             commands.steer(odometry);
             physics.drive(i, commands.forwardMps(), commands.sidewaysMps(), commands.turnRadps());
         }
-        if (!switches.isEmpty()) {
-            scene.readReflectances();
-            applySwitches(log, devices);
+        if (!deviceCommands.isEmpty()) {
+            applyDeviceCommands(log, devices, scene);
         }
     }
 
-    private void applySwitches(@Nullable Recording log, List<SimulatedDevices> devices) {
-        for (IntensitySwitch next = switches.poll(); next != null; next = switches.poll()) {
-            Ranger ranger = devices.get(next.robot).rangers().get(next.ranger);
-            if (ranger.measuresIntensities() != next.on) {
-                ranger.measureIntensities(next.on);
-                if (log != null) {
-                    log.intensities(next.robot, next.ranger, next.on);
+    private void applyDeviceCommands(@Nullable Recording log, List<SimulatedDevices> devices, Scene scene) {
+        for (DeviceCommand next = deviceCommands.poll(); next != null; next = deviceCommands.poll()) {
+            switch (next) {
+                case DeviceCommand.Intensities(int robot, int number, boolean on) -> {
+                    scene.readReflectances();
+                    Ranger ranger = devices.get(robot).rangers().get(number);
+                    if (ranger.measuresIntensities() != on) {
+                        ranger.measureIntensities(on);
+                        if (log != null) {
+                            log.intensities(robot, number, on);
+                        }
+                    }
+                }
+                case DeviceCommand.Grip(int robot, int device, var order) -> {
+                    ((GripperDevice) devices.get(robot).others().get(device)).order(order);
+                    if (log != null) {
+                        log.grip(robot, device, order);
+                    }
                 }
             }
         }

@@ -65,8 +65,12 @@ final class WorldSvg {
         for (int i = 0; i < world.robots().size(); i++) {
             rays(i);
         }
-        for (ObstacleSpec obstacle : world.obstacles()) {
-            map.body(svg, obstacle.name(), obstacle.shape(), obstacle.pose(), obstacle.colour());
+        List<Integer> moving = now.moved().isEmpty() ? List.of() : world.movingObstacles();
+        for (int i = 0; i < world.obstacles().size(); i++) {
+            ObstacleSpec obstacle = world.obstacles().get(i);
+            int mover = moving.indexOf(i);
+            Pose pose = mover < 0 ? obstacle.pose() : now.moved().get(mover);
+            map.body(svg, obstacle.name(), obstacle.shape(), pose, obstacle.colour());
         }
         for (int i = 0; i < world.robots().size(); i++) {
             RobotSpec robot = world.robots().get(i);

@@ -7,6 +7,7 @@ import io.troupe.player.wire.DeviceData.CameraImage;
 import io.troupe.player.wire.DeviceData.Fiducial;
 import io.troupe.player.wire.DeviceData.Fiducials;
 import io.troupe.player.wire.DeviceData.GeometryChanged;
+import io.troupe.player.wire.DeviceData.GripperState;
 import io.troupe.player.wire.DeviceData.LaserScan;
 import io.troupe.player.wire.DeviceData.Position2d;
 import io.troupe.player.wire.DeviceData.RangerIntensities;
@@ -58,6 +59,8 @@ final class DataCodec {
                         .int32(image.divisor())
                         .int32(image.compression())
                         .opaque(image.pixels().toArray());
+            case GripperState gripper ->
+                out.int32(gripper.state()).int32(gripper.beams()).int32(gripper.stored());
             case BumperStates bumpers -> out.opaque(bytes(bumpers.states()));
             case GeometryChanged changed -> {
                 ReplyCodec.write(out, changed.geometry());
@@ -173,6 +176,8 @@ final class DataCodec {
                                 in.int32("compression"),
                                 Octets.of(in.opaque("image")))
                         : null;
+            case GRIPPER ->
+                subtype == 1 ? new GripperState(in.uint8("state"), in.int32("beams"), in.uint8("stored")) : null;
             case BUMPER ->
                 switch (subtype) {
                     case 1 -> new BumperStates(bytes("bumpers", in));

@@ -87,6 +87,22 @@ public sealed interface DeviceData {
         public static final int RAW = 0;
     }
 
+    /**
+     * gripper DATA 1.
+     *
+     * @param state Player's number of it
+     * @param beams a bit for each beam that is broken
+     * @param stored number of stored things
+     */
+    record GripperState(int state, int beams, int stored) implements DeviceData {
+        /** Value of {@link #state}. */
+        public static final int OPEN = 1;
+        /** Value of {@link #state}. */
+        public static final int CLOSED = 2;
+        /** Value of {@link #state}. */
+        public static final int MOVING = 3;
+    }
+
     /** bumper DATA 1: for each bumper whether it is pressed, 0 if not. */
     record BumperStates(List<Byte> states) implements DeviceData {
         public BumperStates {

@@ -64,6 +64,14 @@ public sealed interface DeviceReply {
     /** Reply to {@link DeviceRequest.GetMarker} and {@link DeviceRequest.SetMarker}: the number of the own marker. */
     record Marker(int id) implements DeviceReply {}
 
+    /**
+     * A gripper.
+     *
+     * @param inner the space between the open paddles
+     * @param capacity number of things that it can store
+     */
+    record GripperGeometry(Pose3d pose, Size3d outer, Size3d inner, int beams, int capacity) implements DeviceReply {}
+
     /** The bumpers of a robot. */
     record BumperGeometry(List<Bumper> bumpers) implements DeviceReply {
         public BumperGeometry {

@@ -12,7 +12,8 @@ public enum Interfaces {
     SIMULATION(31, "simulation"),
     FIDUCIAL(10, "fiducial"),
     BUMPER(14, "bumper"),
-    CAMERA(40, "camera");
+    CAMERA(40, "camera"),
+    GRIPPER(3, "gripper");
 
     private final int code;
     private final String playerName;

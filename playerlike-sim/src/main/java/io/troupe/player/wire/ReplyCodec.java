@@ -6,6 +6,7 @@ import io.troupe.player.wire.DeviceReply.BumperGeometry;
 import io.troupe.player.wire.DeviceReply.Colour;
 import io.troupe.player.wire.DeviceReply.FiducialGeometry;
 import io.troupe.player.wire.DeviceReply.FieldOfView;
+import io.troupe.player.wire.DeviceReply.GripperGeometry;
 import io.troupe.player.wire.DeviceReply.LaserGeometry;
 import io.troupe.player.wire.DeviceReply.LaserId;
 import io.troupe.player.wire.DeviceReply.Marker;
@@ -75,6 +76,12 @@ final class ReplyCodec {
             case FieldOfView view ->
                 out.float32(view.minRangeM()).float32(view.maxRangeM()).float32(view.angleRad());
             case Marker marker -> out.int32(marker.id());
+            case GripperGeometry gripper -> {
+                XdrStructures.pose3d(out, gripper.pose());
+                XdrStructures.size3d(out, gripper.outer());
+                XdrStructures.size3d(out, gripper.inner());
+                out.int32(gripper.beams()).int32(gripper.capacity());
+            }
             case BumperGeometry row -> out.array(row.bumpers(), ReplyCodec::bumper);
             case ModelPose model -> out.string(model.model()).float64(model.px(), model.py(), model.pa());
             case ModelPose3d model -> {
@@ -151,6 +158,15 @@ final class ReplyCodec {
                     default -> new Ack();
                 };
             case CAMERA -> new Ack();
+            case GRIPPER ->
+                subtype == 1
+                        ? new GripperGeometry(
+                                XdrStructures.pose3d(in),
+                                XdrStructures.size3d(in),
+                                XdrStructures.size3d(in),
+                                in.uint8("num_beams"),
+                                in.uint8("capacity"))
+                        : new Ack();
             case FIDUCIAL ->
                 switch (subtype) {
                     case 1 ->

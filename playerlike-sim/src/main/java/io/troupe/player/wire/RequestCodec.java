@@ -146,7 +146,7 @@ final class RequestCodec {
             case SIMULATION -> simulation(subtype, in);
             case FIDUCIAL -> fiducial(subtype, in);
             case CAMERA -> new Unknown(subtype);
-            case BUMPER -> subtype == 1 ? new Geometry() : new Unknown(subtype);
+            case BUMPER, GRIPPER -> subtype == 1 ? new Geometry() : new Unknown(subtype);
         };
     }
 

@@ -74,6 +74,23 @@ public sealed interface DeviceReading {
      */
     record Column(int colour, int top, int bottom) {}
 
+    /**
+     * The state of a gripper.
+     *
+     * @param outerBeam a grippable thing breaks the beam near the tips of the paddles
+     * @param innerBeam a grippable thing breaks the beam near its base
+     * @param holds it holds something
+     */
+    record Grip(Paddles paddles, boolean outerBeam, boolean innerBeam, boolean holds) implements DeviceReading {}
+
+    /** What the paddles of a gripper do. */
+    enum Paddles {
+        OPEN,
+        CLOSED,
+        OPENING,
+        CLOSING
+    }
+
     /** Whether something presses each bumper of a row. */
     record Pressed(List<Boolean> bumpers) implements DeviceReading {
         public Pressed {

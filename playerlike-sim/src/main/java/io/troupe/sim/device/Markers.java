@@ -12,8 +12,8 @@ import java.util.stream.IntStream;
 
 /** The markers of a world, sorted by x so that those near a finder are found quickly. */
 final class Markers {
-    /** A marker; {@code robot} is -1 for that of an obstacle. */
-    private record Marker(int thing, int robot, int id, int key, Pose pose) {}
+    /** A marker; {@code body} is -1 for that of an obstacle that stands still. */
+    private record Marker(int thing, int body, int id, int key, Pose pose) {}
 
     private final Marker[] markers; // in the order of things
     private final double[] x;
@@ -23,12 +23,14 @@ final class Markers {
 
     Markers(WorldSpec spec) {
         List<Marker> all = new ArrayList<>();
+        List<Integer> movers = spec.movingObstacles();
         int thing = 0;
         for (ObstacleSpec obstacle : spec.obstacles()) {
             if (obstacle.traits().fiducial() != 0) {
+                int mover = movers.indexOf(thing);
                 all.add(new Marker(
                         thing,
-                        -1,
+                        mover < 0 ? -1 : spec.robots().size() + mover,
                         obstacle.traits().fiducial(),
                         obstacle.traits().fiducialKey(),
                         obstacle.pose()));
@@ -58,14 +60,14 @@ final class Markers {
         return markers.length;
     }
 
-    /** Moves the markers of robots to where these are now. */
+    /** Moves the markers of robots and of things that move to where these are now. */
     void refresh(Scene scene) {
         for (int i = 0; i < markers.length; i++) {
-            int robot = markers[i].robot;
-            if (robot >= 0) {
-                x[i] = scene.x(robot);
-                y[i] = scene.y(robot);
-                headingRad[i] = scene.headingRad(robot);
+            int body = markers[i].body;
+            if (body >= 0) {
+                x[i] = scene.x(body);
+                y[i] = scene.y(body);
+                headingRad[i] = scene.headingRad(body);
             }
         }
         for (int i = 1; i < sorted.length; i++) { // by insertion: few change places from one time to the next

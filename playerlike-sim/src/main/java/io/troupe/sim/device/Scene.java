@@ -5,6 +5,7 @@ import static java.util.Objects.requireNonNull;
 import io.troupe.sim.model.CargoSpec;
 import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
@@ -32,17 +33,21 @@ import org.jspecify.annotations.Nullable;
  */
 public final class Scene {
     private static final double RIM_M = 1;
+    private static final int NOBODY = -1;
     /** With more things near the robot, the rays walk through the grid. */
     private static final int MOST_THINGS_PER_RAY = 8;
 
     private final NearestWalls walls;
-    private final Outline[] robots;
+    private final int robotCount;
+    private final Outline[] robots; // and after them the obstacles that move, as in the next fields
     private final double[] x; // of the robots
     private final double[] y;
     private final double[] cos;
     private final double[] sin;
     private final double[] headingRad;
-    private final boolean[] blocksBodies; // by robot
+    private final boolean[] blocksBodies;
+    private final int[] movers; // indices of the obstacles that move
+    private final int[] carrierOf; // by mover, the robot whose gripper holds it
     private final @Nullable Markers markers; // null if there is no finder
     private final List<List<Part>> parts = new ArrayList<>(); // by robot
     private final int[] colours; // by thing: obstacles, then robots, then what they carry
@@ -69,14 +74,18 @@ public final class Scene {
         this.spec = spec;
         List<ObstacleSpec> obstacles = spec.obstacles();
         firstRobot = obstacles.size();
-        int robotCount = spec.robots().size();
-        robots = new Outline[robotCount];
-        x = new double[robotCount];
-        y = new double[robotCount];
-        cos = new double[robotCount];
-        sin = new double[robotCount];
-        headingRad = new double[robotCount];
-        blocksBodies = new boolean[robotCount];
+        robotCount = spec.robots().size();
+        movers = spec.movingObstacles().stream().mapToInt(Integer::intValue).toArray();
+        int bodyCount = robotCount + movers.length;
+        robots = new Outline[bodyCount];
+        x = new double[bodyCount];
+        y = new double[bodyCount];
+        cos = new double[bodyCount];
+        sin = new double[bodyCount];
+        headingRad = new double[bodyCount];
+        blocksBodies = new boolean[bodyCount];
+        carrierOf = new int[movers.length];
+        Arrays.fill(carrierOf, NOBODY);
         markers = hasFinder(spec) ? new Markers(spec) : null;
         int cargoCount =
                 spec.robots().stream().mapToInt(robot -> robot.cargo().size()).sum();
@@ -92,6 +101,10 @@ public final class Scene {
         for (int i = 0; i < firstRobot; i++) {
             ObstacleSpec obstacle = obstacles.get(i);
             var outline = new Outline(obstacle.shape(), obstacle.pose());
+            if (Arrays.binarySearch(movers, i) >= 0) {
+                paint(i, obstacle.colour(), obstacle.visible(), movingByColour);
+                continue;
+            }
             int kinds = rayKinds(obstacle.blocksRangers(), obstacle.visible());
             addRings(outline, i, kinds, fixed.count, fixedOutlines, fixedX, fixedY);
             fixed.add(outline, i, kinds);
@@ -102,12 +115,15 @@ public final class Scene {
             }
         }
         walls = new NearestWalls(blocking);
-        movingX = new double[robotCount + cargoCount];
-        movingY = new double[robotCount + cargoCount];
+        movingX = new double[robotCount + cargoCount + movers.length];
+        movingY = new double[robotCount + cargoCount + movers.length];
         int cargo = firstRobot + robotCount;
         for (int i = 0; i < robotCount; i++) {
             addRobot(i, spec.robots().get(i), cargo, movingByColour);
             cargo += spec.robots().get(i).cargo().size();
+        }
+        for (int i = 0; i < movers.length; i++) {
+            addMover(i, obstacles.get(movers[i]), robotCount + cargoCount + i);
         }
         showRobots();
         Grid grid = gridAround(fixed, moving);
@@ -145,7 +161,7 @@ public final class Scene {
                 body,
                 firstRobot + index,
                 rayKinds(robot.blocksRangers(), robot.visible()),
-                index + firstCargo - firstRobot - robots.length));
+                index + firstCargo - firstRobot - robotCount));
         circles.set(firstRobot + index, pose.x(), pose.y(), body);
         paint(firstRobot + index, robot.colour(), robot.visible(), byColour);
         int thing = firstCargo;
@@ -155,12 +171,50 @@ public final class Scene {
                     outline,
                     thing,
                     rayKinds(piece.blocksRangers(), piece.visible()),
-                    index + 1 + thing - firstRobot - robots.length));
+                    index + 1 + thing - firstRobot - robotCount));
             circles.set(thing, pose.x(), pose.y(), outline);
             paint(thing++, piece.colour(), piece.visible(), byColour);
         }
         parts.add(seen);
         place(index, pose);
+    }
+
+    private void addMover(int number, ObstacleSpec obstacle, int partIndex) {
+        int body = robotCount + number;
+        blocksBodies[body] = obstacle.blocksBodies();
+        robots[body] = new Outline(obstacle.shape(), obstacle.pose());
+        int kinds = rayKinds(obstacle.blocksRangers(), obstacle.visible())
+                | (obstacle.traits().grippable() ? Ray.GRIP : 0);
+        parts.add(List.of(new Part(robots[body], movers[number], kinds, partIndex)));
+        circles.set(movers[number], obstacle.pose().x(), obstacle.pose().y(), robots[body]);
+        place(body, obstacle.pose());
+    }
+
+    /** Number of the thing that a body is, or of the robot that holds it: the rays of that robot ignore it. */
+    private int carrierNumber(int body) {
+        if (body < robotCount) {
+            return firstRobot + body;
+        }
+        int holder = carrierOf[body - robotCount];
+        return holder == NOBODY ? movers[body - robotCount] : firstRobot + holder;
+    }
+
+    /** Number of obstacles that may move. */
+    public int moverCount() {
+        return movers.length;
+    }
+
+    /** Sets which robot's gripper holds a thing that moves; -1 = none. */
+    public void carry(int mover, int robot) {
+        carrierOf[mover] = robot;
+        int body = robotCount + mover;
+        movingProjection.setCarrier(parts.get(body).getFirst().index, carrierNumber(body));
+    }
+
+    /** Which of the things that move is the obstacle with an index; -1 if it stands still. */
+    int mover(int thing) {
+        int number = Arrays.binarySearch(movers, thing);
+        return number < 0 ? NOBODY : number;
     }
 
     private static int rayKinds(boolean blocksRangers, boolean visible) {
@@ -229,7 +283,7 @@ public final class Scene {
             List<Part> seen = parts.get(i);
             for (int j = 0; j < seen.size(); j++) {
                 Part part = seen.get(j);
-                moving.add(part.outline, part.thing, firstRobot + i, part.rayKinds);
+                moving.add(part.outline, part.thing, carrierNumber(i), part.rayKinds);
             }
         }
     }
@@ -266,7 +320,7 @@ public final class Scene {
                     end += ring.x.length;
                     radiusM = Math.max(radiusM, ring.radiusM(x[i], y[i]));
                 }
-                outlines.add(firstRobot + i, part.rayKinds, first, end, radiusM);
+                outlines.add(carrierNumber(i), part.rayKinds, first, end, radiusM);
                 first = end;
             }
         }
@@ -278,7 +332,13 @@ public final class Scene {
      * if there is none.
      */
     public double wallGapM(int robot) {
-        return walls.gapM(robots[robot]);
+        double gapM = walls.gapM(robots[robot]);
+        for (int i = 0; i < movers.length; i++) {
+            if (carrierOf[i] == NOBODY && blocksBodies[robotCount + i]) {
+                gapM = robots[robotCount + i].gapM(robots[robot], gapM);
+            }
+        }
+        return gapM;
     }
 
     /** True if an obstacle or another robot that blocks bodies touches or overlaps a zone of this robot. */
@@ -287,7 +347,10 @@ public final class Scene {
             return true;
         }
         for (int other = 0; other < robots.length; other++) {
-            if (other != robot && blocksBodies[other] && robots[other].isWithin(zone, 0)) {
+            if (other != robot
+                    && blocksBodies[other]
+                    && carrierNumber(other) != firstRobot + robot
+                    && robots[other].isWithin(zone, 0)) {
                 return true;
             }
         }
@@ -342,12 +405,37 @@ public final class Scene {
         return ray.hitThing == Ray.NOTHING || ray.hitM >= distanceM || carrier(ray.hitThing) == thing;
     }
 
+    /**
+     * Number of the first grippable thing on a ray from a point of a robot, of those that move; -1 if there is none.
+     */
+    int gripped(int robot, double localX, double localY, double localHeadingRad, double rangeM, Ray ray) {
+        direction.set(headingRad[robot] + localHeadingRad);
+        ray.x = x[robot] + cos[robot] * localX - sin[robot] * localY;
+        ray.y = y[robot] + sin[robot] * localX + cos[robot] * localY;
+        ray.dirX = direction.cos();
+        ray.dirY = direction.sin();
+        ray.skip = Ray.NOTHING;
+        ray.kind = Ray.GRIP;
+        ray.maxM = rangeM;
+        caster.cast(ray);
+        return ray.hitThing == Ray.NOTHING ? NOBODY : mover(ray.hitThing);
+    }
+
+    /** Extent of a thing that moves along its y axis. */
+    double widthM(int mover) {
+        var y = spec.obstacles().get(movers[mover]).shape().polygons().stream()
+                .flatMap(List::stream)
+                .mapToDouble(Point::y)
+                .summaryStatistics();
+        return y.getMax() - y.getMin();
+    }
+
     /** The robot that carries a thing, or the thing itself. */
     private int carrier(int thing) {
-        if (thing < firstRobot + robots.length) {
+        if (thing < firstRobot + robotCount) {
             return thing;
         }
-        int robot = 0;
+        int robot = 0; // it is cargo
         while (parts.get(robot).getLast().thing < thing) { // cargo is numbered in the order of the robots
             robot++;
         }

@@ -64,6 +64,31 @@ public sealed interface DeviceSpec {
     }
 
     /**
+     * A gripper with two paddles, which takes a grippable thing between them.
+     *
+     * @param lengthM of the whole gripper, from its base to the tips of the paddles, centred on the mount
+     * @param paddleLength share of the length
+     * @param paddleWidth thickness of a paddle, as a share of the width
+     * @param closed at the start
+     * @param snatches it closes by itself while a beam is broken, and opens otherwise
+     */
+    record Gripper(
+            Pose mount,
+            double lengthM,
+            double widthM,
+            double heightM,
+            double paddleLength,
+            double paddleWidth,
+            boolean closed,
+            boolean snatches)
+            implements DeviceSpec {
+        @Override
+        public String interfaceName() {
+            return "gripper";
+        }
+    }
+
+    /**
      * One bumper of {@link Bumpers}.
      *
      * @param mount the middle of the line, which is perpendicular to the heading

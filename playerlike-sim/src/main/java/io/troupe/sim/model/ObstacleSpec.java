@@ -3,7 +3,7 @@ package io.troupe.sim.model;
 import io.troupe.common.text.SourcePosition;
 
 /**
- * An immovable thing, such as a wall or a box.
+ * A thing, such as a wall or a box. It stands still unless its traits say otherwise.
  *
  * @param pose in the world's frame
  * @param colour {@code 0x00RRGGBB}

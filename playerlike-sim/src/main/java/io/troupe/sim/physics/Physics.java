@@ -85,14 +85,32 @@ public final class Physics {
     }
 
     /**
+     * Creates a world in which obstacles move too. They have to be added after the robots, as robots that nobody
+     * drives: in each step they lose the speed that a robot has given them.
+     *
+     * @param movers indices of the obstacles that move
+     */
+    public static Physics withMovers(int robotCount, int stepMicros, List<Integer> movers) {
+        return new Physics(
+                robotCount + movers.size(),
+                stepMicros,
+                true,
+                movers.stream().mapToInt(Integer::intValue).toArray());
+    }
+
+    /**
      * @param mayGlide whether robots with nothing near them may make their steps without jbox2d; this changes only the
      *     run time
      */
     Physics(int robotCount, int stepMicros, boolean mayGlide) {
+        this(robotCount, stepMicros, mayGlide, new int[0]);
+    }
+
+    private Physics(int robotCount, int stepMicros, boolean mayGlide, int[] movers) {
         this.robotCount = robotCount;
         this.stepMicros = stepMicros;
         this.mayGlide = mayGlide;
-        touches = new TouchTracker(robotCount);
+        touches = new TouchTracker(robotCount, movers);
         world = new World(
                 new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), cells);
         world.setAllowSleep(false);
@@ -356,9 +374,9 @@ public final class Physics {
         private int startedCount;
         private boolean recent; // the last step had contact events, so `touched` may contain a touch that has ended
 
-        TouchTracker(int robotCount) {
+        TouchTracker(int robotCount, int[] movers) {
             touched = new boolean[robotCount];
-            begun = new Touches(robotCount);
+            begun = new Touches(robotCount, movers);
         }
 
         @Override

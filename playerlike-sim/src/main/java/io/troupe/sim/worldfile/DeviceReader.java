@@ -23,7 +23,7 @@ final class DeviceReader {
 
     static boolean isDevice(String type) {
         return switch (type) {
-            case "fiducial", "fiducialfinder", "bumper", "camera" -> true;
+            case "fiducial", "fiducialfinder", "bumper", "camera", "gripper" -> true;
             default -> false;
         };
     }
@@ -33,14 +33,24 @@ final class DeviceReader {
         return switch (device.type()) {
             case "bumper" -> bumpers(device, mount);
             case "camera" -> camera(device, mount);
+            case "gripper" -> gripper(device, mount);
             default -> finder(device, mount);
         };
     }
 
     /** What devices notice of a model. */
     static Traits traits(Entity model, Dialect dialect) {
+        double massKg = model.number("mass", 10);
+        boolean movable = model.flag("movable", false);
+        if (movable && massKg <= 0) {
+            throw new WorldFileException(model.whereOf("mass"), "\"mass\" must be above 0 kg, not " + massKg);
+        }
         return new Traits(
-                model.whole("fiducial_return", 0), model.whole("fiducial_key", 0), dialect.reflectance(model));
+                model.whole("fiducial_return", 0),
+                model.whole("fiducial_key", 0),
+                dialect.reflectance(model),
+                model.flag("gripper_return", false),
+                movable ? massKg : 0);
     }
 
     private DeviceSpec finder(Entity finder, Pose mount) {
@@ -69,6 +79,41 @@ final class DeviceReader {
                 finder.whole("fiducial_key", 0),
                 units.metres(size[0], where),
                 units.metres(size[1], where));
+    }
+
+    private DeviceSpec gripper(Entity gripper, Pose mount) {
+        double[] size = gripper.numbers("size", 0, 0);
+        SourcePosition where = gripper.whereOf("size");
+        boolean sized = gripper.has("size");
+        double length = sized ? units.metres(size[0], where) : 0.2;
+        double width = sized ? units.metres(size[1], where) : 0.3;
+        double height = sized && size.length > 2 ? units.metres(size[2], where) : 0.2;
+        if (!(length > 0 && width > 0)) {
+            throw new WorldFileException(where, "\"size\" of a gripper must be above 0");
+        }
+        double[] paddle = gripper.numbers("paddle_size", 0.66, 0.1);
+        if (!(paddle[0] > 0 && paddle[0] <= 1 && paddle[1] > 0 && paddle[1] < 0.5)) {
+            throw new WorldFileException(
+                    gripper.whereOf("paddle_size"),
+                    "\"paddle_size\" must be shares of the gripper, above 0, at most 1 of its length and below 0.5 of its"
+                            + " width, not " + paddle[0] + " and " + paddle[1]);
+        }
+        List<Value.Text> states = gripper.texts("paddle_state");
+        String state = states.isEmpty() ? "open" : states.getFirst().text();
+        if (!state.equals("open") && !state.equals("closed")) {
+            throw new WorldFileException(
+                    gripper.whereOf("paddle_state"),
+                    "\"paddle_state\" must begin with \"open\" or \"closed\", not \"" + state + '"');
+        }
+        return new DeviceSpec.Gripper(
+                mount,
+                length,
+                width,
+                height,
+                paddle[0],
+                paddle[1],
+                state.equals("closed"),
+                gripper.flag("autosnatch", false));
     }
 
     private DeviceSpec camera(Entity camera, Pose mount) {

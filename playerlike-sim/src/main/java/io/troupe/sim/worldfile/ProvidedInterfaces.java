@@ -21,11 +21,10 @@ final class ProvidedInterfaces {
     private static final String LASER = "laser";
     private static final String RANGER = "ranger";
     static final List<String> INTERFACES =
-            List.of(SIMULATION, POSITION, SONAR, LASER, RANGER, BLOBFINDER, "fiducial", "bumper", "camera");
+            List.of(SIMULATION, POSITION, SONAR, LASER, RANGER, BLOBFINDER, "fiducial", "bumper", "camera", "gripper");
 
     /** Player interfaces that are known and not provided here. */
     static final List<String> LATER = List.of(
-            "gripper",
             "ptz",
             "map",
             "power",

@@ -42,20 +42,11 @@ final class Vocabulary {
     }
 
     /** Types that Stage knows, or knew in its version 2, and that have no use here. */
-    private static final Set<String> WITHOUT_USE = Set.of(
-            "actuator",
-            "audio",
-            "blinkenlight",
-            "energy",
-            "gripper",
-            "lightindicator",
-            "power",
-            "ptz",
-            "speech",
-            "wifi");
+    private static final Set<String> WITHOUT_USE =
+            Set.of("actuator", "audio", "blinkenlight", "energy", "lightindicator", "power", "ptz", "speech", "wifi");
 
     private static final Set<String> SENSORS =
-            Set.of("ranger", "laser", "blobfinder", "fiducial", "fiducialfinder", "bumper", "camera");
+            Set.of("ranger", "laser", "blobfinder", "fiducial", "fiducialfinder", "bumper", "camera", "gripper");
 
     private static final Set<String> MODEL_CHILDREN = Set.of(
             "model",
@@ -67,7 +58,8 @@ final class Vocabulary {
             "fiducial",
             "fiducialfinder",
             "bumper",
-            "camera");
+            "camera",
+            "gripper");
 
     private static final Map<String, PropertyRule> WORLD_PROPERTIES = union(
             all(TEXT, "name", "unit_length", "unit_angle"),
@@ -107,7 +99,15 @@ final class Vocabulary {
             all(numbers(4, 4), "color_rgba"),
             all(NUMBER, "mass", "update_interval", "ranger_return", "laser_return", "map_resolution", "trail_length"),
             all(WHOLE, "fiducial_return", "fiducial_key"),
-            all(FLAG, "boundary", "obstacle_return", "blob_return", "gripper_return", "stack_children", "alwayson"),
+            all(
+                    FLAG,
+                    "boundary",
+                    "obstacle_return",
+                    "blob_return",
+                    "gripper_return",
+                    "movable",
+                    "stack_children",
+                    "alwayson"),
             all(FLAG, "gui_nose", "gui_grid", "gui_outline", "gui_move", "gui_boundary"),
             all(ANY, "gui_movemask", "trail_interval", "debug", "noblocks", "ignore_zloc"),
             // outlines as in Stage 2
@@ -176,6 +176,9 @@ final class Vocabulary {
     private static final Map<String, PropertyRule> CAMERA_PROPERTIES = union(
             MODEL_PROPERTIES, all(numbers(2, 2), "resolution", "range", "fov", "pantilt"), all(NO_ENERGY, "watts"));
 
+    private static final Map<String, PropertyRule> GRIPPER_PROPERTIES = union(
+            MODEL_PROPERTIES, all(numbers(2, 3), "paddle_size"), all(TEXTS, "paddle_state"), all(FLAG, "autosnatch"));
+
     private static final Map<String, PropertyRule> BLOCK_PROPERTIES = union(
             all(WHOLE, "points"),
             all(array(2, 2), "point"),
@@ -201,6 +204,7 @@ final class Vocabulary {
             entry("fiducialfinder", FIDUCIAL_PROPERTIES, MODEL_CHILDREN),
             entry("bumper", BUMPER_PROPERTIES, MODEL_CHILDREN),
             entry("camera", CAMERA_PROPERTIES, MODEL_CHILDREN),
+            entry("gripper", GRIPPER_PROPERTIES, MODEL_CHILDREN),
             entry("block", BLOCK_PROPERTIES, Set.of()),
             entry(CONFIG, Map.of(), Set.of("driver")),
             entry("driver", DRIVER_PROPERTIES, Set.of()));

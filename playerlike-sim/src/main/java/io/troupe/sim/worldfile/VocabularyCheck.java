@@ -81,7 +81,7 @@ final class VocabularyCheck {
                 diagnostics.warn(
                         child.where(),
                         "\"" + child.type() + "\" is not simulated and left out; simulated are model, position, ranger,"
-                                + " laser, blobfinder, fiducial, bumper and camera");
+                                + " laser, blobfinder, fiducial, bumper, camera and gripper");
             }
             return false;
         }

@@ -84,6 +84,10 @@ final class WorldReader {
                 model.where()));
         for (Entity child : model.children()) {
             if (child.type().equals("model")) {
+                if (model.flag("movable", false)) {
+                    diagnostics.warn(
+                            child.where(), "a model on one that is \"movable\" stays where it is when that is pushed");
+                }
                 obstacle(child, pose);
             } else if (child.type().equals("position")) {
                 diagnostics.warn(

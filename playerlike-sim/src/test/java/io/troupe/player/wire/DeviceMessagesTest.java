@@ -1,7 +1,9 @@
 package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.player.GripperInterface;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.structures.fiducial.PlayerFiducialFov;
@@ -25,6 +27,7 @@ class DeviceMessagesTest {
     private static final int FIDUCIAL = 10;
     private static final int BUMPER = 14;
     private static final int CAMERA = 40;
+    private static final int GRIPPER = 3;
     private static final int RANGER = 62;
     private static final int SIMULATION = 31;
 
@@ -34,6 +37,7 @@ class DeviceMessagesTest {
             position ( name "one" size [ 0.4 0.4 0.2 ] fiducial_return 9
               fiducial ( pose [ 0.25 0 0 0 ] size [ 0.125 0.5 0.1 ] range_min 0.5 range_max 5 fov 1.5 )
               camera ( resolution [ 2 2 ] fov [ 1 1 ] )
+              gripper ( pose [ 0.25 0 0 0 ] size [ 0.125 0.5 0.75 ] paddle_size [ 0.5 0.25 0.4 ] )
               laser ( samples 2 fov 0.1 range_max 4 )
               bumper ( bcount 2 blength 0.5 bpose[0] [ 0.25 0 0 0.5 ] bpose[1] [ -0.25 0 0 0 ] blength[1] 0.25 ) )
             position ( name "ring" pose [ 0 -3 0 0.5 ] color_rgba [ 1 0.4 0.2 1 ] size [ 0.4 0.4 0.2 ]
@@ -350,5 +354,58 @@ class DeviceMessagesTest {
             } while (laser.getData().getIntensity_count() == 0);
             assertThat(laser.getData().getIntensity()).containsExactly(3, 3);
         });
+    }
+
+    @Test
+    void gripper_overTcp_obeysAndSendsTheBytesOfPlayer() throws Exception {
+        try (var served = Served.open(scenario())) {
+            RawClient client = served.client();
+            client.subscribe(Interfaces.GRIPPER);
+            served.tick(1);
+            assertThat(next(client, MessageType.DATA, GRIPPER, 1)).isEqualTo(hex("00000001 00000000 00000000"));
+            asked(client, GRIPPER, new DeviceRequest.Geometry());
+            assertThat(next(client, MessageType.ACK, GRIPPER, 1)).isEqualTo(hex("""
+                    3fd00000 00000000 00000000 00000000 00000000 00000000 00000000 00000000 00000000 00000000
+                    00000000 00000000 3fe00000 00000000 3fc00000 00000000 3fe80000 00000000
+                    3fd00000 00000000 3fb00000 00000000 3fe80000 00000000 00000002 00000000"""));
+            client.send(Hex.bytes("00000000 00000000 00000003 00000000 00000002 00000002 0000000000000000 00000000"
+                    + " 00000000")); // close
+            client.sync();
+            served.tick(2);
+            assertThat(next(client, MessageType.DATA, GRIPPER, 1)).isEqualTo(hex("00000001 00000000 00000000"));
+            assertThat(next(client, MessageType.DATA, GRIPPER, 1))
+                    .as("it moves")
+                    .isEqualTo(hex("00000003 00000000 00000000"));
+        }
+        assertThat(DataCodec.decode(GRIPPER, 1, Hex.bytes("00000002 0000000c 00000001")))
+                .contains(new DeviceData.GripperState(DeviceData.GripperState.CLOSED, 12, 1));
+    }
+
+    @Test
+    void gripperInterface_inThisJvmAndOverTcp_closesAndOpens() throws Exception {
+        inClient(client -> {
+            var gripper = client.requestInterfaceGripper(0, PlayerConstants.PLAYER_OPEN_MODE);
+            client.runThreaded(-1, -1);
+            gripper.queryGeometry();
+            while (!gripper.isGeomReady())
+                ;
+            assertThat(gripper.getGeom().getOuterSize().getSh()).isEqualTo(0.75);
+            assertThat(gripper.getGeom().getInnerSize().getSw()).isEqualTo(0.25);
+            assertThat(gripper.getGeom().getNumBeams()).isEqualTo((byte) 2);
+            gripper.close();
+            await(gripper, PlayerConstants.PLAYER_GRIPPER_STATE_CLOSED);
+            gripper.stop(); // without effect
+            gripper.open();
+            await(gripper, PlayerConstants.PLAYER_GRIPPER_STATE_OPEN);
+            assertThat(gripper.getData().getBeams()).isZero();
+            assertThatThrownBy(() -> gripper.setGripper(6)).hasMessageContaining("expected 1 (open) to 5");
+        });
+    }
+
+    private static void await(GripperInterface gripper, int state) {
+        do {
+            while (!gripper.isDataReady())
+                ;
+        } while (gripper.getData().getState() != state);
     }
 }

@@ -105,6 +105,7 @@ final class RandomMessages {
         addReplies();
         add(4, DeviceCommand.Velocity.class, DeviceCommand.GoTo.class);
         add(4, DeviceCommand.Car.class, DeviceCommand.VelocityHeading.class);
+        add(3, 0, new DeviceCommand.Gripper(1 + random.nextInt(5)));
         add(31, DeviceCommand.Pause.class, DeviceCommand.Reset.class, DeviceCommand.Save.class);
         return samples;
     }
@@ -126,6 +127,7 @@ final class RandomMessages {
         add(6, DeviceData.LaserScan.class);
         add(10, DeviceData.Fiducials.class);
         add(40, DeviceData.CameraImage.class);
+        add(3, 0, new DeviceData.GripperState(random.nextInt(256), random.nextInt(), random.nextInt(256)));
         add(14, DeviceData.BumperStates.class);
         add(14, 0, new DeviceData.GeometryChanged(content(DeviceReply.BumperGeometry.class)));
     }
@@ -147,6 +149,7 @@ final class RandomMessages {
         add(10, DeviceRequest.Geometry.class, DeviceRequest.GetFieldOfView.class, DeviceRequest.SetFieldOfView.class);
         add(10, DeviceRequest.GetMarker.class, DeviceRequest.SetMarker.class);
         add(14, DeviceRequest.Geometry.class);
+        add(3, DeviceRequest.Geometry.class);
         add(66, DeviceRequest.Capability.class);
         add(66, 0, new DeviceRequest.Unknown(random.nextInt(255)));
         add(1, PlayerRequest.DeviceList.class, PlayerRequest.DriverInfo.class, PlayerRequest.NextData.class);
@@ -180,6 +183,12 @@ final class RandomMessages {
         add(10, 7, content(DeviceReply.Marker.class));
         add(10, 8, content(DeviceReply.Marker.class));
         add(14, 1, content(DeviceReply.BumperGeometry.class));
+        var gripper = content(DeviceReply.GripperGeometry.class);
+        add(
+                3,
+                1,
+                new DeviceReply.GripperGeometry(
+                        gripper.pose(), gripper.outer(), gripper.inner(), random.nextInt(256), random.nextInt(256)));
         add(31, 1, content(DeviceReply.ModelPose.class));
         add(31, 2, new DeviceReply.Ack());
         add(31, 3, content(DeviceReply.ModelPose3d.class));

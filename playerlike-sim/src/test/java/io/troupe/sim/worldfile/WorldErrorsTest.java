@@ -260,10 +260,10 @@ class WorldErrorsTest extends WorldFiles {
             position ( velocity [0 1 0 0] ) | t.world:1:21: only a robot whose drive is "omni" can move sideways: its start speed of 1.0 that way is left out
             position ( camera ( pantilt [ 0 10 ] ) ) | t.world:1:29: the tilt of a camera has no effect here: it looks straight ahead
             position ( model ( fiducial_return 3 ) ) | t.world:1:36: a marker of a model that a robot carries is not seen here: give it to the robot
-            position ( gripper () ) | t.world:1:12: "gripper" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper and camera
-            define arm gripper () position ( arm () ) | t.world:1:34: "gripper" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper and camera
-            position ( wifi ( essid "x" ) ) | t.world:1:12: "wifi" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper and camera
-            position ( blinkenlight () ) | t.world:1:12: "blinkenlight" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper and camera
+            position ( energy () ) | t.world:1:12: "energy" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper
+            define arm actuator () position ( arm () ) | t.world:1:35: "actuator" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper
+            position ( wifi ( essid "x" ) ) | t.world:1:12: "wifi" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper
+            position ( blinkenlight () ) | t.world:1:12: "blinkenlight" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper
             model ( position () ) | t.world:1:9: a position on a model does not drive here: it is read as a part of the model
             position ( position () ) | t.world:1:12: a position on a robot does not drive by itself here: it is read as a model that the robot carries
             position ( blobfinder () blobfinder () ) | t.world:1:26: a second blobfinder on one robot is not simulated and left out; the first is at t.world:1:12
@@ -293,7 +293,7 @@ class WorldErrorsTest extends WorldFiles {
             model ( siez [1 1] ) | t.world:1:9: unknown property "siez" of model; did you mean "size"?
             psition () | t.world:1:1: unknown entity "psition"; did you mean "position"?
             define wall modle () | t.world:1:13: unknown entity "modle"; did you mean "model"?
-            position ( wifii () ) | t.world:1:12: unknown entity "wifii"; known: blobfinder, block, bumper, camera, fiducial, fiducialfinder, laser, model, position, ranger
+            position ( wifii () ) | t.world:1:12: unknown entity "wifii"; known: blobfinder, block, bumper, camera, fiducial, fiducialfinder, gripper, laser, model, position, ranger
             """)
     void nameThatNobodyKnows_isAnErrorAndLenientlyAWarning(String text, String message) {
         assertThat(problem(text)).isEqualTo(message);
@@ -325,7 +325,7 @@ class WorldErrorsTest extends WorldFiles {
         assertThat(world.robots()).extracting(RobotSpec::name).containsExactly("a", "b");
         assertThat(world.obstacles()).hasSize(1);
         String leftOut =
-                " is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper and camera";
+                " is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper";
         assertThat(warnings)
                 .extracting(warning -> warning.replaceFirst("; known.*", ""))
                 .containsExactlyInAnyOrder(
