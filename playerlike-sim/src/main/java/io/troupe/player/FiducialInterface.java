@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
  * while (!finder.isDataReady())
  *     ;
  * for (PlayerFiducialItem marker : finder.getData().getFiducials()) {
- *     System.out.println(marker.getId() + " is " + marker.getPose().getPx() + " m ahead");
+ *     log.add("marker " + marker.getId() + ", " + marker.getPose().getPx() + " m ahead");
  * }
  * }
  *
