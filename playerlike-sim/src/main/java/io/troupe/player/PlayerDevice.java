@@ -154,6 +154,10 @@ public abstract class PlayerDevice implements PlayerConstants {
             case DeviceData.SonarRanges sonar -> 1;
             case DeviceData.Blobs blobs -> 1;
             case DeviceData.LaserScan scan -> 1;
+            case DeviceData.Fiducials fiducials -> 1;
+            case DeviceData.BumperStates bumpers -> 1;
+            case DeviceData.CameraImage image -> 1;
+            case DeviceData.GripperState gripper -> 1;
             case DeviceData.RangerRanges ranges -> 1;
             case DeviceData.RangerIntensities intensities -> 3;
             case DeviceData.RangerStamped stamped -> (byte) (subtype(stamped.data()) + 1);

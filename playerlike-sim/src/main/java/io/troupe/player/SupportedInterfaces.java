@@ -50,6 +50,22 @@ abstract class SupportedInterfaces extends UnsupportedInterfaces {
         return request(new BlobfinderInterface(client()), Interfaces.BLOBFINDER, index, access);
     }
 
+    public FiducialInterface requestInterfaceFiducial(int index, int access) {
+        return request(new FiducialInterface(client()), Interfaces.FIDUCIAL, index, access);
+    }
+
+    public BumperInterface requestInterfaceBumper(int index, int access) {
+        return request(new BumperInterface(client()), Interfaces.BUMPER, index, access);
+    }
+
+    public GripperInterface requestInterfaceGripper(int index, int access) {
+        return request(new GripperInterface(client()), Interfaces.GRIPPER, index, access);
+    }
+
+    public CameraInterface requestInterfaceCamera(int index, int access) {
+        return request(new CameraInterface(client()), Interfaces.CAMERA, index, access);
+    }
+
     public SimulationInterface requestInterfaceSimulation(int index, int access) {
         return request(new SimulationInterface(client()), Interfaces.SIMULATION, index, access);
     }
@@ -62,6 +78,10 @@ abstract class SupportedInterfaces extends UnsupportedInterfaces {
             case PLAYER_RANGER_CODE -> requestInterfaceRanger(index, access);
             case PLAYER_LASER_CODE -> requestInterfaceLaser(index, access);
             case PLAYER_BLOBFINDER_CODE -> requestInterfaceBlobfinder(index, access);
+            case PLAYER_FIDUCIAL_CODE -> requestInterfaceFiducial(index, access);
+            case PLAYER_BUMPER_CODE -> requestInterfaceBumper(index, access);
+            case PLAYER_GRIPPER_CODE -> requestInterfaceGripper(index, access);
+            case PLAYER_CAMERA_CODE -> requestInterfaceCamera(index, access);
             case PLAYER_SIMULATION_CODE -> requestInterfaceSimulation(index, access);
             default -> throw notSupported(Interfaces.name(type) + ":" + index);
         };

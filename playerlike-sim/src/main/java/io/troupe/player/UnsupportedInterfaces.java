@@ -20,16 +20,8 @@ abstract class UnsupportedInterfaces extends Thread implements PlayerConstants {
         throw notSupported("power:" + index);
     }
 
-    public GripperInterface requestInterfaceGripper(int index, int access) {
-        throw notSupported("gripper:" + index);
-    }
-
     public PtzInterface requestInterfacePtz(int index, int access) {
         throw notSupported("ptz:" + index);
-    }
-
-    public FiducialInterface requestInterfaceFiducial(int index, int access) {
-        throw notSupported("fiducial:" + index);
     }
 
     public SpeechInterface requestInterfaceSpeech(int index, int access) {
@@ -38,10 +30,6 @@ abstract class UnsupportedInterfaces extends Thread implements PlayerConstants {
 
     public GPSInterface requestInterfaceGPS(int index, int access) {
         throw notSupported("gps:" + index);
-    }
-
-    public BumperInterface requestInterfaceBumper(int index, int access) {
-        throw notSupported("bumper:" + index);
     }
 
     public DIOInterface requestInterfaceDIO(int index, int access) {
@@ -90,10 +78,6 @@ abstract class UnsupportedInterfaces extends Thread implements PlayerConstants {
 
     public BlinkenlightInterface requestInterfaceBlinkenlight(int index, int access) {
         throw notSupported("blinkenlight:" + index);
-    }
-
-    public CameraInterface requestInterfaceCamera(int index, int access) {
-        throw notSupported("camera:" + index);
     }
 
     public MapInterface requestInterfaceMap(int index, int access) {

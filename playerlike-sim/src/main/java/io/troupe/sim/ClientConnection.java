@@ -6,6 +6,7 @@ import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.Delivery;
 import io.troupe.player.wire.DeviceAddress;
 import io.troupe.player.wire.DeviceCommand;
+import io.troupe.player.wire.DeviceData;
 import io.troupe.player.wire.DeviceDataMessage;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
@@ -120,6 +121,13 @@ final class ClientConnection implements PlayerConnection {
         for (PortDevice device : inFrameOrder) {
             if (device.publishes()) {
                 messages.add(DeviceConversion.data(device, simulation.world().spec(), now));
+                if (requestHandler.wantsIntensities(device)) {
+                    List<Double> intensities = DeviceConversion.intensities(device, now);
+                    if (!intensities.isEmpty()) {
+                        var data = new DeviceData.RangerIntensities(intensities);
+                        messages.add(new DeviceDataMessage(device.address(), now.timeMicros() / 1e6, data));
+                    }
+                }
             }
         }
         return messages;

@@ -35,8 +35,11 @@ final class DeviceConversion {
                 RangerConversion.scan(
                         world.robots().get(device.robot()).rangers().get(device.ranger()),
                         reading.rangersM().get(device.ranger()),
+                        intensities(device, now),
                         now.tick());
             case BLOBFINDER -> blobs(Objects.requireNonNull(reading.blobs()));
+            case FIDUCIAL, BUMPER, CAMERA, GRIPPER ->
+                FurtherDevices.data(reading.devices().get(device.ranger()));
             case SIMULATION -> throw new IllegalStateException("the simulation device publishes nothing");
         };
         return new DeviceDataMessage(device.address(), now.timeMicros() / 1e6, data);
@@ -45,6 +48,12 @@ final class DeviceConversion {
     /** True if a device is the robot's sonar ring, offered as a ranger. */
     static boolean isRing(Interfaces type, int ranger) {
         return type == Interfaces.RANGER && ranger == DeviceBinding.SONAR_RING;
+    }
+
+    /** Intensities of a laser or ranger; empty if it does not measure them. */
+    static List<Double> intensities(PortDevice device, Snapshot now) {
+        List<List<Double>> all = now.robots().get(device.robot()).intensities();
+        return all.isEmpty() || isRing(device.type(), device.ranger()) ? List.of() : all.get(device.ranger());
     }
 
     /** Ranges of the robot's sonar ring or, without a ring, of the ranger that replaces it. */
@@ -61,7 +70,7 @@ final class DeviceConversion {
                 pose.y(),
                 pose.headingRad(),
                 odometry.forwardMps(),
-                0,
+                odometry.sidewaysMps(),
                 odometry.turnRadps(),
                 odometry.stalled());
     }

@@ -4,16 +4,25 @@ import io.troupe.player.wire.DeviceCommand;
 import io.troupe.player.wire.DeviceReply;
 import io.troupe.player.wire.DeviceRequest;
 import io.troupe.player.wire.Interfaces;
+import io.troupe.player.wire.LaserConfiguration;
+import io.troupe.player.wire.Octets;
+import io.troupe.player.wire.Pose3d;
 import io.troupe.sim.PendingCommands.Kind;
 import io.troupe.sim.PortServer.PortDevice;
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
+import java.util.Arrays;
 import java.util.HashMap;
+import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -39,6 +48,9 @@ final class DeviceRequestHandler {
     private final Simulation simulation;
     private final World world;
     private final CommandQueue queue;
+    /** The rangers whose intensities the client wants as messages. */
+    private final Set<PortDevice> wantIntensities = new HashSet<>();
+
     /** Time in microseconds for which the client's speed commands hold, for each device with a limit set. */
     private final Map<PortDevice, Long> commandLimitsMicros = new HashMap<>();
 
@@ -52,25 +64,27 @@ final class DeviceRequestHandler {
         switch (device.type()) {
             case POSITION2D -> drive(device, command);
             case SIMULATION -> simulate(device, command);
-            case SONAR, RANGER, LASER, BLOBFINDER -> throw new IllegalArgumentException(device + " takes no commands");
+            case GRIPPER -> grip(device, command);
+            case SONAR, RANGER, LASER, BLOBFINDER, FIDUCIAL, BUMPER, CAMERA ->
+                throw new IllegalArgumentException(device + " takes no commands");
         }
     }
 
     /**
-     * Handles a motion command. Sideways speeds are ignored because the robots have a differential drive. The byte
-     * {@code state} is ignored as in Stage: a command with state 0 also drives.
+     * Handles a motion command. Speeds sideways move omnidirectional robots only. The byte {@code state} is ignored as
+     * in Stage: a command with state 0 also drives.
      */
     private void drive(PortDevice device, DeviceCommand command) {
         int robot = device.robot();
         long limitMicros = commandLimitsMicros.getOrDefault(device, 0L);
         Runnable action = switch (command) {
             case DeviceCommand.Velocity to -> {
-                checkFinite(device, to, to.vx(), to.va());
-                yield () -> world.command(robot, to.vx(), to.va(), limitMicros);
+                checkFinite(device, to, to.vx(), to.vy(), to.va());
+                yield () -> world.commandFor(limitMicros, robot, to.vx(), to.vy(), to.va());
             }
             case DeviceCommand.Car to -> {
                 checkFinite(device, to, to.velocityMps(), to.angleRad());
-                yield () -> world.command(robot, to.velocityMps(), to.angleRad(), limitMicros);
+                yield () -> world.commandFor(limitMicros, robot, to.velocityMps(), 0, to.angleRad());
             }
             case DeviceCommand.VelocityHeading to -> {
                 checkFinite(device, to, to.velocityMps(), to.headingRad());
@@ -83,6 +97,7 @@ final class DeviceRequestHandler {
             case DeviceCommand.Pause other -> throw notUnderstood(device, other);
             case DeviceCommand.Reset other -> throw notUnderstood(device, other);
             case DeviceCommand.Save other -> throw notUnderstood(device, other);
+            case DeviceCommand.Gripper other -> throw notUnderstood(device, other);
         };
         queue.add(device, Kind.SPEED, action);
     }
@@ -98,7 +113,30 @@ final class DeviceRequestHandler {
             case DeviceCommand.Car other -> throw notUnderstood(device, other);
             case DeviceCommand.VelocityHeading other -> throw notUnderstood(device, other);
             case DeviceCommand.GoTo other -> throw notUnderstood(device, other);
+            case DeviceCommand.Gripper other -> throw notUnderstood(device, other);
         }
+    }
+
+    /** As with Stage, a gripper opens and closes; it neither stops on the way nor stores anything. */
+    private void grip(PortDevice device, DeviceCommand command) {
+        if (!(command instanceof DeviceCommand.Gripper(int order))) {
+            throw notUnderstood(device, command);
+        }
+        switch (order) {
+            case DeviceCommand.Gripper.OPEN -> grip(device, GripperDevice.Order.OPEN);
+            case DeviceCommand.Gripper.CLOSE -> grip(device, GripperDevice.Order.CLOSE);
+            default ->
+                System.getLogger(Simulation.class.getName())
+                        .log(
+                                System.Logger.Level.WARNING,
+                                "{0} was sent command {1}, and only opens (1) and closes (2)",
+                                device,
+                                order);
+        }
+    }
+
+    private void grip(PortDevice device, GripperDevice.Order order) {
+        queue.add(device, Kind.GRIPPER, () -> world.grip(device.robot(), device.ranger(), order));
     }
 
     private static IllegalArgumentException notUnderstood(PortDevice device, DeviceCommand command) {
@@ -129,6 +167,8 @@ final class DeviceRequestHandler {
             case LASER -> ofLaser(device, robot(device).rangers().get(device.ranger()), request);
             case RANGER -> ofRanger(device, ranger(device), request);
             case BLOBFINDER -> NOT_OFFERED;
+            case FIDUCIAL, BUMPER, CAMERA, GRIPPER ->
+                FurtherDevices.request(robot(device), robot(device).devices().get(device.ranger()), request);
             case SIMULATION -> ofSimulation(device, request);
         };
     }
@@ -203,14 +243,19 @@ final class DeviceRequestHandler {
 
     private DeviceReply ofLaser(PortDevice device, RangerSpec laser, DeviceRequest request) {
         var configuration =
-                RangerConversion.laserConfiguration(laser, world.spec().intervalMillis());
+                RangerConversion.laserConfiguration(laser, world.spec().intervalMillis(), measuresIntensities(device));
         return switch (request) {
             case DeviceRequest.Geometry geometry -> RangerConversion.laserGeometry(laser);
             case DeviceRequest.GetConfiguration get -> new DeviceReply.OfLaser(configuration);
-            case DeviceRequest.SetLaserConfiguration set ->
-                RangerConversion.isSame(set.configuration(), configuration)
-                        ? new DeviceReply.OfLaser(configuration)
-                        : AS_IN_THE_FILE;
+            case DeviceRequest.SetLaserConfiguration(LaserConfiguration asked) -> {
+                if (!RangerConversion.isSame(asked, configuration)) {
+                    yield AS_IN_THE_FILE;
+                }
+                if (asked.intensities() != configuration.intensities()) {
+                    switchIntensities(device, asked.intensities());
+                }
+                yield new DeviceReply.OfLaser(configuration.withIntensities(asked.intensities()));
+            }
             case DeviceRequest.Power power -> sensorPower(device, power.on());
             case DeviceRequest.LaserId id ->
                 new DeviceReply.LaserId(device.address().index());
@@ -227,9 +272,31 @@ final class DeviceRequestHandler {
             case DeviceRequest.SetRangerConfiguration set ->
                 set.configuration().equals(configuration) ? new DeviceReply.OfRanger(configuration) : AS_IN_THE_FILE;
             case DeviceRequest.Power power -> sensorPower(device, power.on());
-            case DeviceRequest.Intensities intensities -> intensities.on() ? NOT_OFFERED : ACK;
+            case DeviceRequest.Intensities(boolean on) -> {
+                if (!on) {
+                    wantIntensities.remove(device); // other clients may still want them
+                } else if (DeviceConversion.isRing(device.type(), device.ranger())) {
+                    yield NOT_OFFERED;
+                } else if (wantIntensities.add(device)) {
+                    switchIntensities(device, true);
+                }
+                yield ACK;
+            }
             default -> NOT_OFFERED;
         };
+    }
+
+    private void switchIntensities(PortDevice device, boolean on) {
+        queue.add(device, Kind.INTENSITIES, () -> world.measureIntensities(device.robot(), device.ranger(), on));
+    }
+
+    private boolean measuresIntensities(PortDevice device) {
+        return !DeviceConversion.intensities(device, world.latest()).isEmpty();
+    }
+
+    /** True if the client has asked for messages with the intensities of a ranger. */
+    boolean wantsIntensities(PortDevice device) {
+        return wantIntensities.contains(device);
     }
 
     private DeviceReply ofSimulation(PortDevice device, DeviceRequest request) {
@@ -240,7 +307,20 @@ final class DeviceRequestHandler {
                         ? noModel(get.model())
                         : new DeviceReply.ModelPose(get.model(), pose.x(), pose.y(), pose.headingRad());
             }
-            case DeviceRequest.SetPose set -> teleport(device, set);
+            case DeviceRequest.SetPose set -> teleport(device, set.model(), new Pose(set.px(), set.py(), set.pa()));
+            case DeviceRequest.GetPose3d get -> {
+                Pose pose = poseOf(get.model());
+                yield pose == null
+                        ? noModel(get.model())
+                        : new DeviceReply.ModelPose3d(
+                                get.model(), Pose3d.flat(pose.x(), pose.y(), pose.headingRad()), world.timeMicros());
+            }
+            case DeviceRequest.SetPose3d(String model, Pose3d pose, double time) ->
+                pose.z() == 0 && pose.roll() == 0 && pose.pitch() == 0
+                        ? teleport(device, model, new Pose(pose.x(), pose.y(), pose.yaw()))
+                        : new DeviceReply.Nack("'" + model + "' was to be put at z " + pose.z() + ", roll "
+                                + pose.roll() + " and pitch " + pose.pitch() + ", expected 0: the world is flat");
+            case DeviceRequest.GetProperty get -> ofModel(get);
             default -> NOT_OFFERED;
         };
     }
@@ -254,22 +334,70 @@ final class DeviceRequestHandler {
         if (robot >= 0) {
             return world.latest().robots().get(robot).pose();
         }
-        for (ObstacleSpec obstacle : world.spec().obstacles()) {
-            if (obstacle.name().equals(model)) {
-                return obstacle.pose();
+        List<ObstacleSpec> obstacles = world.spec().obstacles();
+        for (int i = 0; i < obstacles.size(); i++) {
+            if (obstacles.get(i).name().equals(model)) {
+                Snapshot now = world.latest();
+                int mover = now.moved().isEmpty()
+                        ? -1
+                        : world.spec().movingObstacles().indexOf(i);
+                return mover < 0 ? obstacles.get(i).pose() : now.moved().get(mover);
             }
         }
         return null;
     }
 
-    private DeviceReply teleport(PortDevice device, DeviceRequest.SetPose set) {
-        int robot = world.robotNumber(set.model());
-        if (robot < 0) {
-            return poseOf(set.model()) == null
-                    ? noModel(set.model())
-                    : new DeviceReply.Nack("'" + set.model() + "' is an obstacle, and only robots can be moved");
+    /**
+     * The property {@code color}, four floats (red, green, blue, opacity) from 0 to 1, or {@code time}, simulated time
+     * in microseconds. As in Stage the request says how long the value is, and its bytes are those of the memory of a
+     * usual machine: the least first.
+     */
+    private DeviceReply ofModel(DeviceRequest.GetProperty get) {
+        if (poseOf(get.model()) == null) {
+            return noModel(get.model());
         }
-        Pose pose = new Pose(set.px(), set.py(), set.pa());
+        ByteBuffer value = ByteBuffer.allocate(16).order(ByteOrder.LITTLE_ENDIAN);
+        switch (get.property()) {
+            case "color" -> {
+                int colour = colourOf(get.model());
+                for (int shift = 16; shift >= 0; shift -= 8) {
+                    value.putFloat((colour >> shift & 0xFF) / 255f);
+                }
+                value.putFloat(1);
+            }
+            case "time" -> value.putLong(world.timeMicros());
+            default -> {
+                return new DeviceReply.Nack(
+                        "there is no property '" + get.property() + "' of a model, expected color or time");
+            }
+        }
+        byte[] bytes = Arrays.copyOf(value.array(), value.position());
+        if (get.valueBytes() != bytes.length) {
+            return new DeviceReply.Nack("property '" + get.property() + "' has " + bytes.length
+                    + " bytes, and the request has room for " + get.valueBytes());
+        }
+        return new DeviceReply.ModelProperty(get.model(), get.property(), get.index(), Octets.of(bytes));
+    }
+
+    private int colourOf(String model) {
+        int robot = world.robotNumber(model);
+        if (robot >= 0) {
+            return world.spec().robots().get(robot).colour();
+        }
+        return world.spec().obstacles().stream()
+                .filter(obstacle -> obstacle.name().equals(model))
+                .findFirst()
+                .orElseThrow()
+                .colour();
+    }
+
+    private DeviceReply teleport(PortDevice device, String model, Pose pose) {
+        int robot = world.robotNumber(model);
+        if (robot < 0) {
+            return poseOf(model) == null
+                    ? noModel(model)
+                    : new DeviceReply.Nack("'" + model + "' is an obstacle, and only robots can be moved");
+        }
         String refusal = world.teleportRefusal(robot, pose);
         if (refusal != null) {
             return new DeviceReply.Nack(refusal);
@@ -297,20 +425,29 @@ final class DeviceRequestHandler {
 
         private static List<Integer> subtypes(Interfaces device, int type) {
             return switch (type) {
-                case DATA -> device == Interfaces.SIMULATION ? List.of() : List.of(1);
+                case DATA ->
+                    switch (device) {
+                        case SIMULATION -> List.of();
+                        case RANGER -> List.of(1, 3);
+                        default -> List.of(1);
+                    };
                 case COMMAND ->
                     switch (device) {
                         case POSITION2D -> List.of(1, 2, 3, 4);
                         case SIMULATION -> List.of(1, 2);
-                        case SONAR, RANGER, LASER, BLOBFINDER -> List.of();
+                        case SONAR, RANGER, LASER, BLOBFINDER, FIDUCIAL, BUMPER, CAMERA -> List.of();
+                        case GRIPPER -> List.of(1, 2);
                     };
                 case REQUEST ->
                     switch (device) {
                         case POSITION2D -> List.of(1, 2, 4, 5, 6, 253);
-                        case SONAR, SIMULATION -> List.of(1, 2);
+                        case SONAR -> List.of(1, 2);
+                        case SIMULATION -> List.of(1, 2, 3, 4, 5);
                         case RANGER -> List.of(1, 2, 3, 4, 5);
                         case LASER -> List.of(1, 2, 3, 4, 5);
-                        case BLOBFINDER -> List.of();
+                        case BLOBFINDER, CAMERA -> List.of();
+                        case FIDUCIAL -> List.of(1, 2, 3, 7, 8);
+                        case BUMPER, GRIPPER -> List.of(1);
                     };
                 default -> List.of();
             };

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.DriveSpec.Steering;
 import io.troupe.sim.model.Pose;
 
 /** A motion command, in force until the next one. */
@@ -11,12 +12,19 @@ sealed interface MotionCommand {
      *
      * @param odometry pose that odometry reports
      */
-    Velocity now(Pose odometry);
+    Velocity now(Pose odometry, Steering steering);
 
-    /** @param turnRadps left positive */
-    record Velocity(double forwardMps, double turnRadps) implements MotionCommand {
+    /**
+     * @param sidewaysMps to the left; ignored unless the drive is omnidirectional
+     * @param turnRadps left positive; for a car the angle of the front wheels
+     */
+    record Velocity(double forwardMps, double sidewaysMps, double turnRadps) implements MotionCommand {
+        Velocity(double forwardMps, double turnRadps) {
+            this(forwardMps, 0, turnRadps);
+        }
+
         @Override
-        public Velocity now(Pose odometry) {
+        public Velocity now(Pose odometry, Steering steering) {
             return this;
         }
     }
@@ -29,7 +37,7 @@ sealed interface MotionCommand {
      */
     record Heading(double forwardMps, double headingRad) implements MotionCommand {
         @Override
-        public Velocity now(Pose odometry) {
+        public Velocity now(Pose odometry, Steering steering) {
             return new Velocity(forwardMps, turn(headingRad, odometry));
         }
     }
@@ -41,8 +49,12 @@ sealed interface MotionCommand {
      * second. It drives only while that error is below 11.25 degrees, by the distance per second, at most 0.4 m/s.
      * Nearer to the goal it turns to the final heading in the same way.
      *
+     * <p>An omnidirectional robot drives and turns at the same time: along each of its axes by the distance per second,
+     * at most 0.4 m/s, and to the final heading.
+     *
      * <p><b>Source.</b> Stage's position control. By a mistake there, its limit of 1 rad/s holds for right turns only;
-     * here it holds for both.
+     * here it holds for both. For an omnidirectional robot it takes the distances along the axes of the odometry frame
+     * for those along the robot's axes; here they are converted.
      */
     record GoTo(Pose goal) implements MotionCommand {
         private static final double NEAR_M = 0.02;
@@ -50,9 +62,17 @@ sealed interface MotionCommand {
         private static final double AHEAD_RAD = StrictMath.PI / 16;
 
         @Override
-        public Velocity now(Pose odometry) {
+        public Velocity now(Pose odometry, Steering steering) {
             double dx = goal.x() - odometry.x();
             double dy = goal.y() - odometry.y();
+            if (steering instanceof Steering.Omnidirectional) {
+                double cos = StrictMath.cos(odometry.headingRad());
+                double sin = StrictMath.sin(odometry.headingRad());
+                return new Velocity(
+                        Math.clamp(cos * dx + sin * dy, -FASTEST_MPS, FASTEST_MPS),
+                        Math.clamp(cos * dy - sin * dx, -FASTEST_MPS, FASTEST_MPS),
+                        turn(goal.headingRad(), odometry));
+            }
             if (Math.abs(dx) <= NEAR_M && Math.abs(dy) <= NEAR_M) {
                 return new Velocity(0, turn(goal.headingRad(), odometry));
             }

@@ -23,6 +23,8 @@ final class PendingCommands {
         PLACE,
         ODOMETRY,
         POWER,
+        INTENSITIES,
+        GRIPPER,
         SPEED
     }
 

@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.model.DriveSpec.Steering;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
@@ -27,15 +28,27 @@ final class PhysicsSetup {
      * @param held whether a robot is held in place
      */
     static Physics at(WorldSpec spec, WorldSettings settings, List<Pose> poses, IntPredicate held) {
-        var begun = new Physics(spec.robots().size(), stepMicros(spec, settings));
-        for (ObstacleSpec obstacle : spec.obstacles()) {
-            begun.addObstacle(obstacle.pose(), blockingShape(obstacle));
+        List<Integer> movers = spec.movingObstacles();
+        var begun = Physics.withMovers(spec.robots().size(), stepMicros(spec, settings), movers);
+        for (int i = 0; i < spec.obstacles().size(); i++) {
+            ObstacleSpec obstacle = spec.obstacles().get(i);
+            boolean stands = movers.isEmpty() || !movers.contains(i);
+            begun.addObstacle(obstacle.pose(), stands ? blockingShape(obstacle) : NO_SHAPE);
         }
         for (int i = 0; i < spec.robots().size(); i++) {
             RobotSpec robot = spec.robots().get(i);
             begun.addRobot(poses.get(i), robot.collisionShape(), robot.massKg(), robot.blocksBodies());
             if (held.test(i)) {
                 begun.hold(i);
+            }
+        }
+        for (int i = 0; i < movers.size(); i++) {
+            ObstacleSpec obstacle = spec.obstacles().get(movers.get(i));
+            double massKg = obstacle.traits().pushableKg();
+            begun.addRobot(obstacle.pose(), obstacle.shape(), massKg > 0 ? massKg : 1, obstacle.blocksBodies());
+            begun.drive(spec.robots().size() + i, 0, 0);
+            if (massKg == 0) {
+                begun.hold(spec.robots().size() + i);
             }
         }
         return begun;
@@ -78,7 +91,18 @@ final class PhysicsSetup {
                     .mapToDouble(point -> StrictMath.hypot(point.x(), point.y()))
                     .max()
                     .orElseThrow();
-            travelM = Math.max(travelM, (settings.maxForwardMps() + settings.maxTurnRadps() * radiusM) * stepS);
+            double mostMps = robot.drive().steering() instanceof Steering.Omnidirectional
+                    ? settings.maxForwardMps() * StrictMath.sqrt(2)
+                    : settings.maxForwardMps();
+            travelM = Math.max(travelM, (mostMps + settings.maxTurnRadps() * radiusM) * stepS);
+        }
+        for (int mover : spec.movingObstacles()) {
+            smallestM = Math.min(
+                    smallestM,
+                    spec.obstacles().get(mover).shape().polygons().stream()
+                            .mapToDouble(PhysicsSetup::widthM)
+                            .max()
+                            .orElseThrow());
         }
         return 1 + (int) Math.min(travelM / (smallestM / 2), settings.physicsStepMicros());
     }

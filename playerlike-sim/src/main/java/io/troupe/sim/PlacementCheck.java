@@ -19,7 +19,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Checks whether a robot can be placed at a pose.
  *
- * <p><b>Threads.</b> Any thread. Obstacles do not move, and the robot's outline is computed for each check.
+ * <p><b>Threads.</b> Any thread. The robot's outline is computed for each check.
  */
 final class PlacementCheck {
     private record Obstacle(String title, Outline outline) {}
@@ -30,6 +30,8 @@ final class PlacementCheck {
     private static final int MOST_CELLS = 16;
 
     private final List<RobotSpec> robots;
+    private final List<ObstacleSpec> movers; // that block bodies
+    private final int[] moverBodies; // their numbers among the poses
     private final List<Obstacle> obstacles = new ArrayList<>();
     private final List<Integer> largeObstacles = new ArrayList<>();
     private final Map<Cell, List<Integer>> smallObstacles = new HashMap<>();
@@ -46,8 +48,18 @@ final class PlacementCheck {
         robots = spec.robots();
         radiusM = robots.stream().mapToDouble(PlacementCheck::radiusM).toArray();
         cellM = 2 * Arrays.stream(radiusM).max().orElse(1);
-        for (ObstacleSpec obstacle : spec.obstacles()) {
-            if (obstacle.blocksBodies()) {
+        List<Integer> moving = spec.movingObstacles();
+        movers = moving.stream()
+                .map(spec.obstacles()::get)
+                .filter(ObstacleSpec::blocksBodies)
+                .toList();
+        moverBodies = moving.stream()
+                .filter(i -> spec.obstacles().get(i).blocksBodies())
+                .mapToInt(i -> robots.size() + moving.indexOf(i))
+                .toArray();
+        for (int i = 0; i < spec.obstacles().size(); i++) {
+            ObstacleSpec obstacle = spec.obstacles().get(i);
+            if (obstacle.blocksBodies() && !moving.contains(i)) {
                 enter(obstacles.size(), obstacle);
                 obstacles.add(new Obstacle(
                         "obstacle '" + obstacle.name() + "'", new Outline(obstacle.shape(), obstacle.pose())));
@@ -133,7 +145,7 @@ final class PlacementCheck {
     /**
      * Sorts the robots into cells, for any number of checks.
      *
-     * @param poses pose of each robot, read again at every check
+     * @param poses pose of each robot and, after the robots, of each obstacle that moves; read again at every check
      */
     Occupancy occupancy(IntFunction<Pose> poses) {
         return new Occupancy(poses);
@@ -194,6 +206,12 @@ final class PlacementCheck {
             int obstacle = firstObstacle(pose, outline);
             if (obstacle >= 0) {
                 return attempt + "it would overlap " + obstacles.get(obstacle).title();
+            }
+            for (int i = 0; i < moverBodies.length; i++) {
+                if (new Outline(movers.get(i).shape(), poses.apply(moverBodies[i])).overlaps(outline)) {
+                    return attempt + "it would overlap obstacle '"
+                            + movers.get(i).name() + "'";
+                }
             }
             int other = firstOverlapping(robot, pose, outline);
             return other < 0

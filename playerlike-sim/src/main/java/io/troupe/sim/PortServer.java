@@ -7,6 +7,7 @@ import io.troupe.player.wire.Interfaces;
 import io.troupe.player.wire.PlayerConnection;
 import io.troupe.player.wire.PlayerServer;
 import io.troupe.sim.model.DeviceBinding;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
 import java.util.Comparator;
@@ -24,7 +25,7 @@ final class PortServer implements PlayerServer {
      * A device offered on a port.
      *
      * @param robot index of the robot, -1 for the simulation device
-     * @param ranger which of the robot's rangers answers, as in {@link DeviceBinding}
+     * @param ranger which of the robot's rangers or further devices answers, as in {@link DeviceBinding}
      */
     record PortDevice(DeviceAddress address, Interfaces type, int robot, int ranger) {
         boolean publishes() {
@@ -77,8 +78,31 @@ final class PortServer implements PlayerServer {
         var address = new DeviceAddress(LOOPBACK, port, type.code(), binding.index());
         if (type == Interfaces.SONAR || type == Interfaces.LASER || type == Interfaces.RANGER) {
             checkSensor(binding, type, robot);
+        } else if (isFurther(type)) {
+            checkFurther(binding, robot);
         }
         return new PortDevice(address, type, robot, binding.ranger());
+    }
+
+    private static boolean isFurther(Interfaces type) {
+        return type == Interfaces.FIDUCIAL
+                || type == Interfaces.BUMPER
+                || type == Interfaces.CAMERA
+                || type == Interfaces.GRIPPER;
+    }
+
+    private void checkFurther(DeviceBinding binding, int robot) {
+        List<DeviceSpec> devices = robot < 0
+                ? List.of()
+                : simulation.world().spec().robots().get(robot).devices();
+        int number = binding.ranger();
+        if (number < 0
+                || number >= devices.size()
+                || !devices.get(number).interfaceName().equals(binding.interfaceName())) {
+            throw new IllegalArgumentException(binding.where() + ": " + binding.interfaceName() + ":" + binding.index()
+                    + " is device " + number + " of '" + binding.model() + "', whose devices, counted from 0, are "
+                    + devices.stream().map(DeviceSpec::interfaceName).toList());
+        }
     }
 
     private void checkSensor(DeviceBinding binding, Interfaces type, int robot) {

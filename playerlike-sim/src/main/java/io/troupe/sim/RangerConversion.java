@@ -18,7 +18,7 @@ import java.util.List;
  *
  * <p>The resolution is the angle between two rays, so the last angle follows from the first angle and the number of
  * ranges. Stage divides the field of view by the number of rays, which is one too many. Range readings are not
- * quantised: as in Stage, the range resolution is 1 for a laser, and it is 0 for a ranger. There are no intensities.
+ * quantised: as in Stage, the range resolution is 1 for a laser, and it is 0 for a ranger.
  */
 final class RangerConversion {
     private static final float LASER_RANGE_RESOLUTION = 1;
@@ -41,15 +41,15 @@ final class RangerConversion {
     }
 
     /**
-     * True if a requested laser configuration equals the current one. Its range resolution does not matter. A frequency
-     * of 0 means none, as in messages of javaclient3, which have no such field.
+     * True if a requested laser configuration equals the current one, but for intensities, which can be switched. Its
+     * range resolution does not matter. A frequency of 0 means none, as in messages of javaclient3, which have no such
+     * field.
      */
     static boolean isSame(LaserConfiguration asked, LaserConfiguration real) {
         return isNear(asked.minAngleRad(), real.minAngleRad())
                 && isNear(asked.maxAngleRad(), real.maxAngleRad())
                 && isNear(asked.resolutionRad(), real.resolutionRad())
                 && isNear(asked.maxRangeM(), real.maxRangeM())
-                && asked.intensities() == real.intensities()
                 && (asked.frequencyHz() == 0 || isNear(asked.frequencyHz(), real.frequencyHz()));
     }
 
@@ -57,7 +57,7 @@ final class RangerConversion {
         return Math.abs(asked - real) <= ROUNDING * Math.abs(real);
     }
 
-    static DeviceData scan(RangerSpec laser, List<Double> rangesM, long tick) {
+    static DeviceData scan(RangerSpec laser, List<Double> rangesM, List<Double> intensities, long tick) {
         RangeSensorSpec sensor = laser.sensors().getFirst();
         return new DeviceData.LaserScan(
                 (float) (-sensor.fovRad() / 2),
@@ -65,8 +65,14 @@ final class RangerConversion {
                 (float) resolutionRad(sensor),
                 (float) sensor.maxRangeM(),
                 rangesM.stream().map(Double::floatValue).toList(),
-                List.of(),
+                intensities.isEmpty()
+                        ? List.of()
+                        : intensities.stream().map(RangerConversion::octet).toList(),
                 (int) tick);
+    }
+
+    private static byte octet(double intensity) {
+        return (byte) Math.clamp(Math.round(intensity), 0, 255);
     }
 
     static DeviceReply laserGeometry(RangerSpec laser) {
@@ -86,7 +92,7 @@ final class RangerConversion {
                         .toList());
     }
 
-    static LaserConfiguration laserConfiguration(RangerSpec laser, int intervalMillis) {
+    static LaserConfiguration laserConfiguration(RangerSpec laser, int intervalMillis, boolean intensities) {
         RangeSensorSpec sensor = laser.sensors().getFirst();
         return new LaserConfiguration(
                 (float) (-sensor.fovRad() / 2),
@@ -94,7 +100,7 @@ final class RangerConversion {
                 (float) resolutionRad(sensor),
                 (float) sensor.maxRangeM(),
                 LASER_RANGE_RESOLUTION,
-                false,
+                intensities,
                 1000f / intervalMillis);
     }
 

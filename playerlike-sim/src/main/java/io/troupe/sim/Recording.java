@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
@@ -89,8 +90,27 @@ public final class Recording implements AutoCloseable {
         write();
     }
 
+    synchronized void intensities(int robot, int ranger, boolean on) {
+        begin("intensities").append(' ').append(robot).append(' ').append(ranger);
+        line.append(on ? " on" : " off");
+        write();
+    }
+
+    synchronized void grip(int robot, int device, GripperDevice.Order order) {
+        begin("gripper").append(' ').append(robot).append(' ').append(device);
+        line.append(order == GripperDevice.Order.OPEN ? " open" : " close");
+        write();
+    }
+
     synchronized void drive(int robot, MotionCommand drive) {
         switch (drive) {
+            case MotionCommand.Velocity velocity
+            when velocity.sidewaysMps() != 0 -> {
+                begin("omni").append(' ').append(robot);
+                line.append(' ').append(velocity.forwardMps()).append(' ').append(velocity.sidewaysMps());
+                line.append(' ').append(velocity.turnRadps());
+                write();
+            }
             case MotionCommand.Velocity velocity -> {
                 begin("velocity").append(' ').append(robot);
                 line.append(' ').append(velocity.forwardMps()).append(' ').append(velocity.turnRadps());

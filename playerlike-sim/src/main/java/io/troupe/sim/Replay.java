@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
@@ -67,6 +68,15 @@ public final class Replay {
             } catch (IllegalArgumentException wrong) {
                 throw error(String.valueOf(wrong.getMessage()));
             }
+        }
+
+        /** The number of a device of the robot. */
+        int device() {
+            String word = words.get(2);
+            if (word.matches("\\d{1,7}")) {
+                return Integer.parseInt(word);
+            }
+            throw error("device '" + word + "', expected a number from 0");
         }
 
         Pose pose() {
@@ -175,8 +185,8 @@ public final class Replay {
             case "reset", "pause", "resume" -> 1;
             case "is", "end", "leave", "remove", "unbox" -> 2;
             case "power" -> 3;
-            case "velocity", "heading" -> 4;
-            case "teleport", "odometry", "goto", "place", "box" -> 5;
+            case "velocity", "heading", "intensities", "gripper" -> 4;
+            case "teleport", "odometry", "goto", "omni", "place", "box" -> 5;
             default -> throw line.error("'" + line.words().getFirst() + "' is nothing that can be recorded");
         };
         if (line.words().size() != expected) {
@@ -194,11 +204,18 @@ public final class Replay {
             line.robot(robots);
         }
         if (expected > 2) {
-            for (int i = 2; i < (expected == 3 ? 2 : expected); i++) {
-                line.number(i);
+            boolean isGripper = line.words().getFirst().equals("gripper");
+            boolean isSwitch = isGripper
+                    || List.of("power", "intensities").contains(line.words().getFirst());
+            if (isSwitch && !line.words().getLast().matches(isGripper ? "open|close" : "on|off")) {
+                throw line.error(line.words().getFirst() + " '" + line.words().getLast() + "', expected "
+                        + (isGripper ? "open or close" : "on or off"));
             }
-            if (expected == 3 && !line.words().get(2).matches("on|off")) {
-                throw line.error("power '" + line.words().get(2) + "', expected on or off");
+            if (isSwitch && expected == 4) {
+                line.device();
+            }
+            for (int i = 2; i < expected && !isSwitch; i++) {
+                line.number(i);
             }
         }
         return line;
@@ -271,6 +288,15 @@ public final class Replay {
             case "reset" -> player.reset();
             case "power" -> player.motorPower(line.robot(robots), words.get(2).equals("on"));
             case "velocity" -> player.command(line.robot(robots), line.number(2), line.number(3));
+            case "omni" -> player.command(line.robot(robots), line.number(2), line.number(3), line.number(4));
+            case "intensities" ->
+                player.measureIntensities(
+                        line.robot(robots), line.device(), words.get(3).equals("on"));
+            case "gripper" ->
+                player.grip(
+                        line.robot(robots),
+                        line.device(),
+                        words.get(3).equals("open") ? GripperDevice.Order.OPEN : GripperDevice.Order.CLOSE);
             case "heading" -> player.steer(line.robot(robots), line.number(2), line.number(3));
             case "goto" -> player.goTo(line.robot(robots), line.pose());
             case "odometry" -> player.setOdometry(line.robot(robots), line.pose());

@@ -1,6 +1,7 @@
 package io.troupe.sim;
 
 import io.troupe.sim.device.Blobfinder;
+import io.troupe.sim.device.Device;
 import io.troupe.sim.device.Position2d;
 import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
@@ -26,7 +27,8 @@ record SimulatedDevices(
         @Nullable Sonar sonar,
         @Nullable Blobfinder blobfinder,
         List<Ranger> rangers,
-        List<double[]> rangersM) {
+        List<double[]> rangersM,
+        List<Device> others) {
     /** Creates the devices of all robots. Devices of one specification share their immutable tables. */
     static List<SimulatedDevices> of(List<RobotSpec> robots, List<Pose> starts, long seed) {
         Map<SonarSpec, Sonar> sonars = new HashMap<>();
@@ -51,7 +53,8 @@ record SimulatedDevices(
                         rangers,
                         rangers.stream()
                                 .map(ranger -> new double[ranger.size()])
-                                .toList()));
+                                .toList(),
+                        robot.devices().stream().map(Device::of).toList()));
             } catch (IllegalArgumentException e) {
                 throw new WorldFileException(robot.where(), "robot '" + robot.name() + "': " + e.getMessage());
             }
@@ -111,6 +114,9 @@ record SimulatedDevices(
         }
         for (int i = 0; i < rangers.size(); i++) {
             rangers.get(i).read(scene, robot, scratch, rangersM.get(i));
+        }
+        for (int i = 0; i < others.size(); i++) {
+            others.get(i).sense(scene, robot, scratch);
         }
     }
 }

@@ -1,6 +1,8 @@
 package io.troupe.sim;
 
 import io.troupe.sim.model.ColouredBox;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
 import java.util.List;
 
 /**
@@ -11,18 +13,25 @@ import java.util.List;
  * @param robots by index, in the order of the world file
  * @param contacts that began in the interval that ends at this tick, ordered by time, then robot; for one robot other
  *     robots come before obstacles, each in the order of the world file
+ * @param moved where the obstacles are that can move, in the order of {@link WorldSpec#movingObstacles}
  * @param boxes that have been put into the world, by number
  */
 public record Snapshot(
-        long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts, List<ColouredBox> boxes) {
+        long tick,
+        long timeMicros,
+        List<RobotReading> robots,
+        List<Contact> contacts,
+        List<Pose> moved,
+        List<ColouredBox> boxes) {
     public Snapshot {
         robots = List.copyOf(robots);
         contacts = List.copyOf(contacts);
+        moved = List.copyOf(moved);
         boxes = List.copyOf(boxes);
     }
 
-    /** A snapshot of a world without boxes. */
+    /** A snapshot of a world without boxes, in which no obstacle moves. */
     public Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts) {
-        this(tick, timeMicros, robots, contacts, List.of());
+        this(tick, timeMicros, robots, contacts, List.of(), List.of());
     }
 }

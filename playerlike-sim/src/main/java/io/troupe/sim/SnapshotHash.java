@@ -2,6 +2,7 @@ package io.troupe.sim;
 
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.ColourBlob;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import java.nio.ByteBuffer;
@@ -42,6 +43,7 @@ public final class SnapshotHash {
             add(contact.otherRobot());
             add(contact.other());
         }
+        snapshot.moved().forEach(this::add);
         for (ColouredBox box : snapshot.boxes()) { // nothing if there are none, as before there were boxes
             add(box.number());
             add(box.colour());
@@ -67,12 +69,49 @@ public final class SnapshotHash {
         add(robot.odometry().pose());
         add(robot.odometry().forwardMps());
         add(robot.odometry().turnRadps());
+        if (robot.odometry().sidewaysMps() != 0) {
+            add(robot.odometry().sidewaysMps());
+        }
         add(robot.odometry().stalled() ? 1 : 0);
         addAll(robot.sonarM());
         add(robot.blobs());
         add(robot.rangersM().size());
         robot.rangersM().forEach(this::addAll);
+        robot.intensities().forEach(this::addAll);
+        robot.devices().forEach(this::add);
         add(robot.wallGapM());
+    }
+
+    /** Robots without such devices add nothing: their checksums are those of versions that did not have them. */
+    private void add(DeviceReading device) {
+        switch (device) {
+            case DeviceReading.Fiducials(var seen) -> {
+                add(seen.size());
+                for (DeviceReading.Fiducial each : seen) {
+                    add(each.id());
+                    add(each.x());
+                    add(each.y());
+                    add(each.headingRad());
+                }
+            }
+            case DeviceReading.Picture(int heightPx, var columns) -> {
+                add(heightPx);
+                add(columns.size());
+                for (DeviceReading.Column column : columns) {
+                    add(column.colour());
+                    add(column.top());
+                    add(column.bottom());
+                }
+            }
+            case DeviceReading.Grip(var paddles, boolean outer, boolean inner, boolean holds) -> {
+                add(paddles.ordinal());
+                add((outer ? 1 : 0) + (inner ? 2 : 0) + (holds ? 4 : 0));
+            }
+            case DeviceReading.Pressed(var bumpers) -> {
+                add(bumpers.size());
+                bumpers.forEach(each -> add(each ? 1 : 0));
+            }
+        }
     }
 
     private void add(Pose pose) {

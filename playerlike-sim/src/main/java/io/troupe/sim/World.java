@@ -2,12 +2,15 @@ package io.troupe.sim;
 
 import static java.util.Objects.requireNonNull;
 
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Position2d;
+import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Scratch;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
@@ -60,6 +63,7 @@ public final class World implements AutoCloseable {
     private Scene scene;
     private List<SimulatedDevices> devices;
     private Physics physics;
+    private Grippers grippers;
     private long physicsStartMicros; // the physics counts its time from the last reset
     private long tick;
     private boolean advancing;
@@ -100,7 +104,11 @@ public final class World implements AutoCloseable {
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
         physics = PhysicsSetup.atStart(spec, settings, starts);
         devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
+        grippers = new Grippers(spec, scene, physics, devices);
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
+        if (spec.robots().stream().anyMatch(robot -> robot.rangers().stream().anyMatch(RangerSpec::intensities))) {
+            scene.readReflectances();
+        }
         scratches = Stream.generate(Scratch::new).limit(threads).toArray(Scratch[]::new);
         sensing = new SensingThreads(spec.name(), threads, robotCount, this::senseRange);
         sense();
@@ -136,20 +144,29 @@ public final class World implements AutoCloseable {
      * Sets a robot's speed from the next {@link #advance} on, until another command replaces it.
      *
      * @param forwardMps clamped to the robot's bounds and the settings' limits, as is the turn rate
-     * @param turnRadps left positive
+     * @param turnRadps left positive; for a robot that steers like a car, the angle of its front wheels
      */
     public void command(int robot, double forwardMps, double turnRadps) {
-        command(robot, forwardMps, turnRadps, 0);
+        commands.drive(robot, forwardMps, 0, turnRadps, 0);
     }
 
     /**
-     * As {@link #command(int, double, double)}, for a client whose commands expire.
+     * As {@link #command(int, double, double)}, for a robot that can move sideways.
+     *
+     * @param sidewaysMps left positive; without effect unless the drive is omnidirectional
+     */
+    public void command(int robot, double forwardMps, double sidewaysMps, double turnRadps) {
+        commands.drive(robot, forwardMps, sidewaysMps, turnRadps, 0);
+    }
+
+    /**
+     * As {@link #command(int, double, double, double)}, for a client whose commands expire.
      *
      * @param limitMicros how long the speed holds, in simulated time from the beginning of the interval in which it
      *     takes effect, but for one interval at least; 0 = until another command
      */
-    void command(int robot, double forwardMps, double turnRadps, long limitMicros) {
-        commands.drive(robot, forwardMps, turnRadps, limitMicros);
+    void commandFor(long limitMicros, int robot, double forwardMps, double sidewaysMps, double turnRadps) {
+        commands.drive(robot, forwardMps, sidewaysMps, turnRadps, limitMicros);
     }
 
     /** As {@link #command(int, double, double)}, for the thread that advances the world. */
@@ -188,6 +205,23 @@ public final class World implements AutoCloseable {
     }
 
     /**
+     * Switches the measuring of intensities by a laser or ranger, from the next interval on. It is off at the start,
+     * unless the file says that something is bright ({@code laser_return 2}).
+     */
+    public void measureIntensities(int robot, int ranger, boolean on) {
+        commands.measureIntensities(robot, ranger, on);
+    }
+
+    /**
+     * Opens or closes a gripper, from the next interval on.
+     *
+     * @param device its index in {@link RobotSpec#devices}
+     */
+    public void grip(int robot, int device, GripperDevice.Order order) {
+        commands.grip(robot, device, order);
+    }
+
+    /**
      * Moves a robot to a pose when the next {@link #advance} begins. A robot that was taken out is back then.
      *
      * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap something in the newest snapshot. If
@@ -204,13 +238,18 @@ public final class World implements AutoCloseable {
     /**
      * Takes a robot out of the world when the next {@link #advance} begins. Nothing touches or senses it, its commands
      * are discarded, and its pose and readings stay as they are, until it is teleported.
+     *
+     * <p><b>Errors.</b> {@link IllegalArgumentException} in a world with obstacles that can be pushed or gripped, as for
+     * all that comes and goes.
      */
     public void removeRobot(int robot) {
+        checkNothingMoves("a robot was taken out");
         commands.removeRobot(robot);
     }
 
     /** Takes an obstacle out of the world when the next {@link #advance} begins. */
     public void removeObstacle(int obstacle) {
+        checkNothingMoves("an obstacle was taken out");
         commands.removeObstacle(obstacle);
     }
 
@@ -232,6 +271,7 @@ public final class World implements AutoCloseable {
 
     /** As {@link #placeObstacle}, checked only when it takes effect. */
     void placeObstacleLater(int obstacle, Pose pose) {
+        checkNothingMoves("an obstacle was placed");
         commands.placeObstacle(obstacle, pose);
     }
 
@@ -249,11 +289,12 @@ public final class World implements AutoCloseable {
         if (refusal != null) {
             throw new IllegalArgumentException(refusal);
         }
-        boxes.put(box);
+        putBoxLater(box);
     }
 
     /** A box that is checked only when it takes effect. */
     void putBoxLater(ColouredBox box) {
+        checkNothingMoves("a box was put");
         boxes.put(box);
     }
 
@@ -395,13 +436,14 @@ public final class World implements AutoCloseable {
     }
 
     private void advanceUnpublished() {
-        if (commands.apply(tick, tick * intervalMicros, physics, devices)) {
-            scene = new Scene(commands.presence().sensed());
+        if (commands.apply(tick, tick * intervalMicros, physics, devices, scene)) {
+            changeScene(commands.presence().sensed());
         }
         physics.forgetTouches();
         physics.advance(stepsPerInterval);
         tick++;
         sense();
+        grippers.update(scratches[0]);
     }
 
     private void checkThread() {
@@ -420,11 +462,12 @@ public final class World implements AutoCloseable {
             boxes.clear();
             if (commands.returnToStart()) {
                 furnished = spec;
-                scene = new Scene(spec);
+                changeScene(spec);
             }
             physics = PhysicsSetup.atStart(spec, settings, starts);
             physicsStartMicros = nowMicros;
             devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
+            grippers = new Grippers(spec, scene, physics, devices);
             sense(); // as at the start: each reading advances the random streams
         }
     }
@@ -442,11 +485,28 @@ public final class World implements AutoCloseable {
                 .forEach(physics::removeObstacle);
         IntStream.range(0, devices.size()).filter(presence::isAway).forEach(physics::removeRobot);
         physicsStartMicros = tick * intervalMicros;
-        scene = new Scene(presence.sensed());
+        changeScene(presence.sensed());
         for (int i = 0; i < poses.size(); i++) {
             scene.place(i, poses.get(i));
         }
         scene.refresh();
+    }
+
+    /** Builds anew what devices sense. */
+    private void changeScene(WorldSpec sensed) {
+        boolean reflects = scene.hasReflectances();
+        scene = new Scene(sensed);
+        if (reflects) {
+            scene.readReflectances();
+        }
+        grippers = new Grippers(spec, scene, physics, devices);
+    }
+
+    private void checkNothingMoves(String change) {
+        if (!spec.movingObstacles().isEmpty()) {
+            throw new IllegalArgumentException(change + " in world '" + spec.name()
+                    + "', expected a world in which no obstacle can be pushed or gripped");
+        }
     }
 
     /** Reads all devices. */
@@ -460,6 +520,7 @@ public final class World implements AutoCloseable {
                 devices.get(i).position2d().sense(x, y, headingRad);
             }
         }
+        grippers.place();
         scene.refresh();
         sensing.run();
     }
@@ -477,7 +538,7 @@ public final class World implements AutoCloseable {
         for (int i = 0; i < devices.size(); i++) {
             readings.add(read(i));
         }
-        return new Snapshot(tick, tick * intervalMicros, readings, contacts(), boxes.all());
+        return new Snapshot(tick, tick * intervalMicros, readings, contacts(), grippers.poses(), boxes.all());
     }
 
     /** The touches of the physics, with names instead of indices and with the world's time. */
@@ -500,6 +561,7 @@ public final class World implements AutoCloseable {
         var odometry = new Odometry(
                 robotDevices.position2d().reported(),
                 commands.forwardMps(robot),
+                commands.sidewaysMps(robot),
                 commands.turnRadps(robot),
                 physics.stalled(robot));
         return new RobotReading(
@@ -514,7 +576,22 @@ public final class World implements AutoCloseable {
                         : robotDevices.rangersM().stream()
                                 .map(ranges -> Arrays.stream(ranges).boxed().toList())
                                 .toList(),
+                intensities(robotDevices),
+                robotDevices.others().isEmpty()
+                        ? List.of()
+                        : robotDevices.others().stream()
+                                .map(device -> device.reading(scene, robot))
+                                .toList(),
                 scene.wallGapM(robot));
+    }
+
+    private static List<List<Double>> intensities(SimulatedDevices devices) {
+        for (int i = 0; i < devices.rangers().size(); i++) {
+            if (devices.rangers().get(i).measuresIntensities()) {
+                return devices.rangers().stream().map(Ranger::intensities).toList();
+            }
+        }
+        return List.of();
     }
 
     // ---- for the view
@@ -525,6 +602,10 @@ public final class World implements AutoCloseable {
 
     boolean holdsObstacle(int obstacle) {
         return commands.presence().holds(obstacle);
+    }
+
+    double sidewaysMps(int robot) {
+        return commands.sidewaysMps(robot);
     }
 
     long tick() {

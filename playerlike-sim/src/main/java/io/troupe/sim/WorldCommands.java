@@ -1,8 +1,13 @@
 package io.troupe.sim;
 
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.device.Position2d;
+import io.troupe.sim.device.Ranger;
+import io.troupe.sim.device.Scene;
 import io.troupe.sim.model.ColouredBox;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.DriveSpec;
+import io.troupe.sim.model.DriveSpec.Steering;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
@@ -11,7 +16,9 @@ import io.troupe.sim.physics.Physics;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Optional;
+import java.util.Queue;
 import java.util.SortedMap;
+import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicReference;
 import org.jspecify.annotations.Nullable;
@@ -36,6 +43,14 @@ final class WorldCommands {
     private final List<RobotCommands> robotCommands = new ArrayList<>();
     private final AtomicBoolean resetWanted = new AtomicBoolean();
     private final AtomicReference<@Nullable Recording> recording = new AtomicReference<>();
+    private final Queue<DeviceCommand> deviceCommands = new ConcurrentLinkedQueue<>();
+
+    /** A command for a device other than the drive. */
+    private sealed interface DeviceCommand {
+        record Intensities(int robot, int ranger, boolean on) implements DeviceCommand {}
+
+        record Grip(int robot, int device, GripperDevice.Order order) implements DeviceCommand {}
+    }
 
     WorldCommands(WorldSpec spec, WorldSettings settings) {
         this.spec = spec;
@@ -43,16 +58,24 @@ final class WorldCommands {
         presence = new Presence(spec);
         placement = presence.placement();
         for (int i = 0; i < spec.robots().size(); i++) {
-            robotCommands.add(new RobotCommands(spec.robots().get(i).drive(), i, settings));
+            robotCommands.add(
+                    new RobotCommands(spec.robots().get(i).drive(), i, settings, spec.intervalMillis() / 1000.0));
         }
     }
 
     // ---- from any thread
 
     /** @param limitMicros time for which the command holds; 0 = until another command */
-    void drive(int robot, double forwardMps, double turnRadps, long limitMicros) {
+    void drive(int robot, double forwardMps, double sidewaysMps, double turnRadps, long limitMicros) {
         check(robot, forwardMps, turnRadps);
-        robotCommands.get(robot).drive(new MotionCommand.Velocity(forwardMps, turnRadps), limitMicros);
+        if (!Double.isFinite(sidewaysMps)) {
+            throw new IllegalArgumentException("robot '" + robot(robot).name() + "' was told to drive sideways at "
+                    + sidewaysMps + " m/s, expected a finite number");
+        }
+        boolean sideways = robot(robot).drive().steering() instanceof Steering.Omnidirectional;
+        robotCommands
+                .get(robot)
+                .drive(new MotionCommand.Velocity(forwardMps, sideways ? sidewaysMps : 0, turnRadps), limitMicros);
     }
 
     /** Speed command from the thread that advances the world; replaces all commands sent so far by other threads. */
@@ -72,6 +95,7 @@ final class WorldCommands {
     /** @param limitMicros time for which the command holds; 0 = until another command */
     void steer(int robot, double forwardMps, double headingRad, long limitMicros) {
         RobotSpec target = robot(robot);
+        checkTurns(target, "steered to a heading");
         if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
             throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
                     + " m/s to a heading of " + headingRad + " rad, expected finite numbers");
@@ -81,11 +105,42 @@ final class WorldCommands {
 
     void goTo(int robot, Pose goal) {
         RobotSpec target = robot(robot);
+        checkTurns(target, "sent to a pose");
         if (!isFinite(goal)) {
             throw new IllegalArgumentException(
                     "robot '" + target.name() + "' was told to go to " + goal + ", expected finite numbers");
         }
         robotCommands.get(robot).drive(new MotionCommand.GoTo(goal), 0);
+    }
+
+    /** Position control turns on the spot, which a car cannot. */
+    private static void checkTurns(RobotSpec robot, String what) {
+        if (robot.drive().steering() instanceof Steering.Car) {
+            throw new IllegalArgumentException("robot '" + robot.name() + "' steers like a car and cannot be " + what
+                    + ": command its speed and steering angle");
+        }
+    }
+
+    /** Whether a laser or ranger measures intensities. */
+    void measureIntensities(int robot, int ranger, boolean on) {
+        int count = robot(robot).rangers().size();
+        if (ranger < 0 || ranger >= count) {
+            throw new IllegalArgumentException("robot '" + robot(robot).name() + "' has no laser or ranger " + ranger
+                    + ", but " + count + " of them, counted from 0");
+        }
+        deviceCommands.add(new DeviceCommand.Intensities(robot, ranger, on));
+    }
+
+    /** Opens or closes a gripper. */
+    void grip(int robot, int device, GripperDevice.Order order) {
+        List<DeviceSpec> devices = robot(robot).devices();
+        if (device < 0 || device >= devices.size() || !(devices.get(device) instanceof DeviceSpec.Gripper)) {
+            throw new IllegalArgumentException(
+                    "device " + device + " of robot '" + robot(robot).name()
+                            + "' is no gripper; its devices, counted from 0, are "
+                            + devices.stream().map(DeviceSpec::interfaceName).toList());
+        }
+        deviceCommands.add(new DeviceCommand.Grip(robot, device, order));
     }
 
     void power(int robot, boolean on) {
@@ -150,17 +205,23 @@ final class WorldCommands {
     private PlacementCheck.Occupancy occupancy(Snapshot at) {
         TeleportCheck known = lastCheck.get();
         if (known == null || known.at() != at) {
-            known = new TeleportCheck(
-                    at, placement.occupancy(other -> at.robots().get(other).pose()));
+            known = new TeleportCheck(at, placement.occupancy(body -> pose(at, body)));
             lastCheck.set(known);
         }
         return known.occupancy();
+    }
+
+    /** Pose of a robot or, after the robots, of an obstacle that moves. */
+    private static Pose pose(Snapshot at, int body) {
+        int robotCount = at.robots().size();
+        return body < robotCount ? at.robots().get(body).pose() : at.moved().get(body - robotCount);
     }
 
     /** Requests a reset. Commands sent from now on apply after it. */
     void reset() {
         robotCommands.forEach(RobotCommands::forgetUntaken);
         presence.forgetDemands();
+        deviceCommands.clear();
         resetWanted.set(true);
     }
 
@@ -238,7 +299,7 @@ final class WorldCommands {
      *
      * @return whether a robot or an obstacle has come, gone or moved by itself, so that the scene is another one
      */
-    boolean apply(long tick, long nowMicros, Physics physics, List<SimulatedDevices> devices) {
+    boolean apply(long tick, long nowMicros, Physics physics, List<SimulatedDevices> devices, Scene scene) {
         Recording log = recording.get();
         boolean changed = applyPresence(tick, physics);
         PlacementCheck.Occupancy occupancy = null;
@@ -275,9 +336,35 @@ final class WorldCommands {
                 commands.stop();
             }
             commands.steer(odometry);
-            physics.drive(i, commands.forwardMps(), commands.turnRadps());
+            physics.drive(i, commands.forwardMps(), commands.sidewaysMps(), commands.turnRadps());
+        }
+        if (!deviceCommands.isEmpty()) {
+            applyDeviceCommands(log, devices, scene);
         }
         return changed || returned;
+    }
+
+    private void applyDeviceCommands(@Nullable Recording log, List<SimulatedDevices> devices, Scene scene) {
+        for (DeviceCommand next = deviceCommands.poll(); next != null; next = deviceCommands.poll()) {
+            switch (next) {
+                case DeviceCommand.Intensities(int robot, int number, boolean on) -> {
+                    scene.readReflectances();
+                    Ranger ranger = devices.get(robot).rangers().get(number);
+                    if (ranger.measuresIntensities() != on) {
+                        ranger.measureIntensities(on);
+                        if (log != null) {
+                            log.intensities(robot, number, on);
+                        }
+                    }
+                }
+                case DeviceCommand.Grip(int robot, int device, var order) -> {
+                    ((GripperDevice) devices.get(robot).others().get(device)).order(order);
+                    if (log != null) {
+                        log.grip(robot, device, order);
+                    }
+                }
+            }
+        }
     }
 
     /** Takes away and puts what was demanded; robots come back by teleport. Returns whether anything has changed. */
@@ -365,6 +452,11 @@ final class WorldCommands {
         return robotCommands.get(robot).forwardMps();
     }
 
+    /** Speed to the left in the interval that has ended. */
+    double sidewaysMps(int robot) {
+        return robotCommands.get(robot).sidewaysMps();
+    }
+
     /** Turn rate in the interval that has ended. */
     double turnRadps(int robot) {
         return robotCommands.get(robot).turnRadps();
@@ -389,6 +481,7 @@ final class WorldCommands {
         private final DriveSpec spec;
         private final int robot;
         private final WorldSettings settings;
+        private final double intervalS;
         private final AtomicReference<@Nullable PendingDrive> newestDrive = new AtomicReference<>();
         private final AtomicReference<@Nullable Boolean> newestPower = new AtomicReference<>();
         private final AtomicReference<@Nullable Pose> newestOdometry = new AtomicReference<>();
@@ -398,18 +491,21 @@ final class WorldCommands {
         private double directTurnRadps;
         private @Nullable MotionCommand steering; // null: the held speeds below apply
         private double heldForwardMps;
+        private double heldSidewaysMps;
         private double heldTurnRadps;
+        private double sidewaysMps;
         private double forwardMps; // in force in the interval that has ended
         private double turnRadps;
         private boolean powered = true;
         private long commandedAtMicros;
         private long limitMicros; // of the current command; 0 = none
 
-        RobotCommands(DriveSpec spec, int robot, WorldSettings settings) {
+        RobotCommands(DriveSpec spec, int robot, WorldSettings settings, double intervalS) {
+            this.intervalS = intervalS;
             this.spec = spec;
             this.robot = robot;
             this.settings = settings;
-            hold(spec.startForwardMps(), spec.startTurnRadps(), 0, 0);
+            hold(spec.startForwardMps(), spec.startSidewaysMps(), spec.startTurnRadps(), 0, 0);
         }
 
         /** @param newLimitMicros time for which a speed holds; 0 = until another command, as always for a goal */
@@ -488,8 +584,8 @@ final class WorldCommands {
             if (hasDirect) {
                 hasDirect = false;
                 if (powered) {
-                    recordDirect(recording, steering != null || differs(directForwardMps, directTurnRadps));
-                    hold(directForwardMps, directTurnRadps, nowMicros, 0);
+                    recordDirect(recording, steering != null || differs(directForwardMps, 0, directTurnRadps));
+                    hold(directForwardMps, 0, directTurnRadps, nowMicros, 0);
                 }
             }
             PendingDrive command = take(newestDrive);
@@ -506,6 +602,7 @@ final class WorldCommands {
         void stop() {
             steering = null;
             heldForwardMps = 0;
+            heldSidewaysMps = 0;
             heldTurnRadps = 0;
             limitMicros = 0;
         }
@@ -515,7 +612,7 @@ final class WorldCommands {
          * has no clients and so no command limits.
          */
         private void expire(@Nullable Recording recording) {
-            if (recording != null && (steering != null || differs(0, 0))) {
+            if (recording != null && (steering != null || differs(0, 0, 0))) {
                 recording.drive(robot, MotionCommand.STILL);
             }
             stop();
@@ -524,10 +621,12 @@ final class WorldCommands {
         private void accept(MotionCommand command, long newLimitMicros, long nowMicros, @Nullable Recording recording) {
             if (command instanceof MotionCommand.Velocity velocity) {
                 if (recording != null
-                        && (isWatched() || steering != null || differs(velocity.forwardMps(), velocity.turnRadps()))) {
+                        && (isWatched()
+                                || steering != null
+                                || differs(velocity.forwardMps(), velocity.sidewaysMps(), velocity.turnRadps()))) {
                     recording.drive(robot, velocity);
                 }
-                hold(velocity.forwardMps(), velocity.turnRadps(), nowMicros, newLimitMicros);
+                hold(velocity.forwardMps(), velocity.sidewaysMps(), velocity.turnRadps(), nowMicros, newLimitMicros);
                 return;
             }
             if (recording != null && (isWatched() || !command.equals(steering))) {
@@ -544,14 +643,17 @@ final class WorldCommands {
             }
         }
 
-        private boolean differs(double newForwardMps, double newTurnRadps) {
+        private boolean differs(double newForwardMps, double newSidewaysMps, double newTurnRadps) {
             return Double.compare(newForwardMps, heldForwardMps) != 0
+                    || newSidewaysMps != heldSidewaysMps
                     || Double.compare(newTurnRadps, heldTurnRadps) != 0;
         }
 
-        private void hold(double newForwardMps, double newTurnRadps, long nowMicros, long newLimitMicros) {
+        private void hold(
+                double newForwardMps, double newSidewaysMps, double newTurnRadps, long nowMicros, long newLimitMicros) {
             steering = null;
             heldForwardMps = newForwardMps;
+            heldSidewaysMps = newSidewaysMps;
             heldTurnRadps = newTurnRadps;
             commandedAtMicros = nowMicros;
             limitMicros = newLimitMicros;
@@ -575,16 +677,45 @@ final class WorldCommands {
         void steer(Position2d odometry) {
             MotionCommand how = steering;
             if (how == null) {
-                clamp(heldForwardMps, heldTurnRadps);
+                approach(heldForwardMps, heldSidewaysMps, heldTurnRadps);
             } else {
-                MotionCommand.Velocity wanted = how.now(odometry.reported());
-                clamp(wanted.forwardMps(), wanted.turnRadps());
+                MotionCommand.Velocity wanted = how.now(odometry.reported(), spec.steering());
+                approach(wanted.forwardMps(), wanted.sidewaysMps(), wanted.turnRadps());
             }
         }
 
-        private void clamp(double wantedForwardMps, double wantedTurnRadps) {
+        /** Sets the speeds to the wanted ones, as far as the bounds and the kind of drive allow. */
+        private void approach(double wantedForwardMps, double wantedSidewaysMps, double wantedTurnRadps) {
+            double beforeForwardMps = forwardMps;
+            double beforeSidewaysMps = sidewaysMps;
+            double beforeTurnRadps = turnRadps;
+            if (spec.steering() instanceof Steering.Car car) {
+                clamp(
+                        wantedForwardMps * StrictMath.cos(wantedTurnRadps),
+                        0,
+                        wantedForwardMps * StrictMath.sin(wantedTurnRadps) / car.wheelbaseM());
+            } else {
+                clamp(wantedForwardMps, wantedSidewaysMps, wantedTurnRadps);
+            }
+            if (settings.obeysAccelerationBounds()) {
+                DriveSpec.Bounds bounds = spec.accelerationBounds();
+                forwardMps = limited(beforeForwardMps, forwardMps, bounds.leastForward(), bounds.mostForward());
+                sidewaysMps = limited(beforeSidewaysMps, sidewaysMps, bounds.leastSideways(), bounds.mostSideways());
+                turnRadps = limited(beforeTurnRadps, turnRadps, bounds.leastTurn(), bounds.mostTurn());
+            }
+        }
+
+        /** @param least of the acceleration, as is {@code most} */
+        private double limited(double before, double wanted, double least, double most) {
+            return Math.clamp(wanted, before + least * intervalS, before + most * intervalS);
+        }
+
+        private void clamp(double wantedForwardMps, double wantedSidewaysMps, double wantedTurnRadps) {
             DriveSpec.Bounds bounds = spec.velocityBounds();
             forwardMps = clamp(wantedForwardMps, bounds.leastForward(), bounds.mostForward(), settings.maxForwardMps());
+            sidewaysMps = wantedSidewaysMps == 0
+                    ? 0
+                    : clamp(wantedSidewaysMps, bounds.leastSideways(), bounds.mostSideways(), settings.maxForwardMps());
             turnRadps = clamp(wantedTurnRadps, bounds.leastTurn(), bounds.mostTurn(), settings.maxTurnRadps());
         }
 
@@ -596,16 +727,20 @@ final class WorldCommands {
             return forwardMps;
         }
 
+        double sidewaysMps() {
+            return sidewaysMps;
+        }
+
         double turnRadps() {
             return turnRadps;
         }
 
         /** Resets the robot to its start speeds. */
         void forget(long nowMicros) {
-            hold(spec.startForwardMps(), spec.startTurnRadps(), nowMicros, 0);
+            hold(spec.startForwardMps(), spec.startSidewaysMps(), spec.startTurnRadps(), nowMicros, 0);
             hasDirect = false;
             powered = true;
-            clamp(0, 0);
+            clamp(0, 0, 0);
         }
     }
 }

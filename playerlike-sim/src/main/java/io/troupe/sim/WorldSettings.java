@@ -15,6 +15,8 @@ package io.troupe.sim;
  * @param watchdogMicros simulated time without a speed command after which a robot stops; 0 = off. A robot on its way
  *     to a goal goes on
  * @param sensingThreads number of threads that read devices, including the caller's; it changes only the speed
+ * @param obeysAccelerationBounds robots change their speed at each interval by no more than the
+ *     {@code acceleration_bounds} of the world file allow; off, they reach a commanded speed at once, as in Stage
  */
 public record WorldSettings(
         long seed,
@@ -24,9 +26,12 @@ public record WorldSettings(
         double maxForwardMps,
         double maxTurnRadps,
         long watchdogMicros,
-        int sensingThreads) {
-    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most, no watchdog, one thread. */
-    public static final WorldSettings DEFAULT = new WorldSettings(1, 0, 0, 10_000, 5, 10, 0, 1);
+        int sensingThreads,
+        boolean obeysAccelerationBounds) {
+    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most, no watchdog, one thread, no acceleration bounds. */
+    public static final WorldSettings DEFAULT = new WorldSettings(1, 0, 0, 10_000, 5, 10, 0, 1, false);
+
+    private static final String ACCELERATION = "acceleration";
 
     public WorldSettings {
         requireAtLeastZero("jitterM", jitterM);
@@ -53,7 +58,8 @@ public record WorldSettings(
                 maxForwardMps,
                 maxTurnRadps,
                 watchdogMicros,
-                sensingThreads);
+                sensingThreads,
+                obeysAccelerationBounds);
     }
 
     public WorldSettings withJitter(double jitterM, double jitterRad) {
@@ -65,7 +71,8 @@ public record WorldSettings(
                 maxForwardMps,
                 maxTurnRadps,
                 watchdogMicros,
-                sensingThreads);
+                sensingThreads,
+                obeysAccelerationBounds);
     }
 
     public WorldSettings withPhysicsStepMicros(int physicsStepMicros) {
@@ -77,7 +84,8 @@ public record WorldSettings(
                 maxForwardMps,
                 maxTurnRadps,
                 watchdogMicros,
-                sensingThreads);
+                sensingThreads,
+                obeysAccelerationBounds);
     }
 
     public WorldSettings withLimits(double maxForwardMps, double maxTurnRadps) {
@@ -89,7 +97,8 @@ public record WorldSettings(
                 maxForwardMps,
                 maxTurnRadps,
                 watchdogMicros,
-                sensingThreads);
+                sensingThreads,
+                obeysAccelerationBounds);
     }
 
     public WorldSettings withWatchdogMicros(long watchdogMicros) {
@@ -101,7 +110,8 @@ public record WorldSettings(
                 maxForwardMps,
                 maxTurnRadps,
                 watchdogMicros,
-                sensingThreads);
+                sensingThreads,
+                obeysAccelerationBounds);
     }
 
     public WorldSettings withSensingThreads(int sensingThreads) {
@@ -113,19 +123,34 @@ public record WorldSettings(
                 maxForwardMps,
                 maxTurnRadps,
                 watchdogMicros,
-                sensingThreads);
+                sensingThreads,
+                obeysAccelerationBounds);
     }
 
-    /** The settings that change the run, as words in record order. */
+    public WorldSettings withAccelerationBounds(boolean obeyed) {
+        return new WorldSettings(
+                seed,
+                jitterM,
+                jitterRad,
+                physicsStepMicros,
+                maxForwardMps,
+                maxTurnRadps,
+                watchdogMicros,
+                sensingThreads,
+                obeyed);
+    }
+
+    /** The settings that change the run, as words in record order; the last one only if it is not the default. */
     String words() {
         return seed + " " + jitterM + " " + jitterRad + " " + physicsStepMicros + " " + maxForwardMps + " "
-                + maxTurnRadps + " " + watchdogMicros;
+                + maxTurnRadps + " " + watchdogMicros + (obeysAccelerationBounds ? " " + ACCELERATION : "");
     }
 
     /** Parses the result of {@link #words}. */
     static WorldSettings parse(String words) {
         String[] each = words.split(" ", -1);
-        if (each.length != 7) {
+        boolean acceleration = each.length == 8 && each[7].equals(ACCELERATION);
+        if (each.length != 7 && !acceleration) {
             throw new IllegalArgumentException("'" + words + "', expected seven settings");
         }
         return new WorldSettings(
@@ -136,7 +161,8 @@ public record WorldSettings(
                 Double.parseDouble(each[4]),
                 Double.parseDouble(each[5]),
                 Long.parseLong(each[6]),
-                1);
+                1,
+                acceleration);
     }
 
     private static void requireAtLeastZero(String name, double value) {

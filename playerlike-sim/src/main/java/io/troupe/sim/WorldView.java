@@ -76,6 +76,11 @@ public final class WorldView {
         return world.forwardMps(robot);
     }
 
+    /** Speed to the left that was in force in the interval that has ended. */
+    public double sidewaysMps(int robot) {
+        return world.sidewaysMps(robot);
+    }
+
     /** Turn rate that was in force in the interval that has ended. */
     public double turnRadps(int robot) {
         return world.turnRadps(robot);

@@ -213,7 +213,7 @@ class DevicesTest implements PlayerConstants {
                         && (UnsupportedDevice.class.isAssignableFrom(method.getReturnType())
                                 || method.getReturnType() == Position3DInterface.class))
                 .toList();
-        assertThat(methods).hasSize(38);
+        assertThat(methods).hasSize(34);
         for (var method : methods) {
             String name =
                     method.getName().substring("requestInterface".length()).toLowerCase(Locale.ROOT);
@@ -222,7 +222,8 @@ class DevicesTest implements PlayerConstants {
                     .isInstanceOf(PlayerException.class)
                     .hasMessageStartingWith("[PlayerClient] Requested device "
                             + (name.equals("speechrecognition") ? "speech_recognition" : name) + ":3 is not offered")
-                    .hasMessageContaining("which has position2d, sonar, ranger, laser, blobfinder, simulation")
+                    .hasMessageContaining(
+                            "which has position2d, sonar, ranger, laser, blobfinder, simulation, fiducial, bumper, camera, gripper")
                     .hasMessageContaining("The server has: position2d:0, sonar:0");
         }
         refused("interface12:3 is not offered", () -> client.requestInterface(PLAYER_SPEECH_CODE, 3, PLAYER_OPEN_MODE));
@@ -254,7 +255,7 @@ class DevicesTest implements PlayerConstants {
     @Test
     void deviceList_isThereFromTheBeginning_andToldWithTheDriverOnRequest() {
         for (int list = 1; list <= 2; list++) {
-            assertThat(client.getPDDList().getDeviceCount()).isEqualTo(6);
+            assertThat(client.getPDDList().getDeviceCount()).isEqualTo(10);
             assertThat(client.getPDDList().getDevList())
                     .extracting(PlayerDevAddr::getInterf)
                     .containsExactly(
@@ -263,7 +264,11 @@ class DevicesTest implements PlayerConstants {
                             PLAYER_RANGER_CODE,
                             PLAYER_LASER_CODE,
                             PLAYER_BLOBFINDER_CODE,
-                            PLAYER_SIMULATION_CODE);
+                            PLAYER_SIMULATION_CODE,
+                            PLAYER_FIDUCIAL_CODE,
+                            PLAYER_BUMPER_CODE,
+                            PLAYER_CAMERA_CODE,
+                            PLAYER_GRIPPER_CODE);
             assertThat(List.of(client.isReadyPDDList(), client.isReadyPDDList()))
                     .as("once for each list")
                     .containsExactly(true, false);

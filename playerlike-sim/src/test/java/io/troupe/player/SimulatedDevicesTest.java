@@ -145,11 +145,13 @@ class SimulatedDevicesTest {
                 laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 0.01f, false, 0), ofLaser),
                 laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.775f, 8, 1, false, 0), "world file"),
                 laserSet(new LaserConfiguration(-0.785f, 0.785f, Float.NaN, 8, 1, false, 0), "world file"),
-                laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 1, true, 0), "world file"),
+                laserSet(
+                        new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 1, true, 0),
+                        new DeviceReply.OfLaser(laser.withIntensities(true))),
                 laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 1, false, 20), "world file"),
                 laserSet(new LaserConfiguration(0, 1, 0.1f, 8, 0, false, 10), "world file"),
                 asked(RANGER, new DeviceRequest.GetConfiguration(), new DeviceReply.OfRanger(ranger)),
-                asked(RANGER, new DeviceRequest.Intensities(true), "not offer"),
+                asked(RANGER, new DeviceRequest.Intensities(true), ACK),
                 asked(RANGER, new DeviceRequest.Intensities(false), ACK),
                 // as Stage does
                 asked(POSITION2D, new DeviceRequest.VelocityMode(0), ""),

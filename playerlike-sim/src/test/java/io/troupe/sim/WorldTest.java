@@ -343,7 +343,7 @@ class WorldTest {
                         .withLimits(1, 2)
                         .withWatchdogMicros(500_000)
                         .withSensingThreads(3))
-                .isEqualTo(new WorldSettings(7, 0.02, 0.03, 20_000, 1, 2, 500_000, 3));
+                .isEqualTo(new WorldSettings(7, 0.02, 0.03, 20_000, 1, 2, 500_000, 3, false));
         WorldSettings settings = WorldSettings.DEFAULT;
         assertThatThrownBy(() -> settings.withJitter(-0.1, 0))
                 .isInstanceOf(IllegalArgumentException.class)

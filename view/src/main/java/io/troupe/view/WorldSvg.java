@@ -2,8 +2,10 @@ package io.troupe.view;
 
 import io.troupe.common.svg.Svg;
 import io.troupe.sim.Snapshot;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.device.Ranger;
 import io.troupe.sim.model.CargoSpec;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
@@ -27,6 +29,9 @@ final class WorldSvg {
 
     private static final String SONAR = "#d9822b";
     private static final String LASER = "#8fb3d9";
+    private static final String MARKER = "#b03fb0";
+    private static final String PRESSED = "#c62828";
+    private static final String FREE = "#2e8b57";
 
     private final WorldSpec world;
     private final Snapshot now;
@@ -60,8 +65,12 @@ final class WorldSvg {
         for (int i = 0; i < world.robots().size(); i++) {
             rays(i);
         }
-        for (ObstacleSpec obstacle : world.obstacles()) {
-            map.body(svg, obstacle.name(), obstacle.shape(), obstacle.pose(), obstacle.colour());
+        List<Integer> moving = now.moved().isEmpty() ? List.of() : world.movingObstacles();
+        for (int i = 0; i < world.obstacles().size(); i++) {
+            ObstacleSpec obstacle = world.obstacles().get(i);
+            int mover = moving.indexOf(i);
+            Pose pose = mover < 0 ? obstacle.pose() : now.moved().get(mover);
+            map.body(svg, obstacle.name(), obstacle.shape(), pose, obstacle.colour());
         }
         for (int i = 0; i < world.robots().size(); i++) {
             RobotSpec robot = world.robots().get(i);
@@ -70,6 +79,7 @@ final class WorldSvg {
                 map.body(svg, robot.name(), piece.shape(), pose(i), piece.colour());
             }
             nose(robot, pose(i));
+            devices(i);
         }
         for (int i = 0; i < world.robots().size(); i++) {
             name(world.robots().get(i), pose(i));
@@ -102,8 +112,19 @@ final class WorldSvg {
             x = sample(x, y, SONAR, "sonar, first reading");
         }
         if (world.robots().stream().anyMatch(robot -> !robot.rangers().isEmpty())) {
-            sample(x, y, LASER, "laser, first reading");
+            x = sample(x, y, LASER, "laser, first reading");
         }
+        if (has(DeviceSpec.FiducialFinder.class)) {
+            x = sample(x, y, MARKER, "marker that a finder sees");
+        }
+        if (has(DeviceSpec.Bumpers.class)) {
+            sample(x, y, FREE, "bumper, red if pressed");
+        }
+    }
+
+    private boolean has(Class<? extends DeviceSpec> device) {
+        return world.robots().stream()
+                .anyMatch(robot -> robot.devices().stream().anyMatch(device::isInstance));
     }
 
     private double sample(double x, double y, String colour, String words) {
@@ -141,6 +162,37 @@ final class WorldSvg {
                 }
             }
         }
+    }
+
+    /** Lines to the markers that its finders see, and its bumpers. */
+    private void devices(int robot) {
+        List<DeviceSpec> specs = world.robots().get(robot).devices();
+        List<DeviceReading> readings = now.robots().get(robot).devices();
+        for (int i = 0; i < readings.size(); i++) {
+            if (readings.get(i) instanceof DeviceReading.Fiducials(var seen)
+                    && specs.get(i) instanceof DeviceSpec.FiducialFinder finder) {
+                Pose from = pose(robot).compose(finder.mount());
+                seen.forEach(marker -> line(
+                        new Point(from.x(), from.y()), from.place(new Point(marker.x(), marker.y())), MARKER, 1.2));
+            } else if (readings.get(i) instanceof DeviceReading.Pressed(var pressed)
+                    && specs.get(i) instanceof DeviceSpec.Bumpers(var parts)) {
+                for (int j = 0; j < parts.size(); j++) {
+                    Pose middle = pose(robot).compose(parts.get(j).mount());
+                    double halfM = parts.get(j).lengthM() / 2;
+                    line(
+                            middle.place(new Point(0, -halfM)),
+                            middle.place(new Point(0, halfM)),
+                            pressed.get(j) ? PRESSED : FREE,
+                            3);
+                }
+            }
+        }
+    }
+
+    private void line(Point from, Point to, String colour, double widthPx) {
+        svg.add(
+                "<path d=\"M%s L%s\" stroke=\"%s\" stroke-width=\"%.1f\"/>\n",
+                map.place(from.x(), from.y()), map.place(to.x(), to.y()), colour, widthPx);
     }
 
     private void ray(Pose from, double lengthM, String colour) {

@@ -89,6 +89,11 @@ public final class ServeCommand implements Callable<Integer> {
     @Option(names = "--seed", paramLabel = "N", description = "of everything random in the world")
     private long seed = 1;
 
+    @Option(
+            names = "--acceleration-bounds",
+            description = "robots obey the acceleration_bounds of the world file; Stage does not")
+    private boolean accelerationBounds;
+
     @Mixin
     private ViewOptions view;
 
@@ -113,7 +118,12 @@ public final class ServeCommand implements Callable<Integer> {
             FileProblems.checkOutput(spec, "--record", recording);
         }
         var serving = Serving.open(
-                worlds.scenario(), WorldSettings.DEFAULT.withSeed(seed), address, port, lockStep(), maxClients);
+                worlds.scenario(),
+                WorldSettings.DEFAULT.withSeed(seed).withAccelerationBounds(accelerationBounds),
+                address,
+                port,
+                lockStep(),
+                maxClients);
         var ended = new CountDownLatch(1);
         var hook = new Thread(() -> finish(serving, ended), "finish");
         Runtime.getRuntime().addShutdownHook(hook);

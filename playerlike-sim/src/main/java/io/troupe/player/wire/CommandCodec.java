@@ -2,6 +2,7 @@ package io.troupe.player.wire;
 
 import io.troupe.player.wire.DeviceCommand.Car;
 import io.troupe.player.wire.DeviceCommand.GoTo;
+import io.troupe.player.wire.DeviceCommand.Gripper;
 import io.troupe.player.wire.DeviceCommand.Pause;
 import io.troupe.player.wire.DeviceCommand.Reset;
 import io.troupe.player.wire.DeviceCommand.Save;
@@ -39,6 +40,7 @@ final class CommandCodec {
                 out.float64(heading.velocityMps(), heading.headingRad());
                 yield 4;
             }
+            case Gripper gripper -> gripper.order();
             case Pause pause -> 1;
             case Reset reset -> 2;
             case Save save -> 3;
@@ -58,6 +60,8 @@ final class CommandCodec {
                 case 3 -> new Save();
                 default -> null;
             };
+        } else if (interfaceCode == Interfaces.GRIPPER.code() && subtype >= 1 && subtype <= 5) {
+            command = new Gripper(subtype);
         }
         if (command != null) {
             in.end();

@@ -2,7 +2,12 @@ package io.troupe.player.wire;
 
 import io.troupe.player.wire.DeviceData.Blob;
 import io.troupe.player.wire.DeviceData.Blobs;
+import io.troupe.player.wire.DeviceData.BumperStates;
+import io.troupe.player.wire.DeviceData.CameraImage;
+import io.troupe.player.wire.DeviceData.Fiducial;
+import io.troupe.player.wire.DeviceData.Fiducials;
 import io.troupe.player.wire.DeviceData.GeometryChanged;
+import io.troupe.player.wire.DeviceData.GripperState;
 import io.troupe.player.wire.DeviceData.LaserScan;
 import io.troupe.player.wire.DeviceData.Position2d;
 import io.troupe.player.wire.DeviceData.RangerIntensities;
@@ -17,6 +22,7 @@ import org.jspecify.annotations.Nullable;
 /** Encodes and decodes DATA messages of devices. */
 final class DataCodec {
     private static final int BLOB_BYTES = 40;
+    private static final int FIDUCIAL_BYTES = 100;
 
     private DataCodec() {}
 
@@ -44,6 +50,18 @@ final class DataCodec {
                 return subtype + 1;
             }
             case LaserScan scan -> scan(out, scan);
+            case Fiducials fiducials -> out.array(fiducials.seen(), DataCodec::fiducial);
+            case CameraImage image ->
+                out.int32(image.width())
+                        .int32(image.height())
+                        .int32(image.bitsPerPixel())
+                        .int32(image.format())
+                        .int32(image.divisor())
+                        .int32(image.compression())
+                        .opaque(image.pixels().toArray());
+            case GripperState gripper ->
+                out.int32(gripper.state()).int32(gripper.beams()).int32(gripper.stored());
+            case BumperStates bumpers -> out.opaque(bytes(bumpers.states()));
             case GeometryChanged changed -> {
                 ReplyCodec.write(out, changed.geometry());
                 return changed.geometry() instanceof DeviceReply.RangerGeometry ? 5 : 2;
@@ -84,11 +102,21 @@ final class DataCodec {
                 .float32(scan.resolutionRad())
                 .float32(scan.maxRangeM())
                 .array(scan.rangesM(), XdrWriter::float32);
-        var intensities = new byte[scan.intensities().size()];
-        for (int i = 0; i < intensities.length; i++) {
-            intensities[i] = scan.intensities().get(i);
+        out.opaque(bytes(scan.intensities())).int32(scan.scanId());
+    }
+
+    private static byte[] bytes(List<Byte> values) {
+        var bytes = new byte[values.size()];
+        for (int i = 0; i < bytes.length; i++) {
+            bytes[i] = values.get(i);
         }
-        out.opaque(intensities).int32(scan.scanId());
+        return bytes;
+    }
+
+    private static void fiducial(XdrWriter out, Fiducial marker) {
+        out.int32(marker.id());
+        XdrStructures.pose3d(out, marker.pose());
+        XdrStructures.pose3d(out, marker.uncertainty());
     }
 
     /** Empty for an unknown message. */
@@ -135,6 +163,27 @@ final class DataCodec {
                 };
             case LASER -> subtype == 1 ? scan(in) : null;
             case SIMULATION -> null;
+            case FIDUCIAL ->
+                subtype == 1 ? new Fiducials(in.array("fiducials", FIDUCIAL_BYTES, DataCodec::fiducial)) : null;
+            case CAMERA ->
+                subtype == 1
+                        ? new CameraImage(
+                                in.int32("width"),
+                                in.int32("height"),
+                                in.int32("bpp"),
+                                in.int32("format"),
+                                in.int32("fdiv"),
+                                in.int32("compression"),
+                                Octets.of(in.opaque("image")))
+                        : null;
+            case GRIPPER ->
+                subtype == 1 ? new GripperState(in.uint8("state"), in.int32("beams"), in.uint8("stored")) : null;
+            case BUMPER ->
+                switch (subtype) {
+                    case 1 -> new BumperStates(bytes("bumpers", in));
+                    case 2 -> new GeometryChanged(ReplyCodec.bumperGeometry(in));
+                    default -> null;
+                };
         };
     }
 
@@ -181,10 +230,19 @@ final class DataCodec {
         float resolution = in.float32("resolution");
         float maxRange = in.float32("max_range");
         List<Float> ranges = in.array("ranges", 4, from -> from.float32("range"));
-        var intensities = new ArrayList<Byte>();
-        for (byte each : in.opaque("intensity")) {
-            intensities.add(each);
-        }
+        List<Byte> intensities = bytes("intensity", in);
         return new LaserScan(min, max, resolution, maxRange, ranges, intensities, in.int32("id"));
+    }
+
+    private static List<Byte> bytes(String field, XdrReader in) throws WireException {
+        var bytes = new ArrayList<Byte>();
+        for (byte each : in.opaque(field)) {
+            bytes.add(each);
+        }
+        return bytes;
+    }
+
+    private static Fiducial fiducial(XdrReader in) throws WireException {
+        return new Fiducial(in.int32("id"), XdrStructures.pose3d(in), XdrStructures.pose3d(in));
     }
 }

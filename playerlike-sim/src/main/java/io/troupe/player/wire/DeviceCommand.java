@@ -15,6 +15,18 @@ public sealed interface DeviceCommand {
     /** position2d CMD 4: the heading is absolute, in the odometry frame. */
     record VelocityHeading(double velocityMps, double headingRad) implements DeviceCommand {}
 
+    /**
+     * gripper CMD 1 to 5.
+     *
+     * @param order Player's number of it: also 3 stop, 4 store, 5 retrieve
+     */
+    record Gripper(int order) implements DeviceCommand {
+        /** Value of {@link #order}. */
+        public static final int OPEN = 1;
+        /** Value of {@link #order}. */
+        public static final int CLOSE = 2;
+    }
+
     /** simulation CMD 1: pauses the world, or continues it. */
     record Pause() implements DeviceCommand {}
 

@@ -61,6 +61,55 @@ public sealed interface DeviceData {
         }
     }
 
+    /** fiducial DATA 1: the markers in view. */
+    record Fiducials(List<Fiducial> seen) implements DeviceData {
+        public Fiducials {
+            seen = List.copyOf(seen);
+        }
+    }
+
+    /** One marker: its number (-1 if it cannot be read), its pose relative to the finder, and how uncertain that is. */
+    record Fiducial(int id, Pose3d pose, Pose3d uncertainty) {}
+
+    /**
+     * camera DATA 1: an image, its rows from the top.
+     *
+     * @param bitsPerPixel 8, 16, 24 or 32
+     * @param format Player's number of it
+     * @param divisor of pixel values that are scaled, else 1
+     * @param compression 0 = none, 1 = JPEG
+     */
+    record CameraImage(int width, int height, int bitsPerPixel, int format, int divisor, int compression, Octets pixels)
+            implements DeviceData {
+        /** Value of {@link #format}: a byte each for red, green and blue. */
+        public static final int RGB888 = 5;
+        /** Value of {@link #compression}. */
+        public static final int RAW = 0;
+    }
+
+    /**
+     * gripper DATA 1.
+     *
+     * @param state Player's number of it
+     * @param beams a bit for each beam that is broken
+     * @param stored number of stored things
+     */
+    record GripperState(int state, int beams, int stored) implements DeviceData {
+        /** Value of {@link #state}. */
+        public static final int OPEN = 1;
+        /** Value of {@link #state}. */
+        public static final int CLOSED = 2;
+        /** Value of {@link #state}. */
+        public static final int MOVING = 3;
+    }
+
+    /** bumper DATA 1: for each bumper whether it is pressed, 0 if not. */
+    record BumperStates(List<Byte> states) implements DeviceData {
+        public BumperStates {
+            states = List.copyOf(states);
+        }
+    }
+
     /** ranger DATA 3: the intensity of the echo of each range of DATA 1. */
     record RangerIntensities(List<Double> intensities) implements DeviceData {
         public RangerIntensities {
@@ -85,7 +134,7 @@ public sealed interface DeviceData {
     }
 
     /**
-     * DATA 2 of position2d and sonar, DATA 5 of ranger: the geometry has changed.
+     * DATA 2 of position2d, sonar and bumper, DATA 5 of ranger: the geometry has changed.
      *
      * @param geometry the same as in the reply to {@link DeviceRequest.Geometry}
      */

@@ -54,12 +54,54 @@ public sealed interface DeviceReply {
     /** Reply to {@link DeviceRequest.LaserId}. */
     record LaserId(int id) implements DeviceReply {}
 
+    /** Pose and size of a fiducial finder, and the size of the markers. */
+    record FiducialGeometry(Pose3d pose, Size3d size, double markerWidthM, double markerLengthM)
+            implements DeviceReply {}
+
+    /** Reply to {@link DeviceRequest.GetFieldOfView} and {@link DeviceRequest.SetFieldOfView}. */
+    record FieldOfView(float minRangeM, float maxRangeM, float angleRad) implements DeviceReply {}
+
+    /** Reply to {@link DeviceRequest.GetMarker} and {@link DeviceRequest.SetMarker}: the number of the own marker. */
+    record Marker(int id) implements DeviceReply {}
+
+    /**
+     * A gripper.
+     *
+     * @param inner the space between the open paddles
+     * @param capacity number of things that it can store
+     */
+    record GripperGeometry(Pose3d pose, Size3d outer, Size3d inner, int beams, int capacity) implements DeviceReply {}
+
+    /** The bumpers of a robot. */
+    record BumperGeometry(List<Bumper> bumpers) implements DeviceReply {
+        public BumperGeometry {
+            bumpers = List.copyOf(bumpers);
+        }
+    }
+
+    /** One bumper: the pose of its middle, its length, and the radius of its curve, 0 for a straight one. */
+    record Bumper(Pose3d pose, float lengthM, float radiusM) {}
+
     /** Reply to {@link DeviceRequest.GetPose}: a pose in the world's frame. */
     record ModelPose(String model, double px, double py, double pa) implements DeviceReply {
         public ModelPose {
             requireNonNull(model, "model");
         }
     }
+
+    /**
+     * Reply to {@link DeviceRequest.GetPose3d}.
+     *
+     * @param timeMicros simulated time of the pose, as Stage sends it
+     */
+    record ModelPose3d(String model, Pose3d pose, double timeMicros) implements DeviceReply {
+        public ModelPose3d {
+            requireNonNull(model, "model");
+        }
+    }
+
+    /** Reply to {@link DeviceRequest.GetProperty}; the bytes of the value are those in the memory of the server. */
+    record ModelProperty(String model, String property, int index, Octets value) implements DeviceReply {}
 
     /** Reply to {@link DeviceRequest.GetColour}. */
     record Colour(int channel, int rmin, int rmax, int gmin, int gmax, int bmin, int bmax) implements DeviceReply {}

@@ -21,7 +21,7 @@ public sealed interface DeviceRequest {
      */
     String COMMAND_AGE_KEY = "troupe_command_age_ms";
 
-    /** REQ 1 of position2d, sonar, ranger and laser: requests the geometry. */
+    /** REQ 1 of position2d, sonar, ranger, laser, fiducial and bumper: requests the geometry. */
     record Geometry() implements DeviceRequest {}
 
     /** position2d, sonar and ranger REQ 2, laser REQ 4: switches the device on or off. */
@@ -81,6 +81,18 @@ public sealed interface DeviceRequest {
     /** laser REQ 5. */
     record LaserId() implements DeviceRequest {}
 
+    /** fiducial REQ 2. */
+    record GetFieldOfView() implements DeviceRequest {}
+
+    /** fiducial REQ 3. */
+    record SetFieldOfView(float minRangeM, float maxRangeM, float angleRad) implements DeviceRequest {}
+
+    /** fiducial REQ 7: requests the number of the marker that the robot itself has. */
+    record GetMarker() implements DeviceRequest {}
+
+    /** fiducial REQ 8: sets it. */
+    record SetMarker(int id) implements DeviceRequest {}
+
     /** simulation REQ 1: requests the pose of a model. */
     record GetPose(String model) implements DeviceRequest {
         public GetPose {
@@ -92,6 +104,41 @@ public sealed interface DeviceRequest {
     record SetPose(String model, double px, double py, double pa) implements DeviceRequest {
         public SetPose {
             requireNonNull(model, "model");
+        }
+    }
+
+    /** simulation REQ 3: requests the pose of a model in space. */
+    record GetPose3d(String model) implements DeviceRequest {
+        public GetPose3d {
+            requireNonNull(model, "model");
+        }
+    }
+
+    /** simulation REQ 4: moves a model to a pose in space. */
+    record SetPose3d(String model, Pose3d pose, double timeMicros) implements DeviceRequest {
+        public SetPose3d {
+            requireNonNull(model, "model");
+        }
+    }
+
+    /**
+     * simulation REQ 5: requests a property of a model.
+     *
+     * @param index of a property with several values
+     * @param valueBytes length of the value
+     */
+    record GetProperty(String model, String property, int index, int valueBytes) implements DeviceRequest {
+        public GetProperty {
+            requireNonNull(model, "model");
+            requireNonNull(property, "property");
+        }
+    }
+
+    /** simulation REQ 6: sets a property of a model. */
+    record SetProperty(String model, String property, int index, Octets value) implements DeviceRequest {
+        public SetProperty {
+            requireNonNull(model, "model");
+            requireNonNull(property, "property");
         }
     }
 

@@ -9,7 +9,11 @@ public enum Interfaces {
     RANGER(62, "ranger"),
     LASER(6, "laser"),
     BLOBFINDER(7, "blobfinder"),
-    SIMULATION(31, "simulation");
+    SIMULATION(31, "simulation"),
+    FIDUCIAL(10, "fiducial"),
+    BUMPER(14, "bumper"),
+    CAMERA(40, "camera"),
+    GRIPPER(3, "gripper");
 
     private final int code;
     private final String playerName;

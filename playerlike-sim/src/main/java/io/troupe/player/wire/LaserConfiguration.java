@@ -8,4 +8,9 @@ public record LaserConfiguration(
         float maxRangeM,
         float rangeResolutionM,
         boolean intensities,
-        float frequencyHz) {}
+        float frequencyHz) {
+    public LaserConfiguration withIntensities(boolean on) {
+        return new LaserConfiguration(
+                minAngleRad, maxAngleRad, resolutionRad, maxRangeM, rangeResolutionM, on, frequencyHz);
+    }
+}

@@ -1,10 +1,18 @@
 package io.troupe.player.wire;
 
 import io.troupe.player.wire.DeviceReply.Ack;
+import io.troupe.player.wire.DeviceReply.Bumper;
+import io.troupe.player.wire.DeviceReply.BumperGeometry;
 import io.troupe.player.wire.DeviceReply.Colour;
+import io.troupe.player.wire.DeviceReply.FiducialGeometry;
+import io.troupe.player.wire.DeviceReply.FieldOfView;
+import io.troupe.player.wire.DeviceReply.GripperGeometry;
 import io.troupe.player.wire.DeviceReply.LaserGeometry;
 import io.troupe.player.wire.DeviceReply.LaserId;
+import io.troupe.player.wire.DeviceReply.Marker;
 import io.troupe.player.wire.DeviceReply.ModelPose;
+import io.troupe.player.wire.DeviceReply.ModelPose3d;
+import io.troupe.player.wire.DeviceReply.ModelProperty;
 import io.troupe.player.wire.DeviceReply.Nack;
 import io.troupe.player.wire.DeviceReply.OfLaser;
 import io.troupe.player.wire.DeviceReply.OfRanger;
@@ -19,6 +27,8 @@ final class ReplyCodec {
     static final RangerGeometry NO_GEOMETRY =
             new RangerGeometry(Pose3d.flat(0, 0, 0), new Size3d(0, 0, 0), List.of(), List.of());
     static final RangerConfiguration NO_CONFIGURATION = new RangerConfiguration(0, 0, 0, 0, 0, 0, 0);
+
+    private static final int BUMPER_BYTES = XdrStructures.POSE3D_BYTES + 8;
 
     private ReplyCodec() {}
 
@@ -58,7 +68,32 @@ final class ReplyCodec {
             }
             case OfLaser laser -> XdrStructures.laserConfiguration(out, laser.configuration());
             case LaserId laser -> out.int32(laser.id());
+            case FiducialGeometry finder -> {
+                XdrStructures.pose3d(out, finder.pose());
+                XdrStructures.size3d(out, finder.size());
+                out.float64(finder.markerWidthM(), finder.markerLengthM());
+            }
+            case FieldOfView view ->
+                out.float32(view.minRangeM()).float32(view.maxRangeM()).float32(view.angleRad());
+            case Marker marker -> out.int32(marker.id());
+            case GripperGeometry gripper -> {
+                XdrStructures.pose3d(out, gripper.pose());
+                XdrStructures.size3d(out, gripper.outer());
+                XdrStructures.size3d(out, gripper.inner());
+                out.int32(gripper.beams()).int32(gripper.capacity());
+            }
+            case BumperGeometry row -> out.array(row.bumpers(), ReplyCodec::bumper);
             case ModelPose model -> out.string(model.model()).float64(model.px(), model.py(), model.pa());
+            case ModelPose3d model -> {
+                out.string(model.model());
+                XdrStructures.pose3d(out, model.pose());
+                out.float64(model.timeMicros());
+            }
+            case ModelProperty property ->
+                out.string(property.model())
+                        .string(property.property())
+                        .int32(property.index())
+                        .opaque(property.value().toArray());
             case Colour colour ->
                 out.int32(colour.channel())
                         .int32(colour.rmin())
@@ -68,6 +103,11 @@ final class ReplyCodec {
                         .int32(colour.bmin())
                         .int32(colour.bmax());
         }
+    }
+
+    private static void bumper(XdrWriter out, Bumper bumper) {
+        XdrStructures.pose3d(out, bumper.pose());
+        out.float32(bumper.lengthM()).float32(bumper.radiusM());
     }
 
     /** Decodes the reply to a request of that subtype. */
@@ -109,10 +149,46 @@ final class ReplyCodec {
                     default -> new Ack();
                 };
             case SIMULATION ->
+                switch (subtype) {
+                    case 1 -> new ModelPose(in.string("name"), in.float64("px"), in.float64("py"), in.float64("pa"));
+                    case 3 -> new ModelPose3d(in.string("name"), XdrStructures.pose3d(in), in.float64("simtime"));
+                    case 5 ->
+                        new ModelProperty(
+                                in.string("name"), in.string("prop"), in.int32("index"), Octets.of(in.opaque("value")));
+                    default -> new Ack();
+                };
+            case CAMERA -> new Ack();
+            case GRIPPER ->
                 subtype == 1
-                        ? new ModelPose(in.string("name"), in.float64("px"), in.float64("py"), in.float64("pa"))
+                        ? new GripperGeometry(
+                                XdrStructures.pose3d(in),
+                                XdrStructures.size3d(in),
+                                XdrStructures.size3d(in),
+                                in.uint8("num_beams"),
+                                in.uint8("capacity"))
                         : new Ack();
+            case FIDUCIAL ->
+                switch (subtype) {
+                    case 1 ->
+                        new FiducialGeometry(
+                                XdrStructures.pose3d(in),
+                                XdrStructures.size3d(in),
+                                in.float64("marker width"),
+                                in.float64("marker length"));
+                    case 2, 3 ->
+                        new FieldOfView(in.float32("min_range"), in.float32("max_range"), in.float32("view_angle"));
+                    case 7, 8 -> new Marker(in.int32("id"));
+                    default -> new Ack();
+                };
+            case BUMPER -> subtype == 1 ? bumperGeometry(in) : new Ack();
         };
+    }
+
+    static BumperGeometry bumperGeometry(XdrReader in) throws WireException {
+        return new BumperGeometry(in.array(
+                "bumpers",
+                BUMPER_BYTES,
+                from -> new Bumper(XdrStructures.pose3d(from), from.float32("length"), from.float32("radius"))));
     }
 
     /** Reads the geometry of a position2d. The fields ignored here are uninitialised in Stage. */

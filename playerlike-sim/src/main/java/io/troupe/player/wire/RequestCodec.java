@@ -4,7 +4,11 @@ import io.troupe.player.wire.DeviceRequest.Capability;
 import io.troupe.player.wire.DeviceRequest.Geometry;
 import io.troupe.player.wire.DeviceRequest.GetColour;
 import io.troupe.player.wire.DeviceRequest.GetConfiguration;
+import io.troupe.player.wire.DeviceRequest.GetFieldOfView;
+import io.troupe.player.wire.DeviceRequest.GetMarker;
 import io.troupe.player.wire.DeviceRequest.GetPose;
+import io.troupe.player.wire.DeviceRequest.GetPose3d;
+import io.troupe.player.wire.DeviceRequest.GetProperty;
 import io.troupe.player.wire.DeviceRequest.Intensities;
 import io.troupe.player.wire.DeviceRequest.LaserId;
 import io.troupe.player.wire.DeviceRequest.PositionMode;
@@ -12,11 +16,15 @@ import io.troupe.player.wire.DeviceRequest.PositionPid;
 import io.troupe.player.wire.DeviceRequest.Power;
 import io.troupe.player.wire.DeviceRequest.ResetOdometry;
 import io.troupe.player.wire.DeviceRequest.SetColour;
+import io.troupe.player.wire.DeviceRequest.SetFieldOfView;
 import io.troupe.player.wire.DeviceRequest.SetImager;
 import io.troupe.player.wire.DeviceRequest.SetIntegerProperty;
 import io.troupe.player.wire.DeviceRequest.SetLaserConfiguration;
+import io.troupe.player.wire.DeviceRequest.SetMarker;
 import io.troupe.player.wire.DeviceRequest.SetOdometry;
 import io.troupe.player.wire.DeviceRequest.SetPose;
+import io.troupe.player.wire.DeviceRequest.SetPose3d;
+import io.troupe.player.wire.DeviceRequest.SetProperty;
 import io.troupe.player.wire.DeviceRequest.SetRangerConfiguration;
 import io.troupe.player.wire.DeviceRequest.SpeedPid;
 import io.troupe.player.wire.DeviceRequest.SpeedProfile;
@@ -71,8 +79,37 @@ final class RequestCodec {
                 yield 2;
             }
             case LaserId id -> 5;
+            case GetFieldOfView get -> 2;
+            case SetFieldOfView set ->
+                subtype(3, out.float32(set.minRangeM()).float32(set.maxRangeM()).float32(set.angleRad()));
+            case GetMarker get -> 7;
+            case SetMarker set -> subtype(8, out.int32(set.id()));
             case GetPose get -> subtype(1, out.string(get.model()).float64(0, 0, 0));
             case SetPose set -> subtype(2, out.string(set.model()).float64(set.px(), set.py(), set.pa()));
+            case GetPose3d get -> {
+                out.string(get.model());
+                XdrStructures.pose3d(out, Pose3d.flat(0, 0, 0));
+                yield subtype(3, out.float64(0));
+            }
+            case SetPose3d set -> {
+                out.string(set.model());
+                XdrStructures.pose3d(out, set.pose());
+                yield subtype(4, out.float64(set.timeMicros()));
+            }
+            case GetProperty get ->
+                subtype(
+                        5,
+                        out.string(get.model())
+                                .string(get.property())
+                                .int32(get.index())
+                                .opaque(new byte[get.valueBytes()]));
+            case SetProperty set ->
+                subtype(
+                        6,
+                        out.string(set.model())
+                                .string(set.property())
+                                .int32(set.index())
+                                .opaque(set.value().toArray()));
             case SetIntegerProperty property ->
                 subtype(SET_INTEGER_PROPERTY, out.string(property.key()).int32(property.value()));
             case Capability capability ->
@@ -107,6 +144,9 @@ final class RequestCodec {
             case RANGER -> ranger(subtype, in);
             case LASER -> laser(subtype, in);
             case SIMULATION -> simulation(subtype, in);
+            case FIDUCIAL -> fiducial(subtype, in);
+            case CAMERA -> new Unknown(subtype);
+            case BUMPER, GRIPPER -> subtype == 1 ? new Geometry() : new Unknown(subtype);
         };
     }
 
@@ -184,10 +224,36 @@ final class RequestCodec {
         };
     }
 
+    private static DeviceRequest fiducial(int subtype, XdrReader in) throws WireException {
+        return switch (subtype) {
+            case 1 -> new Geometry();
+            case 2 -> new GetFieldOfView();
+            case 3 ->
+                ended(
+                        new SetFieldOfView(in.float32("min_range"), in.float32("max_range"), in.float32("view_angle")),
+                        in);
+            case 7 -> new GetMarker();
+            case 8 -> ended(new SetMarker(in.int32("id")), in);
+            default -> new Unknown(subtype);
+        };
+    }
+
     private static DeviceRequest simulation(int subtype, XdrReader in) throws WireException {
         return switch (subtype) {
             case 1 -> new GetPose(in.string("name")); // the pose that follows is ignored
             case 2 -> ended(new SetPose(in.string("name"), in.float64("px"), in.float64("py"), in.float64("pa")), in);
+            case 3 -> new GetPose3d(in.string("name")); // as the pose here
+            case 4 -> ended(new SetPose3d(in.string("name"), XdrStructures.pose3d(in), in.float64("simtime")), in);
+            case 5 ->
+                ended(
+                        new GetProperty(
+                                in.string("name"), in.string("prop"), in.int32("index"), in.opaque("value").length),
+                        in);
+            case 6 ->
+                ended(
+                        new SetProperty(
+                                in.string("name"), in.string("prop"), in.int32("index"), Octets.of(in.opaque("value"))),
+                        in);
             default -> new Unknown(subtype);
         };
     }

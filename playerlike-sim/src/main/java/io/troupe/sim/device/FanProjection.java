@@ -153,6 +153,11 @@ final class FanProjection {
         return row < 0 ? 0 : row >= rows ? rows - 1 : (int) row;
     }
 
+    /** Sets the carrier of an outline, by its number in order of creation, if all outlines move. */
+    void setCarrier(int outlineNumber, int carrier) {
+        carriers[outlineNumber] = carrier;
+    }
+
     /** An upper bound for the number of outlines and edges within reach of a robot. */
     int countNear(double robotX, double robotY, double maxM) {
         double boxM = maxM + greatestRadiusM;

@@ -1,6 +1,7 @@
 package io.troupe.sim.device;
 
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangeNoise;
 import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RangerSpec;
 import java.util.ArrayList;
@@ -8,6 +9,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;
 import java.util.function.DoubleUnaryOperator;
+import org.jspecify.annotations.Nullable;
 
 /**
  * A laser or a ranger with all its sensors; each sensor is a fan of rays from right to left.
@@ -20,6 +22,7 @@ public final class Ranger {
     private final RangerSpec spec;
     private final List<SensorRays> sensors;
     private final int size;
+    private double @Nullable [] intensities; // null unless they are measured
 
     /**
      * Creates a ranger.
@@ -39,6 +42,23 @@ public final class Ranger {
                 .map(sensor -> new SensorRays(sensor, draw))
                 .toList();
         size = sensors.stream().mapToInt(SensorRays::size).sum();
+        measureIntensities(spec.intensities());
+    }
+
+    /** Whether intensities of echoes are measured too, from the next reading on. */
+    public void measureIntensities(boolean on) {
+        intensities = on ? new double[size] : null;
+    }
+
+    public boolean measuresIntensities() {
+        return intensities != null;
+    }
+
+    /** The intensities at the last reading, one for each range; empty if they are not measured. */
+    public List<Double> intensities() {
+        return intensities == null
+                ? List.of()
+                : Arrays.stream(intensities).boxed().toList();
     }
 
     /** Number of readings. */
@@ -59,7 +79,7 @@ public final class Ranger {
     public void read(Scene scene, int robot, Scratch scratch, double[] into) {
         int from = 0;
         for (int i = 0; i < sensors.size(); i++) {
-            sensors.get(i).read(scene, robot, scratch, into, from);
+            sensors.get(i).read(scene, robot, scratch, into, intensities, from);
             from += sensors.get(i).size();
         }
     }
@@ -87,10 +107,14 @@ public final class Ranger {
 
     /** One sensor. */
     private static final class SensorRays {
+        /** Keeps the logarithm finite. */
+        private static final double LEAST_SHARE = 1e-100;
+
         private final RangeSensorSpec spec;
         private final DoubleUnaryOperator draw;
         private final double[] headingsRad; // of the rays, in the robot's frame
         private final RayFan fan;
+        private final double directionShare; // of the angular noise
         private final boolean noisyDirection;
         private final boolean noisyRange;
 
@@ -105,6 +129,8 @@ public final class Ranger {
                 starts.add(new Pose(spec.mount().x(), spec.mount().y(), headingsRad[i]));
             }
             fan = new RayFan(starts);
+            directionShare =
+                    spec.noise().law() == RangeNoise.Law.STAGE ? spec.fovRad() / Math.max(1, spec.samples() - 1) : 1;
             noisyDirection = spec.noise().angularRad() > 0;
             noisyRange = spec.noise().constantM() > 0 || spec.noise().proportional() > 0;
         }
@@ -137,18 +163,28 @@ public final class Ranger {
             return fan.size();
         }
 
-        void read(Scene scene, int robot, Scratch scratch, double[] into, int from) {
+        void read(Scene scene, int robot, Scratch scratch, double[] into, double @Nullable [] intensities, int from) {
             if (noisyDirection) {
                 for (int i = 0; i < headingsRad.length; i++) {
                     double headingRad =
-                            headingsRad[i] + draw.applyAsDouble(spec.noise().angularRad() / 2);
+                            headingsRad[i] + draw.applyAsDouble(spec.noise().angularRad() / 2 * directionShare);
                     fan.dirX[i] = StrictMath.cos(headingRad);
                     fan.dirY[i] = StrictMath.sin(headingRad);
                 }
             }
             scratch.fit(fan.size());
-            scene.castRanges(robot, fan, spec.maxRangeM(), scratch);
-            double[] distancesM = scratch.rays.distanceM;
+            double[] distancesM;
+            if (intensities == null) {
+                scene.castRanges(robot, fan, spec.maxRangeM(), scratch);
+                distancesM = scratch.rays.distanceM;
+            } else {
+                scene.cast(robot, fan, Ray.RANGE, spec.maxRangeM(), scratch); // the same distances, and what is hit
+                distancesM = scratch.distancesM();
+                for (int i = 0; i < fan.size(); i++) {
+                    int thing = scratch.things()[i];
+                    intensities[from + i] = thing == Ray.NOTHING ? 0 : scene.reflectance(thing);
+                }
+            }
             for (int i = 0; i < fan.size(); i++) {
                 double rangeM = noisyRange ? noisy(distancesM[i]) : distancesM[i];
                 into[from + i] = Math.clamp(rangeM, spec.minRangeM(), spec.maxRangeM());
@@ -160,9 +196,22 @@ public final class Ranger {
          * ray do not change the errors of the others.
          */
         private double noisy(double rangeM) {
-            double constantM = draw.applyAsDouble(spec.noise().constantM() / 2);
-            double proportional = draw.applyAsDouble(spec.noise().proportional() / 2);
+            double constantM;
+            double proportional;
+            if (spec.noise().law() == RangeNoise.Law.STAGE) {
+                constantM = StrictMath.sqrt(spec.noise().constantM()) * normal();
+                proportional = draw.applyAsDouble(spec.noise().proportional());
+            } else {
+                constantM = draw.applyAsDouble(spec.noise().constantM() / 2);
+                proportional = draw.applyAsDouble(spec.noise().proportional() / 2);
+            }
             return rangeM == Double.POSITIVE_INFINITY ? rangeM : rangeM + rangeM * proportional + constantM;
+        }
+
+        /** A normal random number, by the method of Box and Muller. */
+        private double normal() {
+            double share = Math.max(draw.applyAsDouble(0.5) + 0.5, LEAST_SHARE);
+            return StrictMath.sqrt(-2 * StrictMath.log(share)) * StrictMath.cos(draw.applyAsDouble(StrictMath.PI));
         }
     }
 }

@@ -6,6 +6,9 @@ final class Ray {
     static final int RANGE = 1;
 
     static final int SIGHT = 2;
+    /** The rays of grippers. */
+    static final int GRIP = 4;
+
     static final int NOTHING = -1;
 
     double x;

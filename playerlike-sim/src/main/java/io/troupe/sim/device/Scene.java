@@ -1,7 +1,11 @@
 package io.troupe.sim.device;
 
+import static java.util.Objects.requireNonNull;
+
 import io.troupe.sim.model.CargoSpec;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
@@ -12,6 +16,8 @@ import java.util.Comparator;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.stream.DoubleStream;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The geometry that the devices sense: all outlines and colours.
@@ -27,15 +33,22 @@ import java.util.Map;
  */
 public final class Scene {
     private static final double RIM_M = 1;
+    private static final int NOBODY = -1;
     /** With more things near the robot, the rays walk through the grid. */
     private static final int MOST_THINGS_PER_RAY = 8;
 
     private final NearestWalls walls;
-    private final Outline[] robots;
+    private final int robotCount;
+    private final Outline[] robots; // and after them the obstacles that move, as in the next fields
     private final double[] x; // of the robots
     private final double[] y;
     private final double[] cos;
     private final double[] sin;
+    private final double[] headingRad;
+    private final boolean[] blocksBodies;
+    private final int[] movers; // indices of the obstacles that move
+    private final int[] carrierOf; // by mover, the robot whose gripper holds it
+    private final @Nullable Markers markers; // null if there is no finder
     private final List<List<Part>> parts = new ArrayList<>(); // by robot
     private final int[] colours; // by thing: obstacles, then robots, then what they carry
     private final int firstRobot;
@@ -48,6 +61,8 @@ public final class Scene {
     private final double[] movingY;
     private final Direction direction = new Direction();
     private final BoundingCircles circles;
+    private final WorldSpec spec;
+    private double @Nullable [] reflectances; // by thing; null until a ranger measures intensities
     private final List<ColourGroup> fixedGroups = new ArrayList<>();
     private final List<ColourGroup> movingGroups = new ArrayList<>();
 
@@ -56,14 +71,22 @@ public final class Scene {
 
     /** Creates the scene with every robot at its start pose. */
     public Scene(WorldSpec spec) {
+        this.spec = spec;
         List<ObstacleSpec> obstacles = spec.obstacles();
         firstRobot = obstacles.size();
-        int robotCount = spec.robots().size();
-        robots = new Outline[robotCount];
-        x = new double[robotCount];
-        y = new double[robotCount];
-        cos = new double[robotCount];
-        sin = new double[robotCount];
+        robotCount = spec.robots().size();
+        movers = spec.movingObstacles().stream().mapToInt(Integer::intValue).toArray();
+        int bodyCount = robotCount + movers.length;
+        robots = new Outline[bodyCount];
+        x = new double[bodyCount];
+        y = new double[bodyCount];
+        cos = new double[bodyCount];
+        sin = new double[bodyCount];
+        headingRad = new double[bodyCount];
+        blocksBodies = new boolean[bodyCount];
+        carrierOf = new int[movers.length];
+        Arrays.fill(carrierOf, NOBODY);
+        markers = hasFinder(spec) ? new Markers(spec) : null;
         int cargoCount =
                 spec.robots().stream().mapToInt(robot -> robot.cargo().size()).sum();
         circles = new BoundingCircles(firstRobot + robotCount + cargoCount);
@@ -78,6 +101,10 @@ public final class Scene {
         for (int i = 0; i < firstRobot; i++) {
             ObstacleSpec obstacle = obstacles.get(i);
             var outline = new Outline(obstacle.shape(), obstacle.pose());
+            if (Arrays.binarySearch(movers, i) >= 0) {
+                paint(i, obstacle.colour(), obstacle.visible(), movingByColour);
+                continue;
+            }
             int kinds = rayKinds(obstacle.blocksRangers(), obstacle.visible());
             addRings(outline, i, kinds, fixed.count, fixedOutlines, fixedX, fixedY);
             fixed.add(outline, i, kinds);
@@ -88,12 +115,15 @@ public final class Scene {
             }
         }
         walls = new NearestWalls(blocking);
-        movingX = new double[robotCount + cargoCount];
-        movingY = new double[robotCount + cargoCount];
+        movingX = new double[robotCount + cargoCount + movers.length];
+        movingY = new double[robotCount + cargoCount + movers.length];
         int cargo = firstRobot + robotCount;
         for (int i = 0; i < robotCount; i++) {
             addRobot(i, spec.robots().get(i), cargo, movingByColour);
             cargo += spec.robots().get(i).cargo().size();
+        }
+        for (int i = 0; i < movers.length; i++) {
+            addMover(i, obstacles.get(movers[i]), robotCount + cargoCount + i);
         }
         showRobots();
         Grid grid = gridAround(fixed, moving);
@@ -109,6 +139,11 @@ public final class Scene {
         refresh();
     }
 
+    private static boolean hasFinder(WorldSpec spec) {
+        return spec.robots().stream()
+                .anyMatch(robot -> robot.devices().stream().anyMatch(DeviceSpec.FiducialFinder.class::isInstance));
+    }
+
     private void paint(int thing, int colour, boolean visible, Map<Integer, List<Integer>> byColour) {
         colours[thing] = colour;
         if (visible) {
@@ -118,6 +153,7 @@ public final class Scene {
 
     private void addRobot(int index, RobotSpec robot, int firstCargo, Map<Integer, List<Integer>> byColour) {
         Pose pose = robot.pose();
+        blocksBodies[index] = robot.blocksBodies();
         robots[index] = new Outline(robot.collisionShape(), pose);
         Outline body = robot.cargo().isEmpty() ? robots[index] : new Outline(robot.shape(), pose);
         var seen = new ArrayList<Part>();
@@ -125,7 +161,7 @@ public final class Scene {
                 body,
                 firstRobot + index,
                 rayKinds(robot.blocksRangers(), robot.visible()),
-                index + firstCargo - firstRobot - robots.length));
+                index + firstCargo - firstRobot - robotCount));
         circles.set(firstRobot + index, pose.x(), pose.y(), body);
         paint(firstRobot + index, robot.colour(), robot.visible(), byColour);
         int thing = firstCargo;
@@ -135,12 +171,50 @@ public final class Scene {
                     outline,
                     thing,
                     rayKinds(piece.blocksRangers(), piece.visible()),
-                    index + 1 + thing - firstRobot - robots.length));
+                    index + 1 + thing - firstRobot - robotCount));
             circles.set(thing, pose.x(), pose.y(), outline);
             paint(thing++, piece.colour(), piece.visible(), byColour);
         }
         parts.add(seen);
         place(index, pose);
+    }
+
+    private void addMover(int number, ObstacleSpec obstacle, int partIndex) {
+        int body = robotCount + number;
+        blocksBodies[body] = obstacle.blocksBodies();
+        robots[body] = new Outline(obstacle.shape(), obstacle.pose());
+        int kinds = rayKinds(obstacle.blocksRangers(), obstacle.visible())
+                | (obstacle.traits().grippable() ? Ray.GRIP : 0);
+        parts.add(List.of(new Part(robots[body], movers[number], kinds, partIndex)));
+        circles.set(movers[number], obstacle.pose().x(), obstacle.pose().y(), robots[body]);
+        place(body, obstacle.pose());
+    }
+
+    /** Number of the thing that a body is, or of the robot that holds it: the rays of that robot ignore it. */
+    private int carrierNumber(int body) {
+        if (body < robotCount) {
+            return firstRobot + body;
+        }
+        int holder = carrierOf[body - robotCount];
+        return holder == NOBODY ? movers[body - robotCount] : firstRobot + holder;
+    }
+
+    /** Number of obstacles that may move. */
+    public int moverCount() {
+        return movers.length;
+    }
+
+    /** Sets which robot's gripper holds a thing that moves; -1 = none. */
+    public void carry(int mover, int robot) {
+        carrierOf[mover] = robot;
+        int body = robotCount + mover;
+        movingProjection.setCarrier(parts.get(body).getFirst().index, carrierNumber(body));
+    }
+
+    /** Which of the things that move is the obstacle with an index; -1 if it stands still. */
+    int mover(int thing) {
+        int number = Arrays.binarySearch(movers, thing);
+        return number < 0 ? NOBODY : number;
     }
 
     private static int rayKinds(boolean blocksRangers, boolean visible) {
@@ -169,10 +243,11 @@ public final class Scene {
     }
 
     /** As {@link #place(int, Pose)}, without allocating a pose. */
-    public void place(int robot, double robotX, double robotY, double headingRad) {
+    public void place(int robot, double robotX, double robotY, double robotHeadingRad) {
         x[robot] = robotX;
         y[robot] = robotY;
-        direction.set(headingRad);
+        headingRad[robot] = robotHeadingRad;
+        direction.set(robotHeadingRad);
         cos[robot] = direction.cos();
         sin[robot] = direction.sin();
         robots[robot].place(robotX, robotY, cos[robot], sin[robot]);
@@ -197,6 +272,9 @@ public final class Scene {
         for (int i = 0; i < movingGroups.size(); i++) {
             movingGroups.get(i).sort();
         }
+        if (markers != null) {
+            markers.refresh(this);
+        }
     }
 
     private void showRobots() {
@@ -205,7 +283,7 @@ public final class Scene {
             List<Part> seen = parts.get(i);
             for (int j = 0; j < seen.size(); j++) {
                 Part part = seen.get(j);
-                moving.add(part.outline, part.thing, firstRobot + i, part.rayKinds);
+                moving.add(part.outline, part.thing, carrierNumber(i), part.rayKinds);
             }
         }
     }
@@ -242,7 +320,7 @@ public final class Scene {
                     end += ring.x.length;
                     radiusM = Math.max(radiusM, ring.radiusM(x[i], y[i]));
                 }
-                outlines.add(firstRobot + i, part.rayKinds, first, end, radiusM);
+                outlines.add(carrierNumber(i), part.rayKinds, first, end, radiusM);
                 first = end;
             }
         }
@@ -254,7 +332,114 @@ public final class Scene {
      * if there is none.
      */
     public double wallGapM(int robot) {
-        return walls.gapM(robots[robot]);
+        double gapM = walls.gapM(robots[robot]);
+        for (int i = 0; i < movers.length; i++) {
+            if (carrierOf[i] == NOBODY && blocksBodies[robotCount + i]) {
+                gapM = robots[robotCount + i].gapM(robots[robot], gapM);
+            }
+        }
+        return gapM;
+    }
+
+    /** True if an obstacle or another robot that blocks bodies touches or overlaps a zone of this robot. */
+    boolean hasBodyIn(int robot, Outline zone) {
+        if (walls.gapM(zone) == 0) {
+            return true;
+        }
+        for (int other = 0; other < robots.length; other++) {
+            if (other != robot
+                    && blocksBodies[other]
+                    && carrierNumber(other) != firstRobot + robot
+                    && robots[other].isWithin(zone, 0)) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The markers, or null if no robot has a finder. */
+    @Nullable
+    Markers markers() {
+        return markers;
+    }
+
+    double x(int robot) {
+        return x[robot];
+    }
+
+    double y(int robot) {
+        return y[robot];
+    }
+
+    double headingRad(int robot) {
+        return headingRad[robot];
+    }
+
+    double cos(int robot) {
+        return cos[robot];
+    }
+
+    double sin(int robot) {
+        return sin[robot];
+    }
+
+    /**
+     * True if nothing that rangers or blobfinders notice is between a point of a robot and a point of a thing, other
+     * than this robot and that thing. A robot does not see itself.
+     *
+     * @param dx from the first point to the second, as is {@code dy}
+     */
+    boolean isInSight(int robot, double fromX, double fromY, double dx, double dy, int thing, Ray ray) {
+        double distanceM = StrictMath.hypot(dx, dy);
+        if (thing == firstRobot + robot || distanceM == 0) {
+            return thing != firstRobot + robot;
+        }
+        ray.x = fromX;
+        ray.y = fromY;
+        ray.dirX = dx / distanceM;
+        ray.dirY = dy / distanceM;
+        ray.skip = firstRobot + robot;
+        ray.kind = Ray.RANGE | Ray.SIGHT;
+        ray.maxM = distanceM;
+        caster.cast(ray);
+        return ray.hitThing == Ray.NOTHING || ray.hitM >= distanceM || carrier(ray.hitThing) == thing;
+    }
+
+    /**
+     * Number of the first grippable thing on a ray from a point of a robot, of those that move; -1 if there is none.
+     */
+    int gripped(int robot, double localX, double localY, double localHeadingRad, double rangeM, Ray ray) {
+        direction.set(headingRad[robot] + localHeadingRad);
+        ray.x = x[robot] + cos[robot] * localX - sin[robot] * localY;
+        ray.y = y[robot] + sin[robot] * localX + cos[robot] * localY;
+        ray.dirX = direction.cos();
+        ray.dirY = direction.sin();
+        ray.skip = Ray.NOTHING;
+        ray.kind = Ray.GRIP;
+        ray.maxM = rangeM;
+        caster.cast(ray);
+        return ray.hitThing == Ray.NOTHING ? NOBODY : mover(ray.hitThing);
+    }
+
+    /** Extent of a thing that moves along its y axis. */
+    double widthM(int mover) {
+        var y = spec.obstacles().get(movers[mover]).shape().polygons().stream()
+                .flatMap(List::stream)
+                .mapToDouble(Point::y)
+                .summaryStatistics();
+        return y.getMax() - y.getMin();
+    }
+
+    /** The robot that carries a thing, or the thing itself. */
+    private int carrier(int thing) {
+        if (thing < firstRobot + robotCount) {
+            return thing;
+        }
+        int robot = 0; // it is cargo
+        while (parts.get(robot).getLast().thing < thing) { // cargo is numbered in the order of the robots
+            robot++;
+        }
+        return firstRobot + robot;
     }
 
     /**
@@ -378,6 +563,31 @@ public final class Scene {
         caster.cast(ray);
         scratch.things()[i] = ray.hitThing;
         scratch.distancesM()[i] = ray.hitM;
+    }
+
+    /** True if intensities can be measured. */
+    public boolean hasReflectances() {
+        return reflectances != null;
+    }
+
+    /** Prepares {@link #reflectance}; called by the thread that moves robots, before rangers measure intensities. */
+    public void readReflectances() {
+        if (reflectances == null) {
+            reflectances = DoubleStream.concat(
+                            DoubleStream.concat(
+                                    spec.obstacles().stream()
+                                            .mapToDouble(each -> each.traits().reflectance()),
+                                    spec.robots().stream()
+                                            .mapToDouble(each -> each.traits().reflectance())),
+                            spec.robots().stream()
+                                    .flatMap(robot -> robot.cargo().stream())
+                                    .mapToDouble(CargoSpec::reflectance))
+                    .toArray();
+        }
+    }
+
+    double reflectance(int thing) {
+        return requireNonNull(reflectances, "read before use")[thing];
     }
 
     int colour(int thing) {

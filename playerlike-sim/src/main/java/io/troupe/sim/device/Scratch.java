@@ -12,6 +12,7 @@ public final class Scratch {
     private int[] things = new int[0];
     private double[] distancesM = new double[0];
     private boolean[] wanted = new boolean[0];
+    private int[] markers = new int[0];
 
     /** Ensures the capacity for a fan of the given number of rays. */
     void fit(int size) {
@@ -31,6 +32,14 @@ public final class Scratch {
     /** Distance of each hit, or infinity. */
     double[] distancesM() {
         return distancesM;
+    }
+
+    /** Room for this number of markers. */
+    int[] markers(int count) {
+        if (markers.length < count) {
+            markers = new int[count];
+        }
+        return markers;
     }
 
     /** Rays that must be cast. */

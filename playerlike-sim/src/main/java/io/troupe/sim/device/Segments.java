@@ -12,7 +12,7 @@ final class Segments {
     /** {@code x, y, dx, dy} of segment {@code s} begin at {@code FIELDS * s}. */
     static final int FIELDS = 4;
 
-    private static final int KINDS = 2; // bits of Ray.RANGE and Ray.SIGHT
+    private static final int KINDS = 3; // bits of Ray.RANGE, Ray.SIGHT and Ray.GRIP
 
     double[] geometry = new double[64 * FIELDS];
     private int[] tags = new int[64]; // carrier, whose own rays pass, and the kinds of ray that the segment stops

@@ -10,8 +10,10 @@ import java.util.List;
  * @param lengthM its x extent
  * @param widthM its y extent
  * @param sensors in the order in which their ranges are published; 1 for a laser
+ * @param intensities it measures the intensities of echoes from the start
  */
-public record RangerSpec(Kind kind, Pose mount, double lengthM, double widthM, List<RangeSensorSpec> sensors) {
+public record RangerSpec(
+        Kind kind, Pose mount, double lengthM, double widthM, List<RangeSensorSpec> sensors, boolean intensities) {
     /** The interface of a ranging device. */
     public enum Kind {
         /** Player's {@code laser}: a scan in one plane from one point. */
@@ -22,5 +24,10 @@ public record RangerSpec(Kind kind, Pose mount, double lengthM, double widthM, L
 
     public RangerSpec {
         sensors = List.copyOf(sensors);
+    }
+
+    /** Creates a device without intensities. */
+    public RangerSpec(Kind kind, Pose mount, double lengthM, double widthM, List<RangeSensorSpec> sensors) {
+        this(kind, mount, lengthM, widthM, sensors, false);
     }
 }

@@ -22,6 +22,8 @@ import org.jspecify.annotations.Nullable;
  * @param blocksBodies false if it passes through all bodies
  * @param drive start speed, limits and kind of odometry
  * @param cargo the things that it carries
+ * @param traits what only some devices of others notice of its body
+ * @param devices its further devices, in the order of the file
  */
 public record RobotSpec(
         String name,
@@ -41,10 +43,13 @@ public record RobotSpec(
         boolean blocksBodies,
         DriveSpec drive,
         List<CargoSpec> cargo,
+        Traits traits,
+        List<DeviceSpec> devices,
         SourcePosition where) {
     public RobotSpec {
         rangers = List.copyOf(rangers);
         cargo = List.copyOf(cargo);
+        devices = List.copyOf(devices);
     }
 
     /** Creates a robot that blocks bodies, drives without limits and carries nothing. */
@@ -81,6 +86,8 @@ public record RobotSpec(
                 visible,
                 true,
                 DriveSpec.STANDARD,
+                List.of(),
+                Traits.PLAIN,
                 List.of(),
                 where);
     }
@@ -134,9 +141,11 @@ public record RobotSpec(
                 rangers,
                 false,
                 false,
-                blocksBodies,
+                false,
                 drive,
                 unseenCargo,
+                Traits.PLAIN,
+                devices,
                 where);
     }
 
@@ -159,6 +168,8 @@ public record RobotSpec(
                 blocksBodies,
                 otherDrive,
                 cargo,
+                traits,
+                devices,
                 where);
     }
 }

@@ -2,6 +2,7 @@ package io.troupe.sim.model;
 
 import java.nio.file.Path;
 import java.util.List;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -30,5 +31,23 @@ public record WorldSpec(
                         robots,
                         Stream.concat(obstacles.stream(), boxes.stream().map(ColouredBox::obstacle))
                                 .toList());
+    }
+
+    /**
+     * Indices of the obstacles that may move, in ascending order: those that can be pushed and, in a world with a
+     * gripper, those that it can take.
+     */
+    public List<Integer> movingObstacles() {
+        boolean hasGripper = robots.stream()
+                .anyMatch(robot -> robot.devices().stream().anyMatch(DeviceSpec.Gripper.class::isInstance));
+        return IntStream.range(0, obstacles.size())
+                .filter(i -> isPushed(obstacles.get(i))
+                        || hasGripper && obstacles.get(i).traits().grippable())
+                .boxed()
+                .toList();
+    }
+
+    private static boolean isPushed(ObstacleSpec obstacle) {
+        return obstacle.traits().pushableKg() > 0 && obstacle.blocksBodies();
     }
 }

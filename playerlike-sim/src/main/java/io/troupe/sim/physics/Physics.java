@@ -89,14 +89,32 @@ public final class Physics {
     }
 
     /**
+     * Creates a world in which obstacles move too. They have to be added after the robots, as robots that nobody
+     * drives: in each step they lose the speed that a robot has given them.
+     *
+     * @param movers indices of the obstacles that move
+     */
+    public static Physics withMovers(int robotCount, int stepMicros, List<Integer> movers) {
+        return new Physics(
+                robotCount + movers.size(),
+                stepMicros,
+                true,
+                movers.stream().mapToInt(Integer::intValue).toArray());
+    }
+
+    /**
      * @param mayGlide whether robots with nothing near them may make their steps without jbox2d; this changes only the
      *     run time
      */
     Physics(int robotCount, int stepMicros, boolean mayGlide) {
+        this(robotCount, stepMicros, mayGlide, new int[0]);
+    }
+
+    private Physics(int robotCount, int stepMicros, boolean mayGlide, int[] movers) {
         this.robotCount = robotCount;
         this.stepMicros = stepMicros;
         this.mayGlide = mayGlide;
-        touches = new TouchTracker(robotCount);
+        touches = new TouchTracker(robotCount, movers);
         world = new World(
                 new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), cells);
         world.setAllowSleep(false);
@@ -266,7 +284,12 @@ public final class Physics {
 
     /** Sets a robot's speed, until it is set again. */
     public void drive(int robot, double forwardMps, double turnRadps) {
-        robots.get(robot).drive(forwardMps, turnRadps);
+        drive(robot, forwardMps, 0, turnRadps);
+    }
+
+    /** Sets the speed of a robot that can move sideways (left positive), until it is set again. */
+    public void drive(int robot, double forwardMps, double sidewaysMps, double turnRadps) {
+        robots.get(robot).drive(forwardMps, sidewaysMps, turnRadps);
     }
 
     /** Moves a robot to a pose; its current touches end. */
@@ -390,9 +413,9 @@ public final class Physics {
         private int startedCount;
         private boolean recent; // the last step had contact events, so `touched` may contain a touch that has ended
 
-        TouchTracker(int robotCount) {
+        TouchTracker(int robotCount, int[] movers) {
             touched = new boolean[robotCount];
-            begun = new Touches(robotCount);
+            begun = new Touches(robotCount, movers);
         }
 
         @Override

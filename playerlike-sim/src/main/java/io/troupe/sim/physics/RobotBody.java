@@ -45,6 +45,7 @@ final class RobotBody {
     private double turnRadps;
     private double halfTurnRad; // of one step
     private double chordM;
+    private double sideChordM; // to the left; 0 unless the drive is omnidirectional
     private double travelM; // no point of the robot moves farther in a step, unless it is pushed
     private double aimX;
     private double aimY;
@@ -95,12 +96,15 @@ final class RobotBody {
         headingRad = Angles.wrap(pose.headingRad());
     }
 
-    void drive(double forwardMps, double turnRadps) {
+    void drive(double forwardMps, double sidewaysMps, double turnRadps) {
         this.turnRadps = turnRadps;
         halfTurnRad = turnRadps * stepS / 2;
         directions.halfTurn.set(halfTurnRad);
         chordM = forwardMps * stepS * (halfTurnRad == 0 ? 1 : directions.halfTurn.sin() / halfTurnRad);
-        double arcsM = Math.abs(forwardMps) + Math.abs(turnRadps) * fatBoxes.radiusM();
+        sideChordM = sidewaysMps == 0
+                ? 0
+                : sidewaysMps * stepS * (halfTurnRad == 0 ? 1 : directions.halfTurn.sin() / halfTurnRad);
+        double arcsM = Math.abs(forwardMps) + Math.abs(sidewaysMps) + Math.abs(turnRadps) * fatBoxes.radiusM();
         travelM = arcsM * stepS * (1 + ROUNDING) + ROUNDING / 1000;
     }
 
@@ -162,7 +166,7 @@ final class RobotBody {
 
     /** The end of the next step's arc. */
     private void aim() {
-        if (chordM == 0 && x != 0 && y != 0) { // zero might change its sign
+        if (chordM == 0 && sideChordM == 0 && x != 0 && y != 0) { // zero might change its sign
             aimX = x;
             aimY = y;
         } else {
@@ -170,6 +174,10 @@ final class RobotBody {
             chord.set(headingRad + halfTurnRad);
             aimX = x + chordM * chord.cos();
             aimY = y + chordM * chord.sin();
+            if (sideChordM != 0) {
+                aimX -= sideChordM * chord.sin();
+                aimY += sideChordM * chord.cos();
+            }
         }
         aimHeadingRad = Angles.wrap(headingRad + 2 * halfTurnRad);
     }

@@ -8,16 +8,28 @@ import java.util.Arrays;
  * <p><b>Threads.</b> Those of the {@link Physics} it belongs to.
  */
 public final class Touches {
+    private final int bodyCount;
+    private final int[] movers;
     private final int robotCount;
     private long[] timesMicros = new long[16];
     private long[] pairs = new long[16];
     private int count;
 
-    Touches(int robotCount) {
-        this.robotCount = robotCount;
+    /**
+     * @param bodyCount robots, and after them obstacles that move
+     * @param movers the indices of these obstacles
+     */
+    Touches(int bodyCount, int[] movers) {
+        this.bodyCount = bodyCount;
+        this.movers = movers;
+        robotCount = bodyCount - movers.length;
     }
 
+    /** Adds a touch, unless it is one of two obstacles. */
     void add(long timeMicros, long pair) {
+        if (pair >> 32 >= robotCount) {
+            return;
+        }
         if (count == pairs.length) {
             timesMicros = Arrays.copyOf(timesMicros, 2 * count);
             pairs = Arrays.copyOf(pairs, 2 * count);
@@ -54,6 +66,9 @@ public final class Touches {
     /** Index of the obstacle, or -1. */
     public int obstacle(int touch) {
         int second = (int) pairs[touch];
-        return second < robotCount ? -1 : second - robotCount;
+        if (second < robotCount) {
+            return -1;
+        }
+        return second < bodyCount ? movers[second - robotCount] : second - bodyCount;
     }
 }

@@ -37,6 +37,20 @@ enum Dialect {
         return this == CLASSIC ? rangerReturn > 0 : rangerReturn >= 0;
     }
 
+    /** Intensity of the echo of a model. */
+    double reflectance(Entity model) {
+        return this == CLASSIC ? (isBright(model) ? 1 : 0) : Math.max(0, model.number("ranger_return", 1));
+    }
+
+    /** True if a world of the classic dialect has something bright. */
+    boolean hasBright(Entity world) {
+        return this == CLASSIC && (isBright(world) || world.children().stream().anyMatch(this::hasBright));
+    }
+
+    private static boolean isBright(Entity model) {
+        return model.number("laser_return", 1) >= 2;
+    }
+
     private record Mark(String word, SourcePosition where) {}
 
     private static @Nullable Mark firstMark(Entity entity, Dialect dialect) {

@@ -4,8 +4,8 @@ import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.DriveSpec;
 import io.troupe.sim.model.DriveSpec.Bounds;
 import io.troupe.sim.model.DriveSpec.Localization;
+import io.troupe.sim.model.DriveSpec.Steering;
 import io.troupe.sim.model.Pose;
-import java.util.List;
 
 /** Reads the drive and the odometry of a {@code position}. */
 final class DriveReader {
@@ -20,42 +20,53 @@ final class DriveReader {
     }
 
     DriveSpec read(Entity position) {
-        requireDifferentialDrive(position);
+        Steering steering = steering(position);
+        boolean sideways = steering instanceof Steering.Omnidirectional;
         double[] velocity = position.numbers("velocity", 0, 0, 0);
         SourcePosition where = position.whereOf("velocity");
-        if (velocity[1] != 0) {
+        if (velocity[1] != 0 && !sideways) {
             diagnostics.warn(
                     where,
-                    "a robot with differential drive cannot move sideways: its start speed of " + velocity[1]
+                    "only a robot whose drive is \"omni\" can move sideways: its start speed of " + velocity[1]
                             + " that way is left out");
         }
         return new DriveSpec(
                 units.metres(velocity[0], where),
                 units.radians(velocity[velocity.length - 1]),
-                bounds(position, "velocity_bounds"),
-                bounds(position, "acceleration_bounds"),
-                localization(position));
+                bounds(position, "velocity_bounds", sideways),
+                bounds(position, "acceleration_bounds", sideways),
+                localization(position),
+                steering,
+                sideways ? units.metres(velocity[1], where) : 0);
     }
 
-    private void requireDifferentialDrive(Entity position) {
+    private Steering steering(Entity position) {
         String drive = position.text("drive", "diff");
-        if (!drive.equals("diff")) {
-            SourcePosition where = position.whereOf("drive");
-            if (List.of("omni", "car").contains(drive)) {
-                diagnostics.warn(
-                        where,
-                        "\"drive\" \"" + drive
-                                + "\" is not simulated: the robot has two driven wheels, as with \"diff\"");
-            } else {
-                throw new WorldFileException(where, "\"drive\" must be \"diff\", not \"" + drive + '"');
+        return switch (drive) {
+            case "diff" -> new Steering.Differential();
+            case "omni" -> new Steering.Omnidirectional();
+            case "car" -> {
+                double wheelbase = position.has("wheelbase")
+                        ? units.metres(position.number("wheelbase", 1), position.whereOf("wheelbase"))
+                        : 1;
+                if (wheelbase <= 0) {
+                    throw new WorldFileException(
+                            position.whereOf("wheelbase"), "\"wheelbase\" must be above 0 m, not " + wheelbase);
+                }
+                yield new Steering.Car(wheelbase);
             }
-        }
+            default ->
+                throw new WorldFileException(
+                        position.whereOf("drive"),
+                        "\"drive\" must be \"diff\", \"omni\" or \"car\", not \"" + drive + '"');
+        };
     }
 
     /**
-     * Reads {@code [x x y y z z turn turn]}, each least and greatest; y and z have no effect on a differential drive.
+     * Reads {@code [x x y y z z turn turn]}, each least and greatest; z has no effect, and y only on an omnidirectional
+     * drive.
      */
-    private Bounds bounds(Entity position, String key) {
+    private Bounds bounds(Entity position, String key, boolean sideways) {
         if (dialect == Dialect.CLASSIC) {
             return Bounds.NONE;
         }
@@ -63,6 +74,8 @@ final class DriveReader {
         SourcePosition where = position.whereOf(key);
         double leastForward = given.length == 0 ? -1 : units.metres(given[0], where);
         double mostForward = given.length == 0 ? 1 : units.metres(given[1], where);
+        double leastSideways = given.length == 0 ? -1 : units.metres(given[2], where);
+        double mostSideways = given.length == 0 ? 1 : units.metres(given[3], where);
         double leastTurn = given.length == 0 ? -StrictMath.PI / 2 : units.radians(given[6]);
         double mostTurn = given.length == 0 ? StrictMath.PI / 2 : units.radians(given[7]);
         if (!(leastForward <= 0 && mostForward >= 0 && leastTurn <= 0 && mostTurn >= 0)) {
@@ -71,7 +84,16 @@ final class DriveReader {
                     "\"" + key + "\" needs least <= 0 <= greatest along x and for turning, not " + leastForward + " to "
                             + mostForward + " and " + leastTurn + " to " + mostTurn + " rad");
         }
-        return new Bounds(leastForward, mostForward, leastTurn, mostTurn);
+        if (!sideways) {
+            return new Bounds(leastForward, mostForward, leastTurn, mostTurn);
+        }
+        if (!(leastSideways <= 0 && mostSideways >= 0)) {
+            throw new WorldFileException(
+                    where,
+                    "\"" + key + "\" needs least <= 0 <= greatest along y, not " + leastSideways + " to "
+                            + mostSideways);
+        }
+        return new Bounds(leastForward, mostForward, leastSideways, mostSideways, leastTurn, mostTurn);
     }
 
     private Localization localization(Entity position) {

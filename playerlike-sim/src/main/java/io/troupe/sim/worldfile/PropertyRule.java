@@ -48,6 +48,10 @@ record PropertyRule(Form form, int least, int most, Index index, String withoutE
         return new PropertyRule(Form.NUMBERS, least, most, Index.MAYBE, "");
     }
 
+    static PropertyRule numberOrArray() {
+        return new PropertyRule(Form.NUMBER, 1, 1, Index.MAYBE, "");
+    }
+
     static PropertyRule withoutEffect(String why) {
         return new PropertyRule(Form.ANY, 0, Integer.MAX_VALUE, Index.MAYBE, why);
     }

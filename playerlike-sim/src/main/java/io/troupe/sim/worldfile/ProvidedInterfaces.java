@@ -20,15 +20,12 @@ final class ProvidedInterfaces {
     private static final String BLOBFINDER = "blobfinder";
     private static final String LASER = "laser";
     private static final String RANGER = "ranger";
-    static final List<String> INTERFACES = List.of(SIMULATION, POSITION, SONAR, LASER, RANGER, BLOBFINDER);
+    static final List<String> INTERFACES =
+            List.of(SIMULATION, POSITION, SONAR, LASER, RANGER, BLOBFINDER, "fiducial", "bumper", "camera", "gripper");
 
     /** Player interfaces that are known and not provided here. */
     static final List<String> LATER = List.of(
-            "fiducial",
-            "gripper",
-            "bumper",
             "ptz",
-            "camera",
             "map",
             "power",
             "speech",
@@ -56,6 +53,7 @@ final class ProvidedInterfaces {
         if (robot.blobfinder() != null) {
             offer.add(BLOBFINDER);
         }
+        robot.devices().forEach(device -> offer.add(device.interfaceName()));
         return offer;
     }
 
@@ -100,6 +98,11 @@ final class ProvidedInterfaces {
             return robot.sonar() == null ? Math.max(0, ringOf(robot)) : 0;
         }
         int left = nth;
+        for (int i = 0; i < robot.devices().size(); i++) {
+            if (robot.devices().get(i).interfaceName().equals(interfaceName) && left-- == 0) {
+                return i;
+            }
+        }
         for (int i = 0; i < robot.rangers().size(); i++) {
             if (interfaceOf(robot.rangers().get(i)).equals(interfaceName) && left-- == 0) {
                 return i;

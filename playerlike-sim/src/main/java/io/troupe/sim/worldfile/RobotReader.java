@@ -3,6 +3,7 @@ package io.troupe.sim.worldfile;
 import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.CargoSpec;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
@@ -18,8 +19,11 @@ final class RobotReader {
     private final ShapeReader shapes;
     private final DriveReader drives;
     private final Diagnostics diagnostics;
+    private final boolean intensities;
 
-    RobotReader(Units units, Dialect dialect, ShapeReader shapes, Diagnostics diagnostics) {
+    /** @param intensities lasers measure them from the start */
+    RobotReader(Units units, Dialect dialect, ShapeReader shapes, Diagnostics diagnostics, boolean intensities) {
+        this.intensities = intensities;
         this.units = units;
         this.dialect = dialect;
         this.shapes = shapes;
@@ -35,7 +39,7 @@ final class RobotReader {
             throw new WorldFileException(position.whereOf("mass"), "\"mass\" must be above 0 kg, not " + mass);
         }
         boolean blocksBodies = position.flag("obstacle_return", true);
-        var parts = new RobotParts(units, dialect, shapes, diagnostics, blocksBodies);
+        var parts = new RobotParts(units, dialect, shapes, diagnostics, blocksBodies, intensities);
         parts.collect(position, Pose.ORIGIN);
         return new RobotSpec(
                 name,
@@ -55,6 +59,8 @@ final class RobotReader {
                 blocksBodies,
                 drives.read(position),
                 parts.cargo(),
+                DeviceReader.traits(position, dialect),
+                parts.devices(),
                 position.where());
     }
 
@@ -74,19 +80,27 @@ final class RobotReader {
         private final SensorReader sensors;
         private final List<RangerSpec> rangers = new ArrayList<>();
         private final List<CargoSpec> cargo = new ArrayList<>();
+        private final List<DeviceSpec> devices = new ArrayList<>();
+        private final DeviceReader deviceReader;
         private @Nullable SonarSpec sonar;
         private @Nullable SourcePosition sonarAt;
         private @Nullable BlobfinderSpec blobfinder;
         private @Nullable SourcePosition blobfinderAt;
 
         RobotParts(
-                Units units, Dialect dialect, ShapeReader shapes, Diagnostics diagnostics, boolean robotBlocksBodies) {
+                Units units,
+                Dialect dialect,
+                ShapeReader shapes,
+                Diagnostics diagnostics,
+                boolean robotBlocksBodies,
+                boolean intensities) {
             this.units = units;
             this.dialect = dialect;
             this.shapes = shapes;
             this.diagnostics = diagnostics;
             this.robotBlocksBodies = robotBlocksBodies;
-            sensors = new SensorReader(units, diagnostics);
+            sensors = new SensorReader(units, diagnostics, intensities);
+            deviceReader = new DeviceReader(units, diagnostics);
         }
 
         @Nullable
@@ -107,6 +121,10 @@ final class RobotReader {
             return cargo;
         }
 
+        List<DeviceSpec> devices() {
+            return devices;
+        }
+
         /** Adds everything attached to {@code holder}, whose pose in the robot's frame is {@code at}. */
         void collect(Entity holder, Pose at) {
             for (Entity child : holder.children()) {
@@ -123,6 +141,8 @@ final class RobotReader {
                                         + " carries");
                         cargo(child, mount);
                     }
+                    case String device
+                    when DeviceReader.isDevice(device) -> devices.add(deviceReader.read(child, mount));
                     default -> {
                         continue; // a block or a sensor, which is read with its parent; or something left out
                     }
@@ -169,6 +189,11 @@ final class RobotReader {
         }
 
         private void cargo(Entity model, Pose mount) {
+            if (model.number("fiducial_return", 0) != 0) {
+                diagnostics.warn(
+                        model.whereOf("fiducial_return"),
+                        "a marker of a model that a robot carries is not seen here: give it to the robot");
+            }
             boolean blocksBodies = model.flag("obstacle_return", true);
             if (blocksBodies && !robotBlocksBodies) {
                 throw new WorldFileException(
@@ -184,7 +209,8 @@ final class RobotReader {
                     model.colour(),
                     blocksBodies,
                     dialect.blocksRangers(model),
-                    model.flag("blob_return", true)));
+                    model.flag("blob_return", true),
+                    dialect.reflectance(model)));
         }
     }
 }

@@ -22,8 +22,11 @@ final class SensorReader {
 
     private final Units units;
     private final Diagnostics diagnostics;
+    private final boolean intensities;
 
-    SensorReader(Units units, Diagnostics diagnostics) {
+    /** @param intensities lasers measure them from the start */
+    SensorReader(Units units, Diagnostics diagnostics, boolean intensities) {
+        this.intensities = intensities;
         this.units = units;
         this.diagnostics = diagnostics;
     }
@@ -143,7 +146,7 @@ final class SensorReader {
                 size[0],
                 size[1],
                 RangeNoise.NONE);
-        return new RangerSpec(RangerSpec.Kind.LASER, mount, size[0], size[1], List.of(sensor));
+        return new RangerSpec(RangerSpec.Kind.LASER, mount, size[0], size[1], List.of(sensor), intensities);
     }
 
     RangerSpec ranger(Entity ranger, Pose mount) {
@@ -188,7 +191,7 @@ final class SensorReader {
                         where, "\"noise\" [constant proportional angular] must not be negative, not " + amount);
             }
         }
-        return new RangeNoise(units.metres(noise[0], where), noise[1], units.radians(noise[2]));
+        return new RangeNoise(units.metres(noise[0], where), noise[1], units.radians(noise[2]), RangeNoise.Law.STAGE);
     }
 
     private double metres(Entity entity, String key, double otherwiseM) {

@@ -7,6 +7,7 @@ import static io.troupe.sim.worldfile.PropertyRule.TEXT;
 import static io.troupe.sim.worldfile.PropertyRule.TEXTS;
 import static io.troupe.sim.worldfile.PropertyRule.WHOLE;
 import static io.troupe.sim.worldfile.PropertyRule.array;
+import static io.troupe.sim.worldfile.PropertyRule.numberOrArray;
 import static io.troupe.sim.worldfile.PropertyRule.numbers;
 import static io.troupe.sim.worldfile.PropertyRule.numbersOrArray;
 import static io.troupe.sim.worldfile.PropertyRule.withoutEffect;
@@ -41,26 +42,24 @@ final class Vocabulary {
     }
 
     /** Types that Stage knows, or knew in its version 2, and that have no use here. */
-    private static final Set<String> WITHOUT_USE = Set.of(
-            "actuator",
-            "audio",
-            "blinkenlight",
-            "bumper",
-            "camera",
-            "energy",
+    private static final Set<String> WITHOUT_USE =
+            Set.of("actuator", "audio", "blinkenlight", "energy", "lightindicator", "power", "ptz", "speech", "wifi");
+
+    private static final Set<String> SENSORS =
+            Set.of("ranger", "laser", "blobfinder", "fiducial", "fiducialfinder", "bumper", "camera", "gripper");
+
+    private static final Set<String> MODEL_CHILDREN = Set.of(
+            "model",
+            "block",
+            "ranger",
+            "laser",
+            "blobfinder",
+            "position",
             "fiducial",
             "fiducialfinder",
-            "gripper",
-            "lightindicator",
-            "power",
-            "ptz",
-            "speech",
-            "wifi");
-
-    private static final Set<String> SENSORS = Set.of("ranger", "laser", "blobfinder");
-
-    private static final Set<String> MODEL_CHILDREN =
-            Set.of("model", "block", "ranger", "laser", "blobfinder", "position");
+            "bumper",
+            "camera",
+            "gripper");
 
     private static final Map<String, PropertyRule> WORLD_PROPERTIES = union(
             all(TEXT, "name", "unit_length", "unit_angle"),
@@ -99,8 +98,16 @@ final class Vocabulary {
             all(numbers(2, 3), "size"),
             all(numbers(4, 4), "color_rgba"),
             all(NUMBER, "mass", "update_interval", "ranger_return", "laser_return", "map_resolution", "trail_length"),
-            all(NUMBER, "fiducial_return", "fiducial_key"),
-            all(FLAG, "boundary", "obstacle_return", "blob_return", "gripper_return", "stack_children", "alwayson"),
+            all(WHOLE, "fiducial_return", "fiducial_key"),
+            all(
+                    FLAG,
+                    "boundary",
+                    "obstacle_return",
+                    "blob_return",
+                    "gripper_return",
+                    "movable",
+                    "stack_children",
+                    "alwayson"),
             all(FLAG, "gui_nose", "gui_grid", "gui_outline", "gui_move", "gui_boundary"),
             all(ANY, "gui_movemask", "trail_interval", "debug", "noblocks", "ignore_zloc"),
             // outlines as in Stage 2
@@ -160,6 +167,18 @@ final class Vocabulary {
             all(withoutEffect("is an obsolete name which Stage ignores; write colors"), "channels"),
             all(withoutEffect("is an obsolete name which Stage ignores; write range"), "range_max"));
 
+    private static final Map<String, PropertyRule> FIDUCIAL_PROPERTIES =
+            union(MODEL_PROPERTIES, all(NUMBER, "range_min", "range_max", "range_max_id", "fov"));
+
+    private static final Map<String, PropertyRule> BUMPER_PROPERTIES =
+            union(MODEL_PROPERTIES, all(WHOLE, "bcount"), all(array(3, 4), "bpose"), all(numberOrArray(), "blength"));
+
+    private static final Map<String, PropertyRule> CAMERA_PROPERTIES = union(
+            MODEL_PROPERTIES, all(numbers(2, 2), "resolution", "range", "fov", "pantilt"), all(NO_ENERGY, "watts"));
+
+    private static final Map<String, PropertyRule> GRIPPER_PROPERTIES = union(
+            MODEL_PROPERTIES, all(numbers(2, 3), "paddle_size"), all(TEXTS, "paddle_state"), all(FLAG, "autosnatch"));
+
     private static final Map<String, PropertyRule> BLOCK_PROPERTIES = union(
             all(WHOLE, "points"),
             all(array(2, 2), "point"),
@@ -181,6 +200,11 @@ final class Vocabulary {
             entry("sensor", SENSOR_PROPERTIES, Set.of()),
             entry("laser", LASER_PROPERTIES, MODEL_CHILDREN),
             entry("blobfinder", BLOBFINDER_PROPERTIES, MODEL_CHILDREN),
+            entry("fiducial", FIDUCIAL_PROPERTIES, MODEL_CHILDREN),
+            entry("fiducialfinder", FIDUCIAL_PROPERTIES, MODEL_CHILDREN),
+            entry("bumper", BUMPER_PROPERTIES, MODEL_CHILDREN),
+            entry("camera", CAMERA_PROPERTIES, MODEL_CHILDREN),
+            entry("gripper", GRIPPER_PROPERTIES, MODEL_CHILDREN),
             entry("block", BLOCK_PROPERTIES, Set.of()),
             entry(CONFIG, Map.of(), Set.of("driver")),
             entry("driver", DRIVER_PROPERTIES, Set.of()));

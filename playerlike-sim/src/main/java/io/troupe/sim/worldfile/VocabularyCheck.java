@@ -81,7 +81,7 @@ final class VocabularyCheck {
                 diagnostics.warn(
                         child.where(),
                         "\"" + child.type() + "\" is not simulated and left out; simulated are model, position, ranger,"
-                                + " laser and blobfinder");
+                                + " laser, blobfinder, fiducial, bumper, camera and gripper");
             }
             return false;
         }

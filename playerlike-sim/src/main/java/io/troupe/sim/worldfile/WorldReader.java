@@ -23,23 +23,21 @@ final class WorldReader {
     private final List<ObstacleSpec> obstacles = new ArrayList<>();
     private final Map<String, Integer> unnamed = new TreeMap<>();
 
-    private WorldReader(Units units, Dialect dialect, Diagnostics diagnostics, Path mainFile) {
+    private WorldReader(Units units, Dialect dialect, Diagnostics diagnostics, Path mainFile, boolean intensities) {
         this.units = units;
         this.dialect = dialect;
         this.diagnostics = diagnostics;
         this.shapes = new ShapeReader(units, mainFile);
-        this.robotReader = new RobotReader(units, dialect, shapes, diagnostics);
+        this.robotReader = new RobotReader(units, dialect, shapes, diagnostics, intensities);
     }
 
     /** Reads and checks the world of a parsed file. */
     static WorldSpec read(Document document, Diagnostics diagnostics) {
         VocabularyCheck.check(document, diagnostics);
         Entity root = document.root();
+        Dialect dialect = Dialect.of(root, diagnostics);
         var reader = new WorldReader(
-                Units.of(root),
-                Dialect.of(root, diagnostics),
-                diagnostics,
-                root.where().file());
+                Units.of(root), dialect, diagnostics, root.where().file(), dialect.hasBright(root));
         for (Entity entity : document.entities()) {
             switch (entity.type()) {
                 case "position" -> reader.robot(entity);
@@ -82,9 +80,14 @@ final class WorldReader {
                 model.flag("obstacle_return", true),
                 dialect.blocksRangers(model),
                 model.flag("blob_return", true),
+                DeviceReader.traits(model, dialect),
                 model.where()));
         for (Entity child : model.children()) {
             if (child.type().equals("model")) {
+                if (model.flag("movable", false)) {
+                    diagnostics.warn(
+                            child.where(), "a model on one that is \"movable\" stays where it is when that is pushed");
+                }
                 obstacle(child, pose);
             } else if (child.type().equals("position")) {
                 diagnostics.warn(

@@ -28,7 +28,7 @@ class CodecTest {
     private static final int SEEDS = 300;
     private static final int CASES = Integer.getInteger("wire.fuzz", 200_000);
     private static final long SEED = Long.getLong("wire.seed", 1);
-    private static final int[] CODES = {1, 4, 5, 6, 7, 31, 62, 10};
+    private static final int[] CODES = {1, 4, 5, 6, 7, 31, 62, 10, 14, 3, 40};
     private static final int[] COUNTS = {0, 1, 2, 8, 1 << 16, 1 << 28, 1 << 30, Integer.MAX_VALUE, 1 << 31, -1};
 
     /** The content of a message that has arrived. */

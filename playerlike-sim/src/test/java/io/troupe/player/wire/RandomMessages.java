@@ -42,6 +42,12 @@ final class RandomMessages {
                 .reduce("", String::concat);
     }
 
+    private Octets octets() {
+        var bytes = new byte[random.nextInt(40)];
+        random.nextBytes(bytes);
+        return Octets.of(bytes);
+    }
+
     private DeviceAddress address() {
         return new DeviceAddress(random.nextInt(), random.nextInt(), random.nextInt(0x10000), random.nextInt(0x10000));
     }
@@ -62,6 +68,7 @@ final class RandomMessages {
             case "boolean" -> b();
             case "String" -> name();
             case "DeviceAddress" -> address();
+            case "Octets" -> octets();
             case "Delivery" -> b() ? Delivery.PUSH : Delivery.PULL;
             default -> content(known);
         };
@@ -98,6 +105,7 @@ final class RandomMessages {
         addReplies();
         add(4, DeviceCommand.Velocity.class, DeviceCommand.GoTo.class);
         add(4, DeviceCommand.Car.class, DeviceCommand.VelocityHeading.class);
+        add(3, 0, new DeviceCommand.Gripper(1 + random.nextInt(5)));
         add(31, DeviceCommand.Pause.class, DeviceCommand.Reset.class, DeviceCommand.Save.class);
         return samples;
     }
@@ -117,6 +125,11 @@ final class RandomMessages {
         add(62, 0, new DeviceData.RangerStamped(intensities, geometry, null));
         add(62, 0, new DeviceData.GeometryChanged(geometry));
         add(6, DeviceData.LaserScan.class);
+        add(10, DeviceData.Fiducials.class);
+        add(40, DeviceData.CameraImage.class);
+        add(3, 0, new DeviceData.GripperState(random.nextInt(256), random.nextInt(), random.nextInt(256)));
+        add(14, DeviceData.BumperStates.class);
+        add(14, 0, new DeviceData.GeometryChanged(content(DeviceReply.BumperGeometry.class)));
     }
 
     private void addRequests() {
@@ -131,8 +144,14 @@ final class RandomMessages {
         add(6, DeviceRequest.Geometry.class, DeviceRequest.Power.class, DeviceRequest.LaserId.class);
         add(6, DeviceRequest.SetLaserConfiguration.class, DeviceRequest.GetConfiguration.class);
         add(31, DeviceRequest.GetPose.class, DeviceRequest.SetPose.class, DeviceRequest.Capability.class);
-        add(10, DeviceRequest.Capability.class);
-        add(10, 0, new DeviceRequest.Unknown(random.nextInt(255)));
+        add(31, DeviceRequest.GetPose3d.class, DeviceRequest.SetPose3d.class, DeviceRequest.SetProperty.class);
+        add(31, 0, new DeviceRequest.GetProperty(name(), name(), random.nextInt(), random.nextInt(40)));
+        add(10, DeviceRequest.Geometry.class, DeviceRequest.GetFieldOfView.class, DeviceRequest.SetFieldOfView.class);
+        add(10, DeviceRequest.GetMarker.class, DeviceRequest.SetMarker.class);
+        add(14, DeviceRequest.Geometry.class);
+        add(3, DeviceRequest.Geometry.class);
+        add(66, DeviceRequest.Capability.class);
+        add(66, 0, new DeviceRequest.Unknown(random.nextInt(255)));
         add(1, PlayerRequest.DeviceList.class, PlayerRequest.DriverInfo.class, PlayerRequest.NextData.class);
         add(1, PlayerRequest.DataMode.class, PlayerRequest.Capability.class);
         add(1, 0, new PlayerRequest.Access(address(), random.nextInt(256)));
@@ -158,8 +177,22 @@ final class RandomMessages {
         add(6, 2, content(DeviceReply.OfLaser.class));
         add(6, 3, content(DeviceReply.OfLaser.class));
         add(6, 5, content(DeviceReply.LaserId.class));
+        add(10, 1, content(DeviceReply.FiducialGeometry.class));
+        add(10, 2, content(DeviceReply.FieldOfView.class));
+        add(10, 3, content(DeviceReply.FieldOfView.class));
+        add(10, 7, content(DeviceReply.Marker.class));
+        add(10, 8, content(DeviceReply.Marker.class));
+        add(14, 1, content(DeviceReply.BumperGeometry.class));
+        var gripper = content(DeviceReply.GripperGeometry.class);
+        add(
+                3,
+                1,
+                new DeviceReply.GripperGeometry(
+                        gripper.pose(), gripper.outer(), gripper.inner(), random.nextInt(256), random.nextInt(256)));
         add(31, 1, content(DeviceReply.ModelPose.class));
         add(31, 2, new DeviceReply.Ack());
+        add(31, 3, content(DeviceReply.ModelPose3d.class));
+        add(31, 5, content(DeviceReply.ModelProperty.class));
         add(1, 1, content(PlayerReply.DeviceList.class));
         add(1, 2, content(PlayerReply.DriverInfo.class));
         add(1, 3, new PlayerReply.Access(address(), 2, name()));

@@ -155,8 +155,8 @@ class ScenarioReaderTest extends WorldFiles {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            "positon2d:0" | t.cfg:2:34: unknown interface "positon2d" in "positon2d:0"; did you mean "position2d"? known: blobfinder, laser, position2d, ranger, simulation, sonar
-            "wheels:0" | t.cfg:2:34: unknown interface "wheels" in "wheels:0"; known: blobfinder, laser, position2d, ranger, simulation, sonar
+            "positon2d:0" | t.cfg:2:34: unknown interface "positon2d" in "positon2d:0"; did you mean "position2d"? known: blobfinder, bumper, camera, fiducial, gripper, laser, position2d, ranger, simulation, sonar
+            "wheels:0" | t.cfg:2:34: unknown interface "wheels" in "wheels:0"; known: blobfinder, bumper, camera, fiducial, gripper, laser, position2d, ranger, simulation, sonar
             "laser:0" | t.cfg:2:34: robot "full" (w.world:1:1) cannot provide laser; it can provide position2d, sonar, blobfinder, ranger
             "sonar:x" | t.cfg:2:34: the index in "sonar:x" must be a whole number from 0 to 65535, not "x"
             "sonar:" | t.cfg:2:34: the index in "sonar:" must be a whole number from 0 to 65535, not ""
@@ -164,7 +164,7 @@ class ScenarioReaderTest extends WorldFiles {
             "70000:sonar:0" | t.cfg:2:34: the port in "70000:sonar:0" must be a whole number from 1 to 65535, not "70000"
             "robot.local::sonar:0" | t.cfg:2:34: host "robot.local" in "robot.local::sonar:0" is not supported: devices are provided by this machine; leave the host empty
             "a:b:c:d:sonar:0" | t.cfg:2:34: "a:b:c:d:sonar:0" has more fields than key:host:port:interface:index
-            "" | t.cfg:2:34: unknown interface "" in ""; known: blobfinder, laser, position2d, ranger, simulation, sonar
+            "" | t.cfg:2:34: unknown interface "" in ""; known: blobfinder, bumper, camera, fiducial, gripper, laser, position2d, ranger, simulation, sonar
             "sonar:0" "sonar:0" | t.cfg:2:44: sonar:0 on port 6665 is already provided at t.cfg:2:34
             "sonar:0" "sonar:1" | t.cfg:2:44: robot "full" has one sonar, and it is already provided at t.cfg:2:34
             "simulation:0" | t.cfg:2:34: simulation is provided by the driver with the "worldfile", not by one with a "model"
@@ -268,7 +268,7 @@ class ScenarioReaderTest extends WorldFiles {
                         "t.cfg:2:15: driver \"vfh\" is not run here and left out, and what it provides with it;"
                                 + " expected \"stage\"",
                         "t.cfg:3:34: interface \"speech\" is not provided here and left out; provided are blobfinder,"
-                                + " laser, position2d, ranger, simulation, sonar");
+                                + " bumper, camera, fiducial, gripper, laser, position2d, ranger, simulation, sonar");
         var lenient = new ArrayList<String>();
         Path slip = write("t.cfg", STAGE + provides("\"sonr:0\" \"sonar:0\"", "full"));
         Scenario read = ScenarioReader.readLeniently(slip, warning -> lenient.add(warning.problem()));

@@ -51,7 +51,7 @@ class WorldErrorsTest extends WorldFiles {
             model ( size [-1 1] ) | t.world:1:14: "size" must be from 0.001 to 10000 m in x and y, not -1.0 m
             model ( pose [1e9 0 0] ) | t.world:1:14: a length of 1.0E9 m is beyond anything a world can hold
             position ( mass 0 ) | t.world:1:17: "mass" must be above 0 kg, not 0.0
-            position ( drive "dif" ) | t.world:1:18: "drive" must be "diff", not "dif"
+            position ( drive "dif" ) | t.world:1:18: "drive" must be "diff", "omni" or "car", not "dif"
             position ( localization "map" ) | t.world:1:25: "localization" must be "gps" or "odom", not "map"
             position ( localization "odom" odom_error [-1 0 0 0] ) | t.world:1:43: "odom_error" must be shares from 0 to 2 of a motion, not -1.0
             position ( velocity_bounds [1 2 -1 1 -1 1 -90 90] ) | t.world:1:28: "velocity_bounds" needs least <= 0 <= greatest along x and for turning, not 1.0 to 2.0 and -1.5707963267948966 to 1.5707963267948966 rad
@@ -257,13 +257,13 @@ class WorldErrorsTest extends WorldFiles {
 
     @ParameterizedTest
     @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
-            position ( drive "omni" ) | t.world:1:18: "drive" "omni" is not simulated: the robot has two driven wheels, as with "diff"
-            position ( drive "car" ) | t.world:1:18: "drive" "car" is not simulated: the robot has two driven wheels, as with "diff"
-            position ( velocity [0 1 0 0] ) | t.world:1:21: a robot with differential drive cannot move sideways: its start speed of 1.0 that way is left out
-            position ( gripper () ) | t.world:1:12: "gripper" is not simulated and left out; simulated are model, position, ranger, laser and blobfinder
-            define arm gripper () position ( arm () ) | t.world:1:34: "gripper" is not simulated and left out; simulated are model, position, ranger, laser and blobfinder
-            position ( wifi ( essid "x" ) ) | t.world:1:12: "wifi" is not simulated and left out; simulated are model, position, ranger, laser and blobfinder
-            position ( blinkenlight () ) | t.world:1:12: "blinkenlight" is not simulated and left out; simulated are model, position, ranger, laser and blobfinder
+            position ( velocity [0 1 0 0] ) | t.world:1:21: only a robot whose drive is "omni" can move sideways: its start speed of 1.0 that way is left out
+            position ( camera ( pantilt [ 0 10 ] ) ) | t.world:1:29: the tilt of a camera has no effect here: it looks straight ahead
+            position ( model ( fiducial_return 3 ) ) | t.world:1:36: a marker of a model that a robot carries is not seen here: give it to the robot
+            position ( energy () ) | t.world:1:12: "energy" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper
+            define arm actuator () position ( arm () ) | t.world:1:35: "actuator" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper
+            position ( wifi ( essid "x" ) ) | t.world:1:12: "wifi" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper
+            position ( blinkenlight () ) | t.world:1:12: "blinkenlight" is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper
             model ( position () ) | t.world:1:9: a position on a model does not drive here: it is read as a part of the model
             position ( position () ) | t.world:1:12: a position on a robot does not drive by itself here: it is read as a model that the robot carries
             position ( blobfinder () blobfinder () ) | t.world:1:26: a second blobfinder on one robot is not simulated and left out; the first is at t.world:1:12
@@ -293,7 +293,7 @@ class WorldErrorsTest extends WorldFiles {
             model ( siez [1 1] ) | t.world:1:9: unknown property "siez" of model; did you mean "size"?
             psition () | t.world:1:1: unknown entity "psition"; did you mean "position"?
             define wall modle () | t.world:1:13: unknown entity "modle"; did you mean "model"?
-            position ( wifii () ) | t.world:1:12: unknown entity "wifii"; known: blobfinder, block, laser, model, position, ranger
+            position ( wifii () ) | t.world:1:12: unknown entity "wifii"; known: blobfinder, block, bumper, camera, fiducial, fiducialfinder, gripper, laser, model, position, ranger
             """)
     void nameThatNobodyKnows_isAnErrorAndLenientlyAWarning(String text, String message) {
         assertThat(problem(text)).isEqualTo(message);
@@ -317,20 +317,20 @@ class WorldErrorsTest extends WorldFiles {
         var warnings = new ArrayList<String>();
         Path file = write("t.world", """
                 define pioneer position ( paint "matt" fiducial ( range_max 8 ) size [ 0.4 0.4 ] )
-                pioneer ( name "a" ) pioneer ( name "b" pose [ 2 0 0 0 ] camera () wheel[3] 7 )
+                pioneer ( name "a" ) pioneer ( name "b" pose [ 2 0 0 0 ] energy () wheel[3] 7 )
                 speed 3
                 model ( pose [ 4 0 0 0 ] laser () )
                 """);
         WorldSpec world = ScenarioReader.readLeniently(file, into(warnings)).world();
         assertThat(world.robots()).extracting(RobotSpec::name).containsExactly("a", "b");
         assertThat(world.obstacles()).hasSize(1);
-        String leftOut = " is not simulated and left out; simulated are model, position, ranger, laser and blobfinder";
+        String leftOut =
+                " is not simulated and left out; simulated are model, position, ranger, laser, blobfinder, fiducial, bumper, camera and gripper";
         assertThat(warnings)
                 .extracting(warning -> warning.replaceFirst("; known.*", ""))
                 .containsExactlyInAnyOrder(
                         "t.world:1:27: unknown property \"paint\" of position",
-                        "t.world:1:40: \"fiducial\"" + leftOut,
-                        "t.world:2:58: \"camera\"" + leftOut,
+                        "t.world:2:58: \"energy\"" + leftOut,
                         "t.world:2:68: unknown property \"wheel\" of position",
                         "t.world:3:1: unknown property \"speed\" of world file",
                         "t.world:4:26: a laser must hang on a robot (a position); on a model that stands still it is left"

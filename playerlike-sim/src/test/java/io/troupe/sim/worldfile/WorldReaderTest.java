@@ -310,7 +310,7 @@ class WorldReaderTest extends WorldFiles {
         assertThat(ranger.lengthM()).isZero();
         RangeSensorSpec beam = ranger.sensors().getFirst();
         assertPose(beam.mount(), 1, 0.5, 0);
-        var noise = new RangeNoise(0.01, 0.02, Math.toRadians(5));
+        var noise = new RangeNoise(0.01, 0.02, Math.toRadians(5), RangeNoise.Law.STAGE);
         assertThat(beam).isEqualTo(new RangeSensorSpec(beam.mount(), 0.1, 4, Math.toRadians(20), 3, 0.01, 0.05, noise));
         assertThat(ranger.sensors().get(1).maxRangeM()).isEqualTo(5);
         assertThat(ranger.sensors().get(1).samples()).isEqualTo(1);

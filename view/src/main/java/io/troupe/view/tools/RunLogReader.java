@@ -333,7 +333,7 @@ final class RunLogReader {
                             .toList(),
                     poses.get(robot).gapM()));
         }
-        var snapshot = new Snapshot(ticks++, timeMicros, readings, List.of(), List.copyOf(boxes.values()));
+        var snapshot = new Snapshot(ticks++, timeMicros, readings, List.of(), List.of(), List.copyOf(boxes.values()));
         return new Reading(snapshot, poses.stream().map(PoseLine::service).toList(), false);
     }
 

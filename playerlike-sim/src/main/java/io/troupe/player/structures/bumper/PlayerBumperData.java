@@ -1,6 +1,6 @@
 package io.troupe.player.structures.bumper;
 
-/** Data of the Player interface bumper. This client does not use it. */
+/** Data of the Player interface bumper. */
 public class PlayerBumperData {
     private int bumpers_count;
     private byte[] bumpers = new byte[0];

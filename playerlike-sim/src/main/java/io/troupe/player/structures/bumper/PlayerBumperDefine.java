@@ -2,7 +2,7 @@ package io.troupe.player.structures.bumper;
 
 import io.troupe.player.structures.PlayerPose3d;
 
-/** Part of a message of the Player interface bumper. This client does not use it. */
+/** Part of a message of the Player interface bumper. */
 public class PlayerBumperDefine {
     private PlayerPose3d pose = new PlayerPose3d();
     private float length;

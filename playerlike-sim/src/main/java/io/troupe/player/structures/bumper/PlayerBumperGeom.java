@@ -1,6 +1,6 @@
 package io.troupe.player.structures.bumper;
 
-/** Part of a message of the Player interface bumper. This client does not use it. */
+/** Part of a message of the Player interface bumper. */
 public class PlayerBumperGeom {
     private int bumper_def_count;
     private PlayerBumperDefine[] bumper_def = new PlayerBumperDefine[0];

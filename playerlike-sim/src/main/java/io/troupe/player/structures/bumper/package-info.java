@@ -1,4 +1,4 @@
-/** Structures of the Player interface bumper: bumpers. This client does not use them. */
+/** Structures of the Player interface bumper: bumpers. */
 @NullMarked
 package io.troupe.player.structures.bumper;
 

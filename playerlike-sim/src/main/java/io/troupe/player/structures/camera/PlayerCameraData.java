@@ -1,6 +1,6 @@
 package io.troupe.player.structures.camera;
 
-/** Data of the Player interface camera. This client does not use it. */
+/** Data of the Player interface camera. */
 public class PlayerCameraData {
     private int width;
     private int height;

@@ -1,4 +1,4 @@
-/** Structures of the Player interface camera: a camera. This client does not use them. */
+/** Structures of the Player interface camera: a camera. */
 @NullMarked
 package io.troupe.player.structures.camera;
 

@@ -1,6 +1,6 @@
 package io.troupe.player.structures.fiducial;
 
-/** Data of the Player interface fiducial. This client does not use it. */
+/** Data of the Player interface fiducial. */
 public class PlayerFiducialData {
     private int fiducials_count;
     private PlayerFiducialItem[] fiducials = new PlayerFiducialItem[0];

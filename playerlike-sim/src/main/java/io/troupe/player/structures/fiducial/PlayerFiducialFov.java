@@ -1,6 +1,6 @@
 package io.troupe.player.structures.fiducial;
 
-/** Part of a message of the Player interface fiducial. This client does not use it. */
+/** Part of a message of the Player interface fiducial. */
 public class PlayerFiducialFov {
     private float min_range;
     private float max_range;

@@ -5,7 +5,7 @@ import io.troupe.player.structures.PlayerBbox2d;
 import io.troupe.player.structures.PlayerBbox3d;
 import io.troupe.player.structures.PlayerPose3d;
 
-/** Part of a message of the Player interface fiducial. This client does not use it. */
+/** Part of a message of the Player interface fiducial. */
 public class PlayerFiducialGeom {
     private PlayerPose3d pose = new PlayerPose3d();
     private PlayerBbox3d size = new PlayerBbox3d();

@@ -2,7 +2,7 @@ package io.troupe.player.structures.fiducial;
 
 import io.troupe.player.structures.PlayerPose3d;
 
-/** Part of a message of the Player interface fiducial. This client does not use it. */
+/** Part of a message of the Player interface fiducial. */
 public class PlayerFiducialItem {
     private int id;
     private PlayerPose3d pose = new PlayerPose3d();

@@ -1,4 +1,4 @@
-/** Structures of the Player interface fiducial: a fiducial marker detector. This client does not use them. */
+/** Structures of the Player interface fiducial: a fiducial marker detector. */
 @NullMarked
 package io.troupe.player.structures.fiducial;
 

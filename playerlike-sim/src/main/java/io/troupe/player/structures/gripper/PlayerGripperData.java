@@ -1,6 +1,6 @@
 package io.troupe.player.structures.gripper;
 
-/** Data of the Player interface gripper. This client does not use it. */
+/** Data of the Player interface gripper. */
 public class PlayerGripperData {
     private int state;
     private int beams;

@@ -3,7 +3,7 @@ package io.troupe.player.structures.gripper;
 import io.troupe.player.structures.PlayerBbox3d;
 import io.troupe.player.structures.PlayerPose3d;
 
-/** Part of a message of the Player interface gripper. This client does not use it. */
+/** Part of a message of the Player interface gripper. */
 public class PlayerGripperGeom {
     private PlayerPose3d pose = new PlayerPose3d();
     private PlayerBbox3d innerSize = new PlayerBbox3d();

@@ -1,4 +1,4 @@
-/** Structures of the Player interface gripper: a gripper. This client does not use them. */
+/** Structures of the Player interface gripper: a gripper. */
 @NullMarked
 package io.troupe.player.structures.gripper;
 

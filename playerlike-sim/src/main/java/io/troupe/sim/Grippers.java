@@ -1,0 +1,125 @@
+package io.troupe.sim;
+
+import io.troupe.sim.device.Device;
+import io.troupe.sim.device.GripperDevice;
+import io.troupe.sim.device.Scene;
+import io.troupe.sim.device.Scratch;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
+import io.troupe.sim.physics.Physics;
+import java.util.ArrayList;
+import java.util.Arrays;
+import java.util.List;
+
+/**
+ * The obstacles that may move, and the grippers that hold them.
+ *
+ * <p>A thing that is held is moved with the robot, and its body is parked where it touches nothing.
+ *
+ * <p><b>Threads.</b> The thread that advances the world.
+ */
+final class Grippers {
+    /** Far beyond every wall; each body has a separate place there. */
+    private static final double PARKED_M = 20_000;
+
+    private static final int NOBODY = -1;
+
+    private final List<ObstacleSpec> things;
+    private final int robotCount;
+    private final double intervalS;
+    private final Scene scene;
+    private final Physics physics;
+    private final int[] heldBy; // by thing, the robot
+    private final Pose[] heldAt; // in the frame of the robot
+    private final List<Gripper> grippers = new ArrayList<>();
+
+    private record Gripper(int robot, GripperDevice device) {}
+
+    Grippers(WorldSpec spec, Scene scene, Physics physics, List<SimulatedDevices> devices) {
+        things = spec.movingObstacles().stream().map(spec.obstacles()::get).toList();
+        robotCount = spec.robots().size();
+        intervalS = spec.intervalMillis() / 1000.0;
+        this.scene = scene;
+        this.physics = physics;
+        heldBy = new int[things.size()];
+        heldAt = new Pose[things.size()];
+        Arrays.fill(heldBy, NOBODY);
+        Arrays.fill(heldAt, Pose.ORIGIN);
+        for (int i = 0; i < things.size(); i++) {
+            scene.carry(i, NOBODY);
+        }
+        for (int robot = 0; robot < devices.size(); robot++) {
+            for (Device device : devices.get(robot).others()) {
+                if (device instanceof GripperDevice gripper) {
+                    grippers.add(new Gripper(robot, gripper));
+                }
+            }
+        }
+    }
+
+    /** Places the things in the scene. */
+    void place() {
+        for (int i = 0; i < heldBy.length; i++) {
+            scene.place(robotCount + i, pose(i));
+        }
+    }
+
+    /** Where a thing is. */
+    Pose pose(int thing) {
+        return heldBy[thing] == NOBODY
+                ? physics.pose(robotCount + thing)
+                : physics.pose(heldBy[thing]).compose(heldAt[thing]);
+    }
+
+    /** Where all things are. */
+    List<Pose> poses() {
+        List<Pose> poses = new ArrayList<>(heldBy.length);
+        for (int i = 0; i < heldBy.length; i++) {
+            poses.add(pose(i));
+        }
+        return poses;
+    }
+
+    /** Updates all grippers at the end of an interval. */
+    void update(Scratch scratch) {
+        for (Gripper gripper : grippers) {
+            gripper.device.update(scene, gripper.robot, intervalS, scratch, new GripperDevice.Holder() {
+                @Override
+                public boolean hold(int thing) {
+                    return take(thing, gripper.robot);
+                }
+
+                @Override
+                public void release(int thing) {
+                    putDown(thing);
+                }
+            });
+        }
+    }
+
+    private boolean take(int thing, int robot) {
+        if (heldBy[thing] != NOBODY) {
+            return false;
+        }
+        Pose at = physics.pose(robotCount + thing);
+        Pose robotAt = physics.pose(robot);
+        heldAt[thing] = new Pose(0, 0, -robotAt.headingRad())
+                .compose(new Pose(at.x() - robotAt.x(), at.y() - robotAt.y(), at.headingRad()));
+        heldBy[thing] = robot;
+        scene.carry(thing, robot);
+        physics.teleport(robotCount + thing, new Pose(PARKED_M + 100.0 * thing, PARKED_M, 0));
+        physics.hold(robotCount + thing);
+        return true;
+    }
+
+    private void putDown(int thing) {
+        Pose at = pose(thing);
+        heldBy[thing] = NOBODY;
+        scene.carry(thing, NOBODY);
+        physics.teleport(robotCount + thing, at);
+        if (things.get(thing).traits().pushableKg() == 0) {
+            physics.hold(robotCount + thing);
+        }
+    }
+}
