@@ -45,6 +45,9 @@ final class AppRun {
      */
     static final WorldSettings WORLD = WorldSettings.DEFAULT.withWatchdogMicros(500_000);
 
+    /** Ends the name of the port by which an application forwards values. */
+    private static final String FORWARDER = ":application";
+
     private static final String TCP = "${tcp}";
     private final Path file;
     private final ComponentKinds kinds;
@@ -124,7 +127,8 @@ final class AppRun {
             @Override
             public void passed(BusMessage message) {
                 List<String> receivers = switch (message.purpose()) {
-                    case Purpose.Publication(String topic) -> subscribers.getOrDefault(topic, List.of(plan.name()));
+                    case Purpose.Publication(String topic) ->
+                        subscribers.getOrDefault(topic, List.of(plan.name() + FORWARDER));
                     case Purpose.Request request -> List.of(request.to().name());
                     case Purpose.Notice notice -> List.of(notice.to().name());
                     case Purpose.Reply reply -> List.of(reply.to().name());
