@@ -37,7 +37,7 @@ final class PlacementCheck {
     private final Map<Cell, List<Integer>> smallObstacles = new HashMap<>();
     private final double[] radiusM; // of a robot around its centre of rotation
     private final double cellM;
-    private final boolean[] away; // robots that are in nobody's way
+    private final boolean[] away; // robots that are out of the world
 
     PlacementCheck(WorldSpec spec) {
         this(spec, new boolean[spec.robots().size()]);
