@@ -102,7 +102,7 @@ class VerifyCommandTest extends CommandLineBench {
                 PetriNet.builder("growing").place("f", 1).place("g").place("b").place("many");
         inhibited.transition("fg", List.of("f"), List.of("g")).transition("gf", List.of("g"), List.of("f"));
         inhibited.transition("both", List.of("f", "g"), List.of("b"));
-        inhibited.transition("up", List.of(), List.of("many")).inhibitor("b", "up");
+        inhibited.transition("up", List.of("f"), List.of("f", "many")).inhibitor("b", "up");
         inhibited.transition("down", List.of("f", "many"), List.of("f"));
         assertThat(verify(inhibited.build(), "--memory 1")).isEqualTo(3);
         assertThat(out.toString())

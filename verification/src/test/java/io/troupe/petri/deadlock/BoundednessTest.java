@@ -18,8 +18,9 @@ class BoundednessTest {
     @Test
     void growth_isShownByFiringsThatCanBeRepeated() {
         var net = net("producer", "idle=1 busy n", "start: idle > busy", "make: busy > idle n", "take: 2*n >");
-        var result = Boundedness.of(net, LIMITS);
-        if (Boundedness.of(net, LIMITS) instanceof Boundedness.Unbounded growth) {
+        var limits = LIMITS;
+        var result = Boundedness.of(net, limits);
+        if (Boundedness.of(net, limits) instanceof Boundedness.Unbounded growth) {
             assertThat(growth.growing()).containsExactly(net.place("n"));
         }
         assertThat(result).isInstanceOf(Unbounded.class);

@@ -69,6 +69,14 @@ class DeadlockCheckTest {
     }
 
     @Test
+    void manyPhilosophers_withOneLeftHanded_areProvedWithoutASearch() {
+        var net = philosophers(50, true);
+        var result = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
+        assertThat(result).isInstanceOf(DeadlockCheck.Proved.class);
+        assertThat(((Proved) result).markings()).isZero();
+    }
+
+    @Test
     void result_tellsWhyItIsNotKnown() {
         var net = philosophers(6, true);
         assertThat(DeadlockCheck.decide(net, Set.of(), SearchLimits.markings(10)))
