@@ -91,7 +91,7 @@ class BipCommandTest extends CommandLineBench {
         assertThat(out.toString()).contains("cancelled", "so far");
     }
 
-    // ---- what a derived model says
+    // ---- what follows from a derived model
 
     @Test
     void need_prefersTheFirstProvider_andTakesTheSecondWhenThatFails() {
