@@ -35,9 +35,9 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Order.</b> At the start of an interval the world takes a reset, boxes, robots and obstacles that leave,
  * obstacles that are placed, teleports, odometry resets, motor power and commands, by index (of several commands for
- * one robot the newest). Then it runs the physics steps and reads all devices. The last interval of an advance publishes
- * a snapshot. An earlier interval publishes one if the world is recorded, or if {@link #latest} has been called since
- * the previous one.
+ * one robot the newest). Then it runs the physics steps and reads all devices. The last interval of an advance
+ * publishes a snapshot. An earlier interval publishes one if the world is recorded, or if {@link #latest} has been
+ * called since the previous one.
  *
  * <p><b>Cost.</b> Intervals that publish nothing allocate nothing once the world is warm, as long as there are no more
  * touching bodies and no more visible blobs than ever before.
@@ -239,8 +239,8 @@ public final class World implements AutoCloseable {
      * Takes a robot out of the world when the next {@link #advance} begins. Nothing touches or senses it, its commands
      * are discarded, and its pose and readings stay as they are, until it is teleported.
      *
-     * <p><b>Errors.</b> {@link IllegalArgumentException} in a world with obstacles that can be pushed or gripped, as for
-     * all that comes and goes.
+     * <p><b>Errors.</b> {@link IllegalArgumentException} in a world with obstacles that can be pushed or gripped, as
+     * for all that comes and goes.
      */
     public void removeRobot(int robot) {
         checkNothingMoves("a robot was taken out");

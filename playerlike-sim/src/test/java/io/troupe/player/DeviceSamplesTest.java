@@ -22,8 +22,7 @@ import org.junit.jupiter.api.Timeout;
 @Tag("threads")
 @Timeout(60)
 class DeviceSamplesTest {
-    private static final String WORLD =
-            """
+    private static final String WORLD = """
             position ( size [ 0.4 0.4 0.2 ] fiducial () camera () gripper ( pose [ 0.3 0 0 0 ] )
               bumper ( bcount 1 blength 0.4 bpose[0] [ -0.2 0 0 180 ] ) )
             model ( pose [ 0.35 0 0 0 ] size [ 0.1 0.1 0.1 ] color "red" fiducial_return 7 gripper_return 1 )
