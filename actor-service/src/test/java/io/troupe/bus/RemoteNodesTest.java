@@ -538,8 +538,7 @@ class RemoteNodesTest {
                         Optional.of(SECOND),
                         Optional.of(SECOND));
         engine.sent.clear();
-        test.crank();
-        assertThat(take(losses)).singleElement().asString().endsWith("failed: not that");
+        assertThat(take(events)).containsExactly("question to near/a for spell failed: not that");
     }
 
     @Test

@@ -166,18 +166,13 @@ final class ViewedWorld {
 
     /** The sensors of a laser or ranger, in the frame of the robot. */
     private static Stream<String> sensors(RangerSpec ranger) {
-        return ranger.sensors().stream().map(each -> {
-            Point at = ranger.mount()
-                    .place(new Point(each.mount().x(), each.mount().y()));
-            var mount = new Pose(
-                    at.x(), at.y(), ranger.mount().headingRad() + each.mount().headingRad());
-            return new Json()
-                    .put("mount", new Json.Fragment(mount(mount)))
-                    .put("samples", each.samples())
-                    .put("fov", each.fovRad())
-                    .put("most", each.maxRangeM())
-                    .toString();
-        });
+        return ranger.sensors().stream()
+                .map(each -> new Json()
+                        .put("mount", new Json.Fragment(mount(each.mount())))
+                        .put("samples", each.samples())
+                        .put("fov", each.fovRad())
+                        .put("most", each.maxRangeM())
+                        .toString());
     }
 
     private static Json.Fragment outlines(Shape shape, Pose pose) {

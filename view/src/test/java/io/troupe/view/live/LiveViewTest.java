@@ -8,7 +8,11 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangeNoise;
+import io.troupe.sim.model.RangeSensorSpec;
+import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.Scenario;
+import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
 import io.troupe.view.RunRecorder;
@@ -306,5 +310,19 @@ class LiveViewTest {
         assertThat(world.xSteps(pose.x()) - world.xSteps(0)).isBetween(1233, 1235);
         assertThat(world.ySteps(pose.y()) - world.ySteps(0)).isBetween(-4001, -3999);
         assertThat(world.xSteps(1e9)).isEqualTo(0xFFFF);
+    }
+
+    @Test
+    void sensorsOfALaser_areWhereItIs_inTheFrameOfTheRobot() {
+        var mount = new Pose(0.25, -0.125, 0.5);
+        var sensor = new RangeSensorSpec(mount, 0, 8, Math.PI, 181, 0.1, 0.1, RangeNoise.NONE);
+        var laser = new RangerSpec(RangerSpec.Kind.LASER, mount, 0.1, 0.1, List.of(sensor));
+        var arena = LiveRuns.ARENA.world();
+        var robots = arena.robots().stream()
+                .map(robot -> robot.withRangers(List.of(laser)))
+                .toList();
+        var world = new WorldSpec(arena.name(), arena.file(), arena.intervalMillis(), robots, arena.obstacles());
+        assertThat(new ViewedWorld(world, List.of(), List.of()).json())
+                .contains("\"sensors\":[{\"mount\":[0.25,-0.125,0.5],\"samples\":181,");
     }
 }
