@@ -46,8 +46,8 @@ import picocli.CommandLine.Spec;
             "0:done; with --net: proved that no reachable marking is dead; with --bip: all that has to hold does",
             "1:failed; with --net: the net can deadlock, and nothing else; with --bip: something does not hold",
             "2:bad input: a wrong option, a file that cannot be read or written, a net with too many tokens",
-            "3:with --net or --bip: not known within --time and --memory",
-            "4:with --net or --bip: an error in this program, or its output could not be written",
+            "3:with --net: not known within --time and --memory; with --bip likewise",
+            "4:with --net: an error in this program, or its output could not be written; with --bip likewise",
             "130:interrupted; what was known until then was printed"
         },
         exitCodeOnExecutionException = 4)
