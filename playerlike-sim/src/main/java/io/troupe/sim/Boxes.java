@@ -94,15 +94,17 @@ final class Boxes {
         return StrictMath.hypot(pose.x() - box.x(), pose.y() - box.y()) <= reachM + ColouredBox.SIDE_M;
     }
 
+    /** True if changes wait. Looking allocates nothing. */
+    boolean hasPending() {
+        return hasPending;
+    }
+
     /**
      * Makes the changes that wait.
      *
      * @return false if nothing has changed
      */
     boolean apply(long tick, IntFunction<Pose> poses, @Nullable Recording recording) {
-        if (!hasPending) {
-            return false;
-        }
         boolean changed = false;
         for (Change change : takePending()) {
             ColouredBox box = change.box();

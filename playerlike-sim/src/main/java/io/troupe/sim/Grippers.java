@@ -83,7 +83,8 @@ final class Grippers {
 
     /** Updates all grippers at the end of an interval. */
     void update(Scratch scratch) {
-        for (Gripper gripper : grippers) {
+        for (int i = 0; i < grippers.size(); i++) { // an iterator would be allocated in each interval
+            Gripper gripper = grippers.get(i);
             gripper.device.update(scene, gripper.robot, intervalS, scratch, new GripperDevice.Holder() {
                 @Override
                 public boolean hold(int thing) {

@@ -400,7 +400,7 @@ public final class World implements AutoCloseable {
                     publish();
                 }
                 resetIfRequested();
-                if (boxes.apply(tick, physics::pose, commands.recording())) {
+                if (boxes.hasPending() && boxes.apply(tick, physics::pose, commands.recording())) {
                     furnish();
                 }
                 controller.control(view);

@@ -382,6 +382,10 @@ final class WorldCommands {
             }
         }
         SortedMap<Integer, Optional<Pose>> demands = presence.takeDemands();
+        if (demands.isEmpty()) { // iterating would allocate
+            placement = changed ? presence.placement() : placement;
+            return changed;
+        }
         for (var demand : demands.entrySet()) {
             int obstacle = demand.getKey();
             if (demand.getValue().isEmpty() && presence.holds(obstacle)) {
