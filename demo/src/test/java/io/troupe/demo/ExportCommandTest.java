@@ -42,7 +42,7 @@ class ExportCommandTest extends CommandLineBench {
         assertThat(err.toString())
                 .isEqualToNormalizingNewlines(
                         "troupe: warning: an MCAP file of 11 robots or more has no sensor readings,"
-                                + " expected --csv for these\n");
+                                + " expected --sensors 1,2,.. or --csv for these\n");
         assertThat(written("tables/ranges.csv").lines()).as("once a second").hasSize(1 + 12 * 4);
     }
 
