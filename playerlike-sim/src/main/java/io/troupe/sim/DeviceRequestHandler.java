@@ -349,7 +349,7 @@ final class DeviceRequestHandler {
 
     /**
      * The property {@code color}, four floats (red, green, blue, opacity) from 0 to 1, or {@code time}, simulated time
-     * in microseconds. As in Stage the request says how long the value is, and its bytes are those of the memory of a
+     * in microseconds. As in Stage the request has the length of the value, and its bytes are those of the memory of a
      * usual machine: the least first.
      */
     private DeviceReply ofModel(DeviceRequest.GetProperty get) {

@@ -206,7 +206,7 @@ public final class World implements AutoCloseable {
 
     /**
      * Switches the measuring of intensities by a laser or ranger, from the next interval on. It is off at the start,
-     * unless the file says that something is bright ({@code laser_return 2}).
+     * unless the file has something bright ({@code laser_return 2}).
      */
     public void measureIntensities(int robot, int ranger, boolean on) {
         commands.measureIntensities(robot, ranger, on);

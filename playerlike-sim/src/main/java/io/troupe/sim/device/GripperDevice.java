@@ -28,7 +28,7 @@ public final class GripperDevice implements Device {
 
     /** What holds and releases things. */
     public interface Holder {
-        /** Takes a thing that moves, which nobody holds. Returns false if another gripper has it. */
+        /** Takes a thing that moves. Returns false if another gripper has it. */
         boolean hold(int mover);
 
         void release(int mover);

@@ -3,7 +3,7 @@ package io.troupe.sim.model;
 import io.troupe.common.text.SourcePosition;
 
 /**
- * A thing, such as a wall or a box. It stands still unless its traits say otherwise.
+ * A thing, such as a wall or a box. It stands still unless it has other traits.
  *
  * @param pose in the world's frame
  * @param colour {@code 0x00RRGGBB}

@@ -89,8 +89,8 @@ public final class Physics {
     }
 
     /**
-     * Creates a world in which obstacles move too. They have to be added after the robots, as robots that nobody
-     * drives: in each step they lose the speed that a robot has given them.
+     * Creates a world in which obstacles move too. They have to be added after the robots, as robots without commands:
+     * in each step they lose the speed that a robot has given them.
      *
      * @param movers indices of the obstacles that move
      */
