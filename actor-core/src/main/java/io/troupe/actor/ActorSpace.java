@@ -261,7 +261,8 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
      * <p><b>Threads.</b> Any thread. On this space's thread the function runs immediately; otherwise it is queued like
      * a message.
      *
-     * <p><b>Cost.</b> Some 100 ns for each request and listener that has a limit; nothing for others.
+     * <p><b>Cost.</b> One timer for all, and two small objects for each request and listener that has a limit; nothing
+     * for other requests of this space.
      *
      * @return as the promise of the function, if that is settled in time; rejected with what the function throws
      */

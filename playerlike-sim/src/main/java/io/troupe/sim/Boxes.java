@@ -123,11 +123,9 @@ final class Boxes {
         return changed;
     }
 
-    /** Removes all boxes; false if there were none. */
-    boolean clear() {
-        boolean had = !boxes.isEmpty();
+    /** Removes all boxes. */
+    void clear() {
         boxes.clear();
-        return had;
     }
 
     List<ColouredBox> all() {

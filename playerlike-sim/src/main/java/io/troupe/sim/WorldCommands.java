@@ -28,6 +28,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> Any thread may send commands. {@link #takeReset} and {@link #apply} belong to the thread that
  * advances the world.
+ *
+ * <p>Long, because every kind of command is checked, kept, applied in a fixed order and recorded here.
  */
 final class WorldCommands {
     private static final System.Logger LOG = System.getLogger(World.class.getName());
