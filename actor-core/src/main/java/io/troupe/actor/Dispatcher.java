@@ -59,6 +59,7 @@ final class Dispatcher {
     private final List<Runnable> idleActions = new ArrayList<>();
     private final EntryCounter direct = new EntryCounter(); // counts what was run without being in a ring
     private int passes;
+    private int arrivals; // messages that the last pass took from the inbox
     private boolean turnLeavesWork;
     private int quota = QUOTA;
     // reduced within a row of callbacks, or if a message waits for that many callbacks only
@@ -140,6 +141,11 @@ final class Dispatcher {
                 && inbox.isEmpty()
                 && callbackInbox.isEmpty()
                 && !timers.isDue();
+    }
+
+    /** The number of messages that the last pass took from the inbox. */
+    int arrivals() {
+        return arrivals;
     }
 
     /** True if an entry has arrived from another thread; does not read the senders' cache lines. */
@@ -328,8 +334,9 @@ final class Dispatcher {
     private boolean drainInbox(boolean withCallbacks) {
         boolean worked = takeCallbacks();
         Node last = inbox.beginBatch();
+        int count = 0;
         try {
-            for (int count = 0; count < quota && inbox.isReadyAfter(last); count++) {
+            for (; count < quota && inbox.isReadyAfter(last); count++) {
                 takeCallbacks(); // these may include callbacks that the sender queued before the message
                 long callbacksBefore = callbacks.added();
                 boolean callbacksFirst = withCallbacks && !callbacks.isEmpty();
@@ -364,6 +371,7 @@ final class Dispatcher {
                 }
             }
         } finally {
+            arrivals = count;
             inbox.endBatch(last);
         }
         return worked;

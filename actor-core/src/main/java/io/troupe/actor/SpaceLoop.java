@@ -72,7 +72,9 @@ final class SpaceLoop {
      */
     private void passAndSleep() {
         try {
-            if (!dispatcher.pass() & !settle()) {
+            if (dispatcher.pass() | settle()) {
+                idle.letAccumulate(dispatcher.arrivals());
+            } else {
                 idle.sleep(dispatcher, settings.clock());
             }
             pauseNanos = 0;

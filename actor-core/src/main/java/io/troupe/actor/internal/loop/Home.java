@@ -18,7 +18,6 @@ public abstract class Home {
     private final Owner outsider;
     private final Owner self;
     private CurrentOwner turn;
-    private boolean ownerIsKept;
 
     @SuppressWarnings("this-escape") // owners only store the reference, and do not use it before the first node runs
     protected Home() {
@@ -135,7 +134,7 @@ public abstract class Home {
         if (now.owner != owner) {
             now.owner = owner;
         }
-        ownerIsKept = false;
+        now.isKept = false;
     }
 
     /**
@@ -143,7 +142,7 @@ public abstract class Home {
      * collector's barriers, for most messages.
      */
     public final void beginForKept() {
-        ownerIsKept = true;
+        turn.isKept = true;
     }
 
     /** Sets this home itself as the owner on whose behalf its thread now runs. */
@@ -153,7 +152,8 @@ public abstract class Home {
 
     /** The owner on whose behalf this home's thread is running. */
     public final Owner owner() {
-        return ownerIsKept ? keptOwner() : turn.owner;
+        CurrentOwner now = turn;
+        return now.isKept ? keptOwner() : now.owner;
     }
 
     /** The owner of the message that the home keeps while it runs. */
@@ -188,10 +188,12 @@ public abstract class Home {
     /**
      * Holds the owner on whose behalf a home's thread is running. This is a separate object that is replaced
      * periodically, because the field is written at every turn, and storing a reference into an object of the old
-     * generation costs a fence under G1 (until JEP 522, JDK 26).
+     * generation costs a fence under G1 (until JEP 522, JDK 26). The home's fields are on cache lines that senders read
+     * at every message, so nothing that every turn writes belongs there.
      */
     private static final class CurrentOwner {
         Owner owner;
+        boolean isKept; // then the home's kept owner counts
 
         CurrentOwner(Owner owner) {
             this.owner = owner;
