@@ -22,6 +22,7 @@ import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
@@ -337,11 +338,11 @@ final class DeviceRequestHandler {
         List<ObstacleSpec> obstacles = world.spec().obstacles();
         for (int i = 0; i < obstacles.size(); i++) {
             if (obstacles.get(i).name().equals(model)) {
-                Snapshot now = world.latest();
-                int mover = now.moved().isEmpty()
-                        ? -1
-                        : world.spec().movingObstacles().indexOf(i);
-                return mover < 0 ? obstacles.get(i).pose() : now.moved().get(mover);
+                Pose start = obstacles.get(i).pose();
+                return world.latest()
+                        .displaced(world.spec())
+                        .getOrDefault(i, Optional.of(start))
+                        .orElse(null);
             }
         }
         return null;

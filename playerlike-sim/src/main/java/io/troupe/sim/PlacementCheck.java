@@ -5,6 +5,7 @@ import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -17,9 +18,9 @@ import java.util.function.IntFunction;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Checks whether a robot can be placed at a pose.
+ * Checks whether a robot or an obstacle can be placed at a pose.
  *
- * <p><b>Threads.</b> Any thread. The robot's outline is computed for each check.
+ * <p><b>Threads.</b> Any thread. The outline is computed for each check.
  */
 final class PlacementCheck {
     private record Obstacle(String title, Outline outline) {}
@@ -46,7 +47,9 @@ final class PlacementCheck {
     PlacementCheck(WorldSpec spec, boolean[] away) {
         this.away = away;
         robots = spec.robots();
-        radiusM = robots.stream().mapToDouble(PlacementCheck::radiusM).toArray();
+        radiusM = robots.stream()
+                .mapToDouble(robot -> radiusM(robot.collisionShape()))
+                .toArray();
         cellM = 2 * Arrays.stream(radiusM).max().orElse(1);
         List<Integer> moving = spec.movingObstacles();
         movers = moving.stream()
@@ -117,8 +120,8 @@ final class PlacementCheck {
         return near;
     }
 
-    private static double radiusM(RobotSpec robot) {
-        return robot.collisionShape().polygons().stream()
+    private static double radiusM(Shape shape) {
+        return shape.polygons().stream()
                 .flatMap(List::stream)
                 .mapToDouble(vertex -> StrictMath.hypot(vertex.x(), vertex.y()))
                 .max()
@@ -228,9 +231,9 @@ final class PlacementCheck {
                 return attempt + problem;
             }
             var outline = new Outline(obstacle.shape(), pose);
+            double reachM = radiusM(obstacle.shape());
             for (int robot = 0; obstacle.blocksBodies() && robot < cellOf.length; robot++) {
-                if (cellOf[robot] != null
-                        && new Outline(robots.get(robot).collisionShape(), poses.apply(robot)).overlaps(outline)) {
+                if (cellOf[robot] != null && overlaps(robot, reachM, pose, outline)) {
                     return attempt + "it would overlap robot '"
                             + robots.get(robot).name() + "'";
                 }
@@ -245,7 +248,7 @@ final class PlacementCheck {
             for (long column = at.column() - 1; column <= at.column() + 1; column++) {
                 for (long row = at.row() - 1; row <= at.row() + 1; row++) {
                     for (int other : members.getOrDefault(new Cell(column, row), List.of())) {
-                        if (other != robot && other < first && overlaps(other, robot, pose, outline)) {
+                        if (other != robot && other < first && overlaps(other, radiusM[robot], pose, outline)) {
                             first = other;
                         }
                     }
@@ -254,9 +257,9 @@ final class PlacementCheck {
             return first == Integer.MAX_VALUE ? -1 : first;
         }
 
-        private boolean overlaps(int other, int robot, Pose pose, Outline outline) {
+        private boolean overlaps(int other, double reachM, Pose pose, Outline outline) {
             Pose theirs = poses.apply(other);
-            return StrictMath.hypot(theirs.x() - pose.x(), theirs.y() - pose.y()) <= radiusM[other] + radiusM[robot]
+            return StrictMath.hypot(theirs.x() - pose.x(), theirs.y() - pose.y()) <= radiusM[other] + reachM
                     && new Outline(robots.get(other).collisionShape(), theirs).overlaps(outline);
         }
     }

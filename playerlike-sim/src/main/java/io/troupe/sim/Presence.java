@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,6 +28,7 @@ final class Presence {
     private final WorldSpec spec;
     private final boolean[] away; // by robot
     private final List<@Nullable ObstacleSpec> obstacles; // null = away
+    private final SortedMap<Integer, Optional<Pose>> placed = new TreeMap<>(); // those that are not as at the start
     private List<ColouredBox> boxes = List.of();
     private final SortedMap<Integer, Optional<Pose>> demanded = new TreeMap<>(); // empty = take away
     private volatile boolean hasDemands;
@@ -39,8 +41,9 @@ final class Presence {
 
     /** Returns to the start, where everything is as in the specification. Returns false if it was so already. */
     boolean begin() {
-        boolean same = obstacles.equals(spec.obstacles()) && !anyAway() && boxes.isEmpty();
+        boolean same = placed.isEmpty() && !anyAway() && boxes.isEmpty();
         boxes = List.of();
+        placed.clear();
         Arrays.fill(away, false);
         obstacles.clear();
         obstacles.addAll(spec.obstacles());
@@ -103,6 +106,18 @@ final class Presence {
         return false;
     }
 
+    /** Indices of the robots that are away. */
+    List<Integer> awayRobots() {
+        return anyAway()
+                ? IntStream.range(0, away.length).filter(this::isAway).boxed().toList()
+                : List.of();
+    }
+
+    /** The obstacles that are not as at the start, by index; empty = away. */
+    SortedMap<Integer, Optional<Pose>> placedObstacles() {
+        return placed;
+    }
+
     /** True if the obstacle is in the world. */
     boolean holds(int obstacle) {
         return obstacles.get(obstacle) != null;
@@ -110,10 +125,17 @@ final class Presence {
 
     void remove(int obstacle) {
         obstacles.set(obstacle, null);
+        placed.put(obstacle, Optional.empty());
     }
 
     void place(int obstacle, Pose pose) {
-        obstacles.set(obstacle, spec.obstacles().get(obstacle).at(pose));
+        ObstacleSpec start = spec.obstacles().get(obstacle);
+        obstacles.set(obstacle, start.at(pose));
+        if (pose.equals(start.pose())) {
+            placed.remove(obstacle);
+        } else {
+            placed.put(obstacle, Optional.of(pose));
+        }
     }
 
     /** Puts these boxes into the world, instead of those that are there. */

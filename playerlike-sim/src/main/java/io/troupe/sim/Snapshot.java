@@ -3,7 +3,11 @@ package io.troupe.sim;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
+import java.util.Collections;
 import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * The state of the whole world at a tick; immutable.
@@ -15,6 +19,8 @@ import java.util.List;
  *     robots come before obstacles, each in the order of the world file
  * @param moved where the obstacles are that can move, in the order of {@link WorldSpec#movingObstacles}
  * @param boxes that have been put into the world, by number
+ * @param placed the obstacles that were put elsewhere or taken out, by index: where they are, empty = taken out
+ * @param away indices of the robots that were taken out, in ascending order
  */
 public record Snapshot(
         long tick,
@@ -22,16 +28,42 @@ public record Snapshot(
         List<RobotReading> robots,
         List<Contact> contacts,
         List<Pose> moved,
-        List<ColouredBox> boxes) {
+        List<ColouredBox> boxes,
+        SortedMap<Integer, Optional<Pose>> placed,
+        List<Integer> away) {
     public Snapshot {
         robots = List.copyOf(robots);
         contacts = List.copyOf(contacts);
         moved = List.copyOf(moved);
         boxes = List.copyOf(boxes);
+        placed = placed.isEmpty()
+                ? Collections.emptySortedMap()
+                : Collections.unmodifiableSortedMap(new TreeMap<>(placed));
+        away = List.copyOf(away);
     }
 
-    /** A snapshot of a world without boxes, in which no obstacle moves. */
+    /** A snapshot of a world without boxes, in which no obstacle moves, and nothing comes or goes. */
     public Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts) {
-        this(tick, timeMicros, robots, contacts, List.of(), List.of());
+        this(tick, timeMicros, robots, contacts, List.of(), List.of(), Collections.emptySortedMap(), List.of());
+    }
+
+    /**
+     * The obstacles that are not where the world file has them, by index: where they are, empty = taken out.
+     *
+     * @param world of this snapshot
+     */
+    public SortedMap<Integer, Optional<Pose>> displaced(WorldSpec world) {
+        if (moved.isEmpty()) {
+            return placed;
+        }
+        var displaced = new TreeMap<>(placed);
+        List<Integer> movers = world.movingObstacles();
+        for (int i = 0; i < moved.size(); i++) {
+            Pose pose = moved.get(i);
+            if (!pose.equals(world.obstacles().get(movers.get(i)).pose())) {
+                displaced.put(movers.get(i), Optional.of(pose));
+            }
+        }
+        return displaced;
     }
 }

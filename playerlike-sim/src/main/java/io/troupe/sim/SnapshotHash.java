@@ -50,6 +50,12 @@ public final class SnapshotHash {
             add(box.x());
             add(box.y());
         }
+        snapshot.placed().forEach((obstacle, pose) -> { // as with boxes
+            add(obstacle);
+            add(pose.isPresent() ? 1 : 0);
+            pose.ifPresent(this::add);
+        });
+        snapshot.away().forEach(this::add);
     }
 
     /** Checksum so far, from 0 to 2^32 - 1. */

@@ -98,7 +98,7 @@ public final class World implements AutoCloseable {
         stepsPerInterval = Math.toIntExact(intervalMicros / PhysicsSetup.stepMicros(spec, settings));
         int robotCount = spec.robots().size();
         furnished = spec;
-        boxes = new Boxes(spec);
+        boxes = new Boxes();
         scene = new Scene(spec);
         commands = new WorldCommands(spec, settings);
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
@@ -284,8 +284,7 @@ public final class World implements AutoCloseable {
      * <p><b>Errors.</b> As with {@link #teleport}.
      */
     public void putBox(ColouredBox box) {
-        Snapshot at = latest;
-        String refusal = boxes.refusal(box, robot -> at.robots().get(robot).pose());
+        String refusal = commands.boxRefusal(box, latest);
         if (refusal != null) {
             throw new IllegalArgumentException(refusal);
         }
@@ -400,8 +399,8 @@ public final class World implements AutoCloseable {
                     publish();
                 }
                 resetIfRequested();
-                if (boxes.hasPending() && boxes.apply(tick, physics::pose, commands.recording())) {
-                    furnish();
+                if (boxes.hasPending()) {
+                    takeBoxes();
                 }
                 controller.control(view);
                 advanceUnpublished();
@@ -472,6 +471,12 @@ public final class World implements AutoCloseable {
         }
     }
 
+    private void takeBoxes() {
+        if (boxes.apply(tick, box -> commands.boxRefusal(box, physics), commands.recording())) {
+            furnish();
+        }
+    }
+
     /** Builds bodies and scene anew with the boxes, everything else where it is. */
     private void furnish() {
         Presence presence = commands.furnish(boxes.all());
@@ -538,7 +543,16 @@ public final class World implements AutoCloseable {
         for (int i = 0; i < devices.size(); i++) {
             readings.add(read(i));
         }
-        return new Snapshot(tick, tick * intervalMicros, readings, contacts(), grippers.poses(), boxes.all());
+        Presence presence = commands.presence();
+        return new Snapshot(
+                tick,
+                tick * intervalMicros,
+                readings,
+                contacts(),
+                grippers.poses(),
+                boxes.all(),
+                presence.placedObstacles(),
+                presence.awayRobots());
     }
 
     /** The touches of the physics, with names instead of indices and with the world's time. */

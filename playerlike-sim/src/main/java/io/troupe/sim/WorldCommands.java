@@ -197,6 +197,20 @@ final class WorldCommands {
         return occupancy(at).refusal(spec.obstacles().get(obstacle), pose);
     }
 
+    /** Reason why a box could not be put where it is in the world of a snapshot, or null. */
+    @Nullable
+    String boxRefusal(ColouredBox box, Snapshot at) {
+        return occupancy(at).refusal(box.obstacle(), box.obstacle().pose());
+    }
+
+    /** Reason why a box cannot be put where it is now, or null. */
+    @Nullable
+    String boxRefusal(ColouredBox box, Physics physics) {
+        return placement
+                .occupancy(physics::pose)
+                .refusal(box.obstacle(), box.obstacle().pose());
+    }
+
     /** Reason why a robot could not be placed at a pose in the world of a snapshot, or null. */
     @Nullable
     String teleportRefusal(int robot, Pose pose, Snapshot at) {

@@ -3,6 +3,7 @@ package io.troupe.sim;
 import static io.troupe.sim.Specs.first;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.device.ColourBlob;
@@ -89,7 +90,7 @@ class BoxesTest {
         World world = Specs.start(Specs.R1);
         assertThatThrownBy(() -> world.putBox(new ColouredBox(1, 0, 0.3, 0.1)))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("box 1 cannot be put at (0.3 m, 0.1 m): it would overlap robot 'r1'");
+                .hasMessage("obstacle 'box 1' cannot be put at (0.3 m, 0.1 m, 0.0 rad): it would overlap robot 'r1'");
         assertThatThrownBy(() -> world.putBox(new ColouredBox(1, 0, 0, -600)))
                 .hasMessageContaining("expected at most 500.0 m from the origin");
         assertThat(world.advance().boxes()).isEmpty();
@@ -98,6 +99,32 @@ class BoxesTest {
         assertThatThrownBy(() -> world.teleport(0, new Pose(1, 0, 0)))
                 .as("the box is in the way of robots, too")
                 .hasMessageContaining("it would overlap obstacle 'box 1'");
+    }
+
+    @Test
+    void box_isCheckedLikeAnObstacle_andMayBeWhereARobotWasTakenOut() {
+        World world = Specs.start(Specs.R1, new ColouredBox(2, Specs.BLUE, 3, 0).obstacle());
+        var box = new ColouredBox(2, Specs.RED, 0.3, 0.1);
+        Throwable asBox = catchThrowable(() -> world.putBox(box));
+        Throwable asObstacle =
+                catchThrowable(() -> world.placeObstacle(0, box.obstacle().pose()));
+        assertThat(asBox).hasMessage(asObstacle.getMessage()).hasMessageContaining("it would overlap robot 'r1'");
+        world.removeRobot(0);
+        world.advance();
+        world.putBox(box);
+        assertThat(world.advance().boxes()).containsExactly(box);
+        assertThatThrownBy(() -> world.teleport(0, Pose.ORIGIN)).hasMessageContaining("it would overlap obstacle");
+        world.removeBox(2);
+        world.teleport(0, new Pose(-2, 0, 0));
+        world.advance();
+        world.putBox(new ColouredBox(1, Specs.RED, 0, 0));
+        world.teleport(0, new Pose(0, 5, 0));
+        world.advance();
+        world.teleport(0, new Pose(0, -5, 0));
+        world.putBox(new ColouredBox(1, Specs.RED, 0, -5)); // boxes are put first, and the robot finds it there
+        world.advance();
+        assertThat(world.latest().boxes()).containsExactly(new ColouredBox(1, Specs.RED, 0, -5));
+        assertThat(first(world.latest()).pose().y()).isEqualTo(5);
     }
 
     @ParameterizedTest

@@ -2,6 +2,7 @@ package io.troupe.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.entry;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.device.DeviceReading;
@@ -13,6 +14,7 @@ import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Path;
+import java.util.Optional;
 import org.junit.jupiter.api.Test;
 
 /** Obstacles that are pushed, and grippers. */
@@ -59,6 +61,7 @@ class MovingThingsTest {
         world.advance(20);
         assertThat(box(world).x() - from).isCloseTo(0.3 * 2 * 10 / 12.5, within(0.02));
         assertThat(box(world).y()).isCloseTo(0, within(1e-3));
+        assertThat(world.latest().displaced(world.spec())).containsExactly(entry(0, Optional.of(box(world))));
         assertThat(box(world).x() - robot(world).x()).as("gap of the skins").isBetween(0.25, 0.275);
         assertThat(Specs.first(world.latest()).odometry().stalled()).isFalse();
         assertThat(Specs.first(world.latest()).wallGapM()).isBetween(0.0, 0.025);
@@ -130,6 +133,7 @@ class MovingThingsTest {
         world.reset();
         world.advance();
         assertThat(box(world)).isEqualTo(new Pose(0.5, 0, 0));
+        assertThat(world.latest().displaced(world.spec())).isEmpty();
     }
 
     // ---- grippers

@@ -2,6 +2,7 @@ package io.troupe.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.entry;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.model.Pose;
@@ -12,6 +13,7 @@ import java.io.StringReader;
 import java.io.StringWriter;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
@@ -50,12 +52,14 @@ class PresenceTest {
         assertThat(world.view().holdsObstacle(BOX)).isTrue();
         drive(world, 1, 30);
         assertThat(world.view().holdsObstacle(BOX)).isFalse();
+        assertThat(world.latest().placed()).containsExactly(entry(BOX, Optional.empty()));
         assertThat(world.view().x(0)).isCloseTo(3, within(1e-6));
         assertThat(aheadM(world, 0)).isCloseTo(1, within(1e-6));
         assertThat(world.latest().contacts()).isEmpty();
 
         world.placeObstacle(BOX, new Pose(0, 0, 0)); // its faces are at -0.5 and 0.5
         drive(world, -1, 60);
+        assertThat(world.latest().displaced(world.spec())).containsExactly(entry(BOX, Optional.of(Pose.ORIGIN)));
         double rear = world.view().x(0) - 0.26;
         assertThat(rear).isBetween(0.5, 0.5 + 2 * 0.02);
         assertThat(world.view().stalled(0)).isTrue();
@@ -94,6 +98,7 @@ class PresenceTest {
         world.command(1, 0.5, 0);
         world.advance(40);
         assertThat(world.view().isAway(0)).isTrue();
+        assertThat(world.latest().away()).containsExactly(0);
         assertThat(world.view().x(0)).isZero();
         assertThat(aheadM(world, 0)).as("the last reading").isEqualTo(2);
         assertThat(world.view().forwardMps(0)).isZero();
@@ -105,6 +110,7 @@ class PresenceTest {
         world.teleport(0, new Pose(1, 0, 0));
         world.advance(30);
         assertThat(world.view().isAway(0)).isFalse();
+        assertThat(world.latest().away()).isEmpty();
         assertThat(world.view().stalled(1)).as("robot s pushes robot r").isTrue();
         assertThat(aheadM(world, 0)).isLessThan(1);
     }
@@ -118,8 +124,13 @@ class PresenceTest {
         world.advance(3);
         world.placeObstacle(1, new Pose(3, 0, 0));
         world.advance(3);
+        assertThat(world.latest().placed()).hasSize(2);
+        world.placeObstacle(1, world.spec().obstacles().get(1).pose());
+        assertThat(world.advance().placed()).as("it is where it began").containsOnlyKeys(BOX);
         world.reset();
         world.advance();
+        assertThat(world.latest().placed()).isEmpty();
+        assertThat(world.latest().away()).isEmpty();
         World fresh = boxAhead();
         fresh.advance();
         assertThat(world.latest().robots()).isEqualTo(fresh.latest().robots());

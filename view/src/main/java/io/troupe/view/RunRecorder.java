@@ -9,6 +9,8 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Snapshot;
+import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.RunResult.Messages;
 import io.troupe.view.RunResult.StateChange;
@@ -16,6 +18,9 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Optional;
+import java.util.SortedMap;
+import java.util.TreeSet;
 import java.util.function.Consumer;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
@@ -57,6 +62,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
     private static final long CROWD_POSE_MICROS = 1_000_000;
     private static final double CROWD_PATH_STEP_M = 0.25;
 
+    private final WorldSpec world;
     private final SubsumptionTable table;
     private final RunLog log;
     private final Consumer<String> changes;
@@ -66,6 +72,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
     private long received;
     private long tooLate;
     private int statesLogged;
+    private SortedMap<Integer, Optional<Pose>> displaced = Collections.emptySortedMap(); // as logged
     private @Nullable Snapshot last;
 
     /**
@@ -74,6 +81,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
      * @param changes is called with a line of text for every state change, on the thread that calls {@link #record}
      */
     public RunRecorder(WorldSpec world, SubsumptionTable table, RunLog log, Consumer<String> changes) {
+        this.world = world;
         this.table = table;
         this.log = log;
         this.changes = changes;
@@ -264,11 +272,15 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
     }
 
     private void logPoses(Snapshot snapshot) {
+        boolean isLogged = robots.size() < MANY_ROBOTS || snapshot.timeMicros() % CROWD_POSE_MICROS == 0;
+        if (isLogged) {
+            logObstacles(snapshot);
+        }
         for (int index = 0; index < robots.size(); index++) {
             RobotReading reading = snapshot.robots().get(index);
             RobotRecord robot = robots.get(index);
             robot.moved(snapshot.timeMicros(), reading);
-            if (robots.size() >= MANY_ROBOTS && snapshot.timeMicros() % CROWD_POSE_MICROS != 0) {
+            if (!isLogged) {
                 continue;
             }
             var line = Json.line(snapshot.timeMicros(), "pose")
@@ -279,6 +291,30 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
                     .put("gap", reading.wallGapM())
                     .put("service", robot.serviceName());
             log.write(robot.node() == null ? line : line.put("node", robot.node()));
+        }
+    }
+
+    /** Logs the obstacles that have moved, come or gone since the last poses. */
+    private void logObstacles(Snapshot snapshot) {
+        SortedMap<Integer, Optional<Pose>> before = displaced;
+        displaced = snapshot.displaced(world);
+        if (displaced.equals(before)) {
+            return;
+        }
+        var indices = new TreeSet<>(before.keySet());
+        indices.addAll(displaced.keySet());
+        for (int index : indices) {
+            ObstacleSpec obstacle = world.obstacles().get(index);
+            Optional<Pose> start = Optional.of(obstacle.pose());
+            Optional<Pose> pose = displaced.getOrDefault(index, start);
+            if (!pose.equals(before.getOrDefault(index, start))) {
+                var line = Json.line(snapshot.timeMicros(), "obstacle")
+                        .put("number", index + 1)
+                        .put("obstacle", obstacle.name());
+                pose.ifPresent(
+                        there -> line.put("x", there.x()).put("y", there.y()).put("heading", there.headingRad()));
+                log.write(line);
+            }
         }
     }
 }

@@ -15,6 +15,8 @@ import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.SonarSpec;
 import io.troupe.sim.model.WorldSpec;
 import java.util.List;
+import java.util.Optional;
+import java.util.SortedMap;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
@@ -65,12 +67,12 @@ final class WorldSvg {
         for (int i = 0; i < world.robots().size(); i++) {
             rays(i);
         }
-        List<Integer> moving = now.moved().isEmpty() ? List.of() : world.movingObstacles();
+        SortedMap<Integer, Optional<Pose>> displaced = now.displaced(world);
         for (int i = 0; i < world.obstacles().size(); i++) {
             ObstacleSpec obstacle = world.obstacles().get(i);
-            int mover = moving.indexOf(i);
-            Pose pose = mover < 0 ? obstacle.pose() : now.moved().get(mover);
-            map.body(svg, obstacle.name(), obstacle.shape(), pose, obstacle.colour());
+            displaced
+                    .getOrDefault(i, Optional.of(obstacle.pose()))
+                    .ifPresent(pose -> map.body(svg, obstacle.name(), obstacle.shape(), pose, obstacle.colour()));
         }
         for (int i = 0; i < world.robots().size(); i++) {
             RobotSpec robot = world.robots().get(i);

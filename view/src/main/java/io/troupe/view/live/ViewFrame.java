@@ -22,4 +22,7 @@ record ViewFrame(long number, Snapshot snapshot, short[] states, double speed) {
     static final int STALLED = 0x100;
     static final int TOUCHED = 0x200;
     static final int DRIVEN_BY_HAND = 0x400;
+
+    /** The robot was taken out of the world. */
+    static final int AWAY = 0x800;
 }

@@ -38,6 +38,8 @@ final class ViewMessages {
     private static final int HEAD_BYTES = 5;
     private static final int FRAME_BYTES = 20;
     private static final int ROBOT_BYTES = 8;
+    private static final int COUNT_BYTES = 2;
+    private static final int DISPLACED_BYTES = 8;
     private static final int SENSORS_BYTES = 6;
     private static final int READING_BYTES = 14;
     private static final int BLOB_BYTES = 12;
@@ -60,7 +62,9 @@ final class ViewMessages {
 
     static byte[] frame(ViewedWorld world, ViewFrame frame, boolean past) {
         List<RobotReading> robots = frame.snapshot().robots();
-        ByteBuffer to = begin(FRAME, FRAME_BYTES + ROBOT_BYTES * robots.size())
+        List<ViewedWorld.Displaced> displaced = past ? List.of() : world.displaced(frame.snapshot());
+        int displacedBytes = displaced.isEmpty() ? 0 : COUNT_BYTES + DISPLACED_BYTES * displaced.size();
+        ByteBuffer to = begin(FRAME, FRAME_BYTES + ROBOT_BYTES * robots.size() + displacedBytes)
                 .putDouble(frame.snapshot().timeMicros() / 1e6)
                 .putInt((int) frame.number())
                 .putFloat((float) frame.speed())
@@ -70,8 +74,17 @@ final class ViewMessages {
             Pose pose = robots.get(i).pose();
             to.putShort((short) world.xSteps(pose.x()))
                     .putShort((short) world.ySteps(pose.y()))
-                    .putShort((short) StrictMath.round(pose.headingRad() * 1e4))
+                    .putShort((short) ViewedWorld.headingSteps(pose.headingRad()))
                     .putShort(frame.states()[i]);
+        }
+        if (!displaced.isEmpty()) {
+            to.putShort((short) displaced.size());
+            for (var each : displaced) {
+                to.putShort((short) each.index())
+                        .putShort((short) each.xSteps())
+                        .putShort((short) each.ySteps())
+                        .putShort((short) each.headingSteps());
+            }
         }
         return to.array();
     }

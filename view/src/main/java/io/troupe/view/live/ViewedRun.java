@@ -268,6 +268,9 @@ public final class ViewedRun {
         for (int robot : driven) {
             states[robot] |= ViewFrame.DRIVEN_BY_HAND;
         }
+        for (int robot : snapshot.away()) {
+            states[robot] |= ViewFrame.AWAY;
+        }
         showBoxes(snapshot);
         measureSpeed(snapshot.timeMicros());
         var frame = new ViewFrame(frames++, snapshot, states, speed);

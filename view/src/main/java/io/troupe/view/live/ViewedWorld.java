@@ -1,5 +1,6 @@
 package io.troupe.view.live;
 
+import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
@@ -88,6 +89,43 @@ final class ViewedWorld {
         return Math.clamp(Math.round(distanceM / stepM), 0, MOST_STEPS);
     }
 
+    /**
+     * An obstacle that is not where the world file has it.
+     *
+     * @param xSteps x, y and heading are as in a frame
+     * @param headingSteps {@link #TAKEN_OUT} if it is not in the world
+     */
+    record Displaced(int index, int xSteps, int ySteps, int headingSteps) {
+        /** No heading has this value. */
+        static final int TAKEN_OUT = Short.MIN_VALUE;
+    }
+
+    /** The obstacles that have moved by a step or more, or were taken out. */
+    List<Displaced> displaced(Snapshot snapshot) {
+        var displaced = snapshot.displaced(spec);
+        if (displaced.isEmpty()) {
+            return List.of();
+        }
+        List<Displaced> moved = new ArrayList<>();
+        displaced.forEach((index, pose) -> {
+            var now =
+                    pose.map(there -> displaced(index, there)).orElse(new Displaced(index, 0, 0, Displaced.TAKEN_OUT));
+            if (!now.equals(displaced(index, spec.obstacles().get(index).pose()))) {
+                moved.add(now);
+            }
+        });
+        return moved;
+    }
+
+    private Displaced displaced(int index, Pose pose) {
+        return new Displaced(index, xSteps(pose.x()), ySteps(pose.y()), headingSteps(pose.headingRad()));
+    }
+
+    /** Steps of 0.0001 rad. */
+    static int headingSteps(double headingRad) {
+        return (int) StrictMath.round(StrictMath.IEEEremainder(headingRad, 2 * StrictMath.PI) * 1e4);
+    }
+
     /** The description for the page. */
     String json() {
         return json;
@@ -131,17 +169,16 @@ final class ViewedWorld {
         return new Json()
                 .put("name", obstacle.name())
                 .put("colour", obstacle.colour())
-                .put("outlines", outlines(obstacle.shape(), obstacle.pose()));
+                .put("pose", new Json.Fragment(mount(obstacle.pose())))
+                .put("outlines", outlines(obstacle.shape()));
     }
 
     private static String kind(RobotSpec robot) {
-        var kind = new Json().put("outlines", outlines(robot.shape(), Pose.ORIGIN));
+        var kind = new Json().put("outlines", outlines(robot.shape()));
         kind.put(
                 "cargo",
                 Json.objects(robot.cargo().stream()
-                        .map(each -> new Json()
-                                .put("colour", each.colour())
-                                .put("outlines", outlines(each.shape(), Pose.ORIGIN)))
+                        .map(each -> new Json().put("colour", each.colour()).put("outlines", outlines(each.shape())))
                         .toList()));
         if (robot.sonar() != null) {
             kind.put(
@@ -175,10 +212,9 @@ final class ViewedWorld {
                         .toString());
     }
 
-    private static Json.Fragment outlines(Shape shape, Pose pose) {
+    private static Json.Fragment outlines(Shape shape) {
         return list(shape.outlines().stream()
                 .map(line -> line.stream()
-                        .map(pose::place)
                         .map(point -> number(point.x()) + "," + number(point.y()))
                         .collect(Collectors.joining(",", "[", "]"))));
     }

@@ -23,6 +23,7 @@ import io.troupe.view.tools.RunListener.Remark;
 import io.troupe.view.tools.RunListener.StateBegins;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
@@ -30,7 +31,9 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Objects;
+import java.util.Optional;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
@@ -75,6 +78,7 @@ final class FoxgloveChannels {
     private static final int OUTLINE_COLOUR = 0x444444;
     private static final int LINE_LOOP = 1;
     private static final int LINE_LIST = 2;
+    private static final int DELETE_ONE = 0;
     private static final int DELETE_ALL = 1;
 
     private final WorldSpec world;
@@ -207,48 +211,112 @@ final class FoxgloveChannels {
 
     // ---- the world and the bodies
 
-    /** Sends walls and boxes. They stay until they are sent again. */
-    void sendWorld(long timeMicros, List<ColouredBox> boxes, Sink sink) throws IOException {
+    /** What of the world does not stand still, and has been drawn. */
+    record Drawn(List<ColouredBox> boxes, SortedMap<Integer, Optional<Pose>> displaced) {
+        /** The world as its file has it. */
+        static final Drawn AT_START = new Drawn(List.of(), Collections.emptySortedMap());
+
+        static Drawn of(Snapshot snapshot, WorldSpec world) {
+            return new Drawn(snapshot.boxes(), snapshot.displaced(world));
+        }
+    }
+
+    /** Sends all obstacles and boxes. They stay until they are sent again. */
+    void sendWorld(long timeMicros, Drawn now, Sink sink) throws IOException {
         if (!sink.isWanted(obstacles)) {
             return;
         }
         json.begin().array("deletions");
         if (timeMicros > 0) {
-            json.object();
-            time(timeMicros);
-            json.put("type", DELETE_ALL).put("id", "").endObject();
+            deletion(timeMicros, DELETE_ALL, "");
         }
         json.endArray().array("entities");
-        List<ObstacleSpec> all = world.with(boxes).obstacles();
+        List<ObstacleSpec> all = world.with(now.boxes).obstacles();
         for (int i = 0; i < all.size(); i++) {
-            ObstacleSpec obstacle = all.get(i);
-            beginEntity(timeMicros, WORLD, i + " " + obstacle.name());
-            json.array("lines");
-            outlines(obstacle.shape(), obstacle.pose(), FLOOR_M, OUTLINE_COLOUR);
-            json.endArray().array("triangles");
-            triangles(obstacle.shape(), obstacle.pose(), FLOOR_M, obstacle.colour());
-            json.endArray().array("texts").endArray();
-            endEntity();
+            entity(timeMicros, i, all.get(i), place(i, all.get(i), now));
         }
         json.endArray();
         sink.message(obstacles, nanos(timeMicros), json.end());
     }
 
+    /** Sends the obstacles and boxes that have changed; nothing if none has. */
+    void sendChanges(long timeMicros, Drawn before, Drawn now, Sink sink) throws IOException {
+        if (!now.boxes.equals(before.boxes)) {
+            sendWorld(timeMicros, now, sink);
+            return;
+        }
+        if (now.displaced.equals(before.displaced) || !sink.isWanted(obstacles)) {
+            return;
+        }
+        List<ObstacleSpec> all = world.obstacles();
+        Set<Integer> changed = new TreeSet<>(before.displaced.keySet());
+        changed.addAll(now.displaced.keySet());
+        changed.removeIf(i -> place(i, all.get(i), now).equals(place(i, all.get(i), before)));
+        json.begin().array("deletions");
+        for (int i : changed) {
+            if (place(i, all.get(i), now).isEmpty()) {
+                deletion(timeMicros, DELETE_ONE, id(i, all.get(i)));
+            }
+        }
+        json.endArray().array("entities");
+        for (int i : changed) {
+            entity(timeMicros, i, all.get(i), place(i, all.get(i), now));
+        }
+        json.endArray();
+        sink.message(obstacles, nanos(timeMicros), json.end());
+    }
+
+    /** Where an obstacle is; empty = not in the world. */
+    private static Optional<Pose> place(int index, ObstacleSpec obstacle, Drawn now) {
+        return now.displaced.getOrDefault(index, Optional.of(obstacle.pose()));
+    }
+
+    private static String id(int index, ObstacleSpec obstacle) {
+        return index + " " + obstacle.name();
+    }
+
+    private void deletion(long timeMicros, int type, String id) {
+        json.object();
+        time(timeMicros);
+        json.put("type", type).put("id", id).endObject();
+    }
+
+    private void entity(long timeMicros, int index, ObstacleSpec obstacle, Optional<Pose> pose) {
+        if (pose.isPresent()) {
+            beginEntity(timeMicros, WORLD, id(index, obstacle));
+            json.array("lines");
+            outlines(obstacle.shape(), pose.get(), FLOOR_M, OUTLINE_COLOUR);
+            json.endArray().array("triangles");
+            triangles(obstacle.shape(), pose.get(), FLOOR_M, obstacle.colour());
+            json.endArray().array("texts").endArray();
+            endEntity();
+        }
+    }
+
     /**
      * Sends the bodies of all robots, outlined in the colours of their services. They stay in the robots' frames, which
      * move, until they are sent again.
+     *
+     * @param away indices of the robots that are not in the world
      */
-    void sendBodies(long timeMicros, List<String> services, Sink sink) throws IOException {
+    void sendBodies(long timeMicros, List<String> services, List<Integer> away, Sink sink) throws IOException {
         if (!sink.isWanted(bodies)) {
             return;
         }
-        json.begin().array("deletions").endArray().array("entities");
+        json.begin().array("deletions");
+        for (int robot : away) {
+            deletion(timeMicros, DELETE_ONE, frames.get(robot));
+        }
+        json.endArray().array("entities");
         for (int i = 0; i < frames.size(); i++) {
+            if (away.contains(i)) {
+                continue;
+            }
             RobotSpec robot = world.robots().get(i);
             beginEntity(timeMicros, frames.get(i), frames.get(i));
             json.array("lines");
             outlines(robot.shape(), Pose.ORIGIN, BODY_M, serviceColour(services.get(i)));
-            beginLines(LINE_LIST, LINE_PX, BODY_M);
+            beginLines(LINE_LIST, LINE_PX, Pose.ORIGIN, BODY_M);
             point(0, 0);
             point(robot.lengthM() / 2, 0); // shows the heading
             endLines(OUTLINE_COLOUR);
@@ -383,7 +451,7 @@ final class FoxgloveChannels {
         if (sink.isWanted(ring.rays)) {
             beginScene(micros, robot, "rays");
             json.array("lines");
-            beginLines(LINE_LIST, RAY_PX, RAY_M);
+            beginLines(LINE_LIST, RAY_PX, Pose.ORIGIN, RAY_M);
             for (int i = 0; i < rangesM.size(); i++) {
                 Pose mount = ring.mounts.get(i);
                 Pose end = mount.compose(new Pose(rangesM.get(i), 0, 0));
@@ -435,7 +503,7 @@ final class FoxgloveChannels {
             beginScene(micros, robot, "view");
             json.array("lines").endArray().array("triangles");
             for (ColourBlob blob : image.blobs()) {
-                beginTriangles(RAY_M);
+                beginTriangles(Pose.ORIGIN, RAY_M);
                 point(camera.spec.mount().x(), camera.spec.mount().y());
                 edge(camera.spec, blob.left(), blob.rangeM());
                 edge(camera.spec, blob.right() + 1, blob.rangeM());
@@ -540,33 +608,32 @@ final class FoxgloveChannels {
 
     private void outlines(Shape shape, Pose pose, double heightM, int colour) {
         for (List<Point> line : shape.outlines()) {
-            beginLines(LINE_LOOP, LINE_PX, heightM);
-            points(line, pose);
+            beginLines(LINE_LOOP, LINE_PX, pose, heightM);
+            points(line);
             endLines(colour);
         }
     }
 
-    private void points(List<Point> points, Pose pose) {
+    private void points(List<Point> points) {
         for (Point point : points) {
-            Point placed = pose.place(point);
-            point(placed.x(), placed.y());
+            point(point.x(), point.y());
         }
     }
 
     /** Adds convex polygons as fans of triangles. */
     private void triangles(Shape shape, Pose pose, double heightM, int colour) {
-        beginTriangles(heightM);
+        beginTriangles(pose, heightM);
         for (List<Point> polygon : shape.polygons()) {
             for (int i = 1; i + 1 < polygon.size(); i++) {
-                points(List.of(polygon.getFirst(), polygon.get(i), polygon.get(i + 1)), pose);
+                points(List.of(polygon.getFirst(), polygon.get(i), polygon.get(i + 1)));
             }
         }
         endTriangles(colour, 1);
     }
 
-    private void beginLines(int type, double widthPx, double heightM) {
+    private void beginLines(int type, double widthPx, Pose pose, double heightM) {
         json.object().put("type", type);
-        pose(Pose.ORIGIN, heightM);
+        pose(pose, heightM);
         json.put("thickness", widthPx).put("scale_invariant", true).array("points");
     }
 
@@ -576,9 +643,9 @@ final class FoxgloveChannels {
         json.array("colors").endArray().array("indices").endArray().endObject();
     }
 
-    private void beginTriangles(double heightM) {
+    private void beginTriangles(Pose pose, double heightM) {
         json.object();
-        pose(Pose.ORIGIN, heightM);
+        pose(pose, heightM);
         json.array("points");
     }
 

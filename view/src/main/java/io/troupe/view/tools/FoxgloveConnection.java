@@ -1,10 +1,10 @@
 package io.troupe.view.tools;
 
 import io.troupe.sim.Snapshot;
-import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.RunLog;
 import io.troupe.view.tools.FoxgloveChannels.Channel;
+import io.troupe.view.tools.FoxgloveChannels.Drawn;
 import io.troupe.view.tools.RunListener.Level;
 import io.troupe.view.tools.RunListener.Reading;
 import io.troupe.view.tools.RunListener.Remark;
@@ -90,8 +90,9 @@ public final class FoxgloveConnection {
     private @Nullable WorldSpec world;
     private @Nullable FoxgloveChannels messages;
     private @Nullable Snapshot sent;
-    private List<ColouredBox> drawnBoxes = List.of();
+    private Drawn drawn = Drawn.AT_START;
     private List<String> drawnServices = List.of();
+    private List<Integer> drawnAway = List.of();
     private @Nullable StateBegins state;
     private long nextEvent;
     private volatile boolean ended;
@@ -256,19 +257,21 @@ public final class FoxgloveConnection {
         }
         if (!begun.isEmpty()) { // what stays until it changes
             var toNew = new Subscribers(begun);
-            now.sendWorld(micros, frame.snapshot().boxes(), toNew);
-            now.sendBodies(micros, frame.services(), toNew);
+            now.sendWorld(micros, Drawn.of(frame.snapshot(), frame.world()), toNew);
+            now.sendBodies(micros, frame.services(), frame.snapshot().away(), toNew);
             if (state != null) {
                 now.send(state, toNew);
             }
         }
-        if (!frame.snapshot().boxes().equals(drawnBoxes)) {
-            drawnBoxes = frame.snapshot().boxes();
-            now.sendWorld(micros, drawnBoxes, new Subscribers(null));
+        if (isNew) {
+            Drawn next = Drawn.of(frame.snapshot(), frame.world());
+            now.sendChanges(micros, drawn, next, new Subscribers(null));
+            drawn = next;
         }
-        if (!frame.services().equals(drawnServices)) {
+        if (!frame.services().equals(drawnServices) || !frame.snapshot().away().equals(drawnAway)) {
             drawnServices = frame.services();
-            now.sendBodies(micros, drawnServices, new Subscribers(null));
+            drawnAway = frame.snapshot().away();
+            now.sendBodies(micros, drawnServices, drawnAway, new Subscribers(null));
         }
         if (isNew || !begun.isEmpty()) {
             sent = frame.snapshot();
@@ -294,7 +297,8 @@ public final class FoxgloveConnection {
         world = begun;
         messages = made;
         drawnServices = List.of();
-        drawnBoxes = List.of();
+        drawnAway = List.of();
+        drawn = Drawn.AT_START;
         state = null;
         JsonText text = new JsonText().begin().put("op", "advertise").array("channels");
         for (Channel channel : made.channels()) {

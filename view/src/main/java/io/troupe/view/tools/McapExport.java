@@ -1,9 +1,10 @@
 package io.troupe.view.tools;
 
-import io.troupe.sim.model.ColouredBox;
+import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.RunLog;
 import io.troupe.view.tools.FoxgloveChannels.Channel;
+import io.troupe.view.tools.FoxgloveChannels.Drawn;
 import java.io.Closeable;
 import java.io.IOException;
 import java.io.OutputStream;
@@ -20,11 +21,14 @@ final class McapExport implements RunListener, Closeable {
     private final FoxgloveChannels channels;
     private final List<Integer> ids;
     private final FoxgloveChannels.Sink sink = this::write;
-    private List<ColouredBox> drawnBoxes = List.of();
+    private final WorldSpec world;
+    private Drawn drawn = Drawn.AT_START;
     private List<String> drawnServices = List.of();
+    private List<Integer> drawnAway = List.of();
 
     /** @param sensorsOf indices of the robots whose sensors are written */
     McapExport(WorldSpec world, Set<Integer> sensorsOf, OutputStream out) throws IOException {
+        this.world = world;
         writer = new McapWriter(out, RunLog.PROGRAM);
         channels = new FoxgloveChannels(world, sensorsOf);
         Map<MessageSchema, Integer> schemas = new EnumMap<>(MessageSchema.class);
@@ -44,19 +48,19 @@ final class McapExport implements RunListener, Closeable {
     @Override
     public void begin(Map<String, String> header) throws IOException {
         writer.metadata(HEADER, header);
-        channels.sendWorld(0, List.of(), sink);
+        channels.sendWorld(0, Drawn.AT_START, sink);
     }
 
     @Override
     public void read(Reading reading) throws IOException {
-        List<ColouredBox> boxes = reading.snapshot().boxes();
-        if (!boxes.equals(drawnBoxes)) {
-            drawnBoxes = boxes;
-            channels.sendWorld(reading.snapshot().timeMicros(), boxes, sink);
-        }
-        if (!reading.services().equals(drawnServices)) {
+        Snapshot now = reading.snapshot();
+        Drawn next = Drawn.of(now, world);
+        channels.sendChanges(now.timeMicros(), drawn, next, sink);
+        drawn = next;
+        if (!reading.services().equals(drawnServices) || !now.away().equals(drawnAway)) {
             drawnServices = reading.services();
-            channels.sendBodies(reading.snapshot().timeMicros(), drawnServices, sink);
+            drawnAway = now.away();
+            channels.sendBodies(now.timeMicros(), drawnServices, drawnAway, sink);
         }
         channels.send(reading, sink);
     }

@@ -9,6 +9,7 @@ import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Sonar;
 import io.troupe.sim.model.ColouredBox;
+import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
@@ -28,7 +29,9 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
@@ -50,6 +53,8 @@ final class RunLogReader {
     private final WorldSpec world;
     private final RunListener listener;
     private final Map<Integer, ColouredBox> boxes = new TreeMap<>();
+    private final List<Integer> movers;
+    private final SortedMap<Integer, Optional<Pose>> displaced = new TreeMap<>(); // obstacles, by index
     private Scene scene;
     private final List<Sensors> sensors = new ArrayList<>();
     /** Those of the reading that has not been complete yet. */
@@ -80,6 +85,7 @@ final class RunLogReader {
         this.file = file;
         this.world = world;
         this.listener = listener;
+        this.movers = world.movingObstacles();
         this.scene = new Scene(world);
         world.robots().forEach(robot -> sensors.add(Sensors.of(robot)));
     }
@@ -179,6 +185,7 @@ final class RunLogReader {
         switch (lastType) {
             case "pose" -> pose(line);
             case "state" -> state(line);
+            case "obstacle" -> obstacle(line);
             case "contact" -> contact(line);
             case "charge" -> charge(line);
             case "driver" -> driver(line);
@@ -272,7 +279,44 @@ final class RunLogReader {
         } catch (IllegalArgumentException wrong) {
             throw new JsonObject.Problem(1, String.valueOf(wrong.getMessage()));
         }
-        scene = new Scene(world.with(List.copyOf(boxes.values())));
+        changeScene();
+    }
+
+    private void obstacle(JsonObject line) throws JsonObject.Problem {
+        int index = line.whole("number", 1, world.obstacles().size()) - 1;
+        Optional<Pose> pose = line.has("x")
+                ? Optional.of(new Pose(line.number("x"), line.number("y"), line.number("heading")))
+                : Optional.empty();
+        displaced.put(index, pose);
+        int mover = movers.indexOf(index);
+        if (mover < 0) {
+            changeScene();
+        } else if (pose.isPresent()) {
+            scene.place(world.robots().size() + mover, pose.get());
+        } else {
+            throw new JsonObject.Problem(1, "there is no 'x', expected the pose of an obstacle that can be pushed");
+        }
+    }
+
+    /** Builds the scene anew, with what stands in it now. */
+    private void changeScene() {
+        List<ObstacleSpec> there = new ArrayList<>();
+        for (int i = 0; i < world.obstacles().size(); i++) {
+            ObstacleSpec obstacle = world.obstacles().get(i);
+            Optional<Pose> pose = movers.contains(i) ? Optional.of(obstacle.pose()) : place(i);
+            pose.map(obstacle::at).ifPresent(there::add);
+        }
+        var now = new WorldSpec(world.name(), world.file(), world.intervalMillis(), world.robots(), there);
+        scene = new Scene(now.with(List.copyOf(boxes.values())));
+        for (int i = 0; i < movers.size(); i++) {
+            scene.place(world.robots().size() + i, place(movers.get(i)).orElseThrow());
+        }
+    }
+
+    /** Where an obstacle is; empty = not in the world. */
+    private Optional<Pose> place(int obstacle) {
+        return displaced.getOrDefault(
+                obstacle, Optional.of(world.obstacles().get(obstacle).pose()));
     }
 
     private void summary(JsonObject line) throws IOException, JsonObject.Problem {
@@ -333,7 +377,17 @@ final class RunLogReader {
                             .toList(),
                     poses.get(robot).gapM()));
         }
-        var snapshot = new Snapshot(ticks++, timeMicros, readings, List.of(), List.of(), List.copyOf(boxes.values()));
+        var placed = new TreeMap<>(displaced);
+        placed.keySet().removeAll(movers);
+        var snapshot = new Snapshot(
+                ticks++,
+                timeMicros,
+                readings,
+                List.of(),
+                movers.stream().map(mover -> place(mover).orElseThrow()).toList(),
+                List.copyOf(boxes.values()),
+                placed,
+                List.of());
         return new Reading(snapshot, poses.stream().map(PoseLine::service).toList(), false);
     }
 

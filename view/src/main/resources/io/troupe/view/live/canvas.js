@@ -36,18 +36,14 @@ class WorldCanvas {
   }
 
   setWorld(world) {
-    this.obstacles = new Map();
+    this.still = null;
     this.bounds = [Infinity, Infinity, -Infinity, -Infinity];
     const extend = (x, y) => {
       const b = this.bounds;
       this.bounds = [Math.min(b[0], x), Math.min(b[1], y), Math.max(b[2], x), Math.max(b[3], y)];
     };
     for (const obstacle of world.obstacles) {
-      const path = this.obstacles.get(obstacle.colour) ?? new Path2D();
-      this.obstacles.set(obstacle.colour, path);
-      for (const line of obstacle.outlines) {
-        WorldCanvas.trace(path, line, extend);
-      }
+      WorldCanvas.obstacle(new Path2D(), obstacle, obstacle.pose, extend);
     }
     this.radius = world.kinds.map(kind => Math.max(0.1, ...kind.outlines.flat().map(Math.abs)));
     if (!world.obstacles.length) {
@@ -134,6 +130,9 @@ class WorldCanvas {
     let best = -1;
     let least = Infinity;
     for (let i = 0; frame && i < frame.count; i++) {
+      if (frame.state[i] & Model.AWAY) {
+        continue;
+      }
       const distance = Math.hypot(frame.x[i] - x, frame.y[i] - y);
       const reach = Math.max(this.radius[this.model.world.robots[i].kind], 12 / this.scale);
       if (distance < reach && distance < least) {
@@ -179,7 +178,7 @@ class WorldCanvas {
     to.setTransform(k, 0, 0, -k, this.canvas.width / 2 - this.x * k, this.canvas.height / 2 + this.y * k);
     this.pixel = 1 / this.scale;
     this.drawGrid();
-    this.drawObstacles();
+    this.drawObstacles(frame?.obstacles ?? new Map());
     this.drawBoxes();
     if (!frame) {
       return;
@@ -220,15 +219,44 @@ class WorldCanvas {
     to.stroke();
   }
 
-  drawObstacles() {
+  /** Draws what stands where the world has it, and what is displaced: poses by index, null = not in the world. */
+  drawObstacles(displaced) {
+    const all = this.model.world?.obstacles ?? [];
+    const key = [...displaced.keys()].join();
+    if (!this.still || this.stillWithout !== key) {
+      this.still = new Map(); // by colour
+      this.stillWithout = key;
+      all.forEach((obstacle, i) => {
+        if (!displaced.has(i)) {
+          const path = this.still.get(obstacle.colour) ?? new Path2D();
+          this.still.set(obstacle.colour, path);
+          WorldCanvas.obstacle(path, obstacle, obstacle.pose);
+        }
+      });
+    }
+    for (const [colour, path] of this.still) {
+      this.drawObstacle(colour, path);
+    }
+    for (const [i, pose] of displaced) {
+      if (pose && i < all.length) {
+        const path = new Path2D();
+        WorldCanvas.obstacle(path, all[i], [pose.x, pose.y, pose.heading]);
+        this.drawObstacle(all[i].colour, path);
+      }
+    }
+  }
+
+  drawObstacle(colour, path) {
     const to = this.context;
+    to.fillStyle = Model.colour(colour);
+    to.fill(path, "evenodd");
     to.strokeStyle = this.colours.wall;
     to.lineWidth = this.pixel;
-    for (const [colour, path] of this.obstacles ?? []) {
-      to.fillStyle = Model.colour(colour);
-      to.fill(path, "evenodd");
-      to.stroke(path);
-    }
+    to.stroke(path);
+  }
+
+  static obstacle(path, obstacle, [x, y, heading], extend) {
+    WorldCanvas.body(path, WorldCanvas.placer({x: [x], y: [y], heading: [heading]}, 0), obstacle, extend);
   }
 
   drawBoxes() {
@@ -323,7 +351,7 @@ class WorldCanvas {
 
   drawReadings(frame, robot) {
     const reading = this.model.readings.get(robot);
-    if (!reading || robot >= frame.count) {
+    if (!reading || robot >= frame.count || frame.state[robot] & Model.AWAY) {
       return;
     }
     const to = this.context;
@@ -411,6 +439,9 @@ class WorldCanvas {
     const hands = new Path2D();
     let small = true; // too small for outlines
     for (let i = 0; i < frame.count; i++) {
+      if (frame.state[i] & Model.AWAY) {
+        continue;
+      }
       const kindNumber = world.robots[i].kind;
       const radius = this.radius[kindNumber];
       const key = world.services.length ? frame.state[i] & 0xFF : -1 - world.robots[i].colour;
@@ -468,13 +499,13 @@ class WorldCanvas {
     path.closePath();
   }
 
-  static body(path, place, kind) {
+  static body(path, place, kind, extend) {
     for (const line of kind.outlines) {
       const placed = [];
       for (let i = 0; i < line.length; i += 2) {
         placed.push(...place(line[i], line[i + 1]));
       }
-      WorldCanvas.trace(path, placed);
+      WorldCanvas.trace(path, placed, extend);
     }
   }
 
@@ -482,7 +513,7 @@ class WorldCanvas {
     const world = this.model.world;
     for (let i = 0; i < frame.count; i++) {
       const kind = world.kinds[world.robots[i].kind];
-      if (kind.cargo.length && this.radius[world.robots[i].kind] * this.scale >= WorldCanvas.SMALL_PX) {
+      if (!(frame.state[i] & Model.AWAY) && kind.cargo.length && this.radius[world.robots[i].kind] * this.scale >= WorldCanvas.SMALL_PX) {
         const place = WorldCanvas.placer(frame, i);
         for (const piece of kind.cargo) {
           const path = new Path2D();
@@ -499,7 +530,7 @@ class WorldCanvas {
     to.strokeStyle = this.colours.accent;
     to.lineWidth = 2 * this.pixel;
     for (const i of this.selected) {
-      if (i >= frame.count) {
+      if (i >= frame.count || frame.state[i] & Model.AWAY) {
         continue;
       }
       const radius = Math.max(this.radius[this.model.world.robots[i].kind] * 1.2, 9 * this.pixel);
@@ -538,7 +569,7 @@ class WorldCanvas {
     to.fillStyle = this.colours.text;
     const all = this.names && frame.count <= WorldCanvas.MOST_NAMES;
     for (let i = 0; i < frame.count; i++) {
-      if (!all && !this.selected.has(i)) {
+      if (!all && !this.selected.has(i) || frame.state[i] & Model.AWAY) {
         continue;
       }
       const [x, y] = this.toPage(frame.x[i], frame.y[i]);

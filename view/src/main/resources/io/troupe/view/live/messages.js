@@ -4,6 +4,7 @@
 const Messages = {
   ALIVE: 0, WORLD: 1, FRAME: 2, SENSORS: 3, EVENTS: 4, TIME: 5, HELLO: 6, END: 7, CALLS: 8,
   MOST_BYTES: 1 << 26,
+  TAKEN_OUT: -0x8000,
 
   /** Returns a function that takes bytes as they come, and calls `handle(type, value)` for each whole message. */
   reader(handle) {
@@ -53,11 +54,12 @@ const Messages = {
     }
   },
 
+  /** Positions in steps; `obstacles` are those that are not as in the world's description. */
   frame(content) {
     const count = content.getUint16(18, true);
     const frame = {
       time: content.getFloat64(0, true), number: content.getUint32(8, true), speed: content.getFloat32(12, true),
-      past: (content.getUint16(16, true) & 1) !== 0, count,
+      past: (content.getUint16(16, true) & 1) !== 0, count, obstacles: new Map(),
       x: new Uint16Array(count), y: new Uint16Array(count), heading: new Float32Array(count), state: new Uint16Array(count),
     };
     for (let i = 0, at = 20; i < count; i++, at += 8) {
@@ -65,6 +67,13 @@ const Messages = {
       frame.y[i] = content.getUint16(at + 2, true);
       frame.heading[i] = content.getInt16(at + 4, true) / 1e4;
       frame.state[i] = content.getUint16(at + 6, true);
+    }
+    let at = 20 + 8 * count;
+    const displaced = content.byteLength > at ? content.getUint16(at, true) : 0;
+    for (at += 2; frame.obstacles.size < displaced; at += 8) {
+      const heading = content.getInt16(at + 6, true);
+      frame.obstacles.set(content.getUint16(at, true), heading === Messages.TAKEN_OUT ? null
+        : {x: content.getUint16(at + 2, true), y: content.getUint16(at + 4, true), heading: heading / 1e4});
     }
     return frame;
   },

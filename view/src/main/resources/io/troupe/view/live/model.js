@@ -5,6 +5,7 @@ class Model {
   static STALLED = 0x100;
   static TOUCHED = 0x200;
   static BY_HAND = 0x400;
+  static AWAY = 0x800;
   static TRAIL_STEP_M = 0.03;
   static CROWD_TRAIL_STEP_M = 0.15;
   /** A robot that is so much farther away in the next frame has not driven there. */
@@ -45,6 +46,12 @@ class Model {
     }
     frame.x = x;
     frame.y = y;
+    for (const pose of frame.obstacles.values()) {
+      if (pose) {
+        pose.x = world.left + pose.x * world.step;
+        pose.y = world.bottom + pose.y * world.step;
+      }
+    }
     return frame;
   }
 
@@ -65,6 +72,9 @@ class Model {
     const most = crowd ? 15 : 4000;
     const step = crowd ? Model.CROWD_TRAIL_STEP_M : Model.TRAIL_STEP_M;
     for (let i = 0; i < frame.count; i++) {
+      if (frame.state[i] & Model.AWAY) {
+        continue;
+      }
       const trail = this.trails[i];
       const last = trail[trail.length - 1];
       const service = frame.state[i] & 0xFF;
@@ -125,7 +135,19 @@ class Model {
       frame.y[i] = one.y[i] + dy * part;
       frame.heading[i] = one.heading[i] + turn * part;
     }
+    frame.obstacles = new Map([...other.obstacles].map(([i, pose]) => [i, this.obstacleBetween(i, one, pose, share)]));
     return frame;
+  }
+
+  obstacleBetween(index, one, pose, share) {
+    const [x, y, heading] = this.world.obstacles[index]?.pose ?? [0, 0, 0];
+    const from = one.obstacles.has(index) ? one.obstacles.get(index) : {x, y, heading};
+    if (!from || !pose || Math.hypot(pose.x - from.x, pose.y - from.y) > Model.JUMP_M) {
+      return pose;
+    }
+    let turn = pose.heading - from.heading;
+    turn -= 2 * Math.PI * Math.round(turn / (2 * Math.PI));
+    return {x: from.x + (pose.x - from.x) * share, y: from.y + (pose.y - from.y) * share, heading: from.heading + turn * share};
   }
 
   serviceName(state) {

@@ -162,7 +162,7 @@ class Page {
       const alarm = (state & Model.STALLED) !== 0;
       const by = state & Model.BY_HAND ? "by hand" : this.model.serviceName(state);
       const node = this.model.drivers.get(index);
-      const text = alarm ? "stuck" : node ? `${by}, ${node}` : by;
+      const text = state & Model.AWAY ? "not in the world" : alarm ? "stuck" : node ? `${by}, ${node}` : by;
       const what = button.lastChild;
       if (what.textContent !== text) {
         what.textContent = text;

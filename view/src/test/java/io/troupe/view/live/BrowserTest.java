@@ -11,10 +11,12 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
+import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -182,26 +184,33 @@ class BrowserTest {
             int[] spot = point("[-1, 1]");
             page().drag(List.of(spot, spot));
             page().await("document.querySelector('#box').getAttribute('aria-pressed') === 'false'");
-            run.control.submit(new ViewCommand.Step());
+            step(run);
             page().await("troupe.model.boxes.length === 1");
             assertThat(page().get("JSON.stringify(troupe.model.boxes[0].colour)"))
                     .isEqualTo("65280");
             drag("[troupe.model.boxes[0].x, troupe.model.boxes[0].y]", "[-1, 0]");
-            run.control.submit(new ViewCommand.Step());
+            step(run);
             page().await("troupe.model.boxes.length === 1 && Math.abs(troupe.model.boxes[0].y) < 0.1");
             page().await("troupe.model.readings.get(0)?.blobs.some(blob => blob.colour === 0x00ff00)");
             picture("watching-box.png");
             drag("[troupe.model.boxes[0].x, troupe.model.boxes[0].y]", "[-3, 0]");
-            run.control.submit(new ViewCommand.Step());
+            step(run);
             page().await("document.querySelector('#problem').textContent.includes('overlap')");
             assertThat(page().get("Math.abs(troupe.model.boxes[0].x + 1) < 0.1"))
                     .as("it has stayed where it was")
                     .isEqualTo("true");
             page().press(DELETE);
-            run.control.submit(new ViewCommand.Step());
+            step(run);
             page().await("troupe.model.boxes.length === 0");
         }
         assertThat(folder.resolve("run.jsonl")).content().contains("\"what\":\"box 1 00ff00 ", "\"what\":\"unbox 1\"");
+    }
+
+    /** One interval passes, after what the page has sent. */
+    private static void step(LiveRuns.Endless run) {
+        page().get("(window.sent = false, troupe.source.queue.then(() => { window.sent = true; }))");
+        page().await("window.sent");
+        run.control.submit(new ViewCommand.Step());
     }
 
     private static double number(String line, String key) {
@@ -405,6 +414,61 @@ class BrowserTest {
     }
 
     @Test
+    void pushedBox_isDrawnWhereItIs_onThePageAndInAFile() throws Exception {
+        List<Snapshot> pushed = PushedBox.run();
+        double endX = pushed.getLast().moved().getFirst().x();
+        Path html = folder.resolve("push.html");
+        var file = new ViewFile();
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(PushedBox.WORLD, new RunControl(0, false))
+                    .onto(view)
+                    .onto(file);
+            viewed.moved(pushed.getFirst());
+            open(view);
+            page().await(isRed(0.5));
+            pushed.stream().skip(1).forEach(viewed::moved);
+            page().await("Math.abs(troupe.model.frame.obstacles.get(0)?.x - " + endX + ") < 0.001");
+            page().await(isRed(endX) + " && !" + isRed(0.5));
+            Files.writeString(html, file.html());
+        }
+        page().open(html.toUri().toString());
+        page().await("troupe.source.frames.length === 61");
+        page().await(isRed(0.5));
+        page().get("troupe.source.seek(6)");
+        page().await(isRed(endX) + " && !" + isRed(0.5));
+        page().get("troupe.source.seek(0)");
+        page().await(isRed(0.5) + " && !" + isRed(endX));
+    }
+
+    /** Whether the box is drawn at a place. */
+    private static String isRed(double x) {
+        return "(([x, y]) => { const one = document.createElement('canvas');"
+                + " const to = one.getContext('2d', {willReadFrequently: true}); const ratio = troupe.view.ratio;"
+                + " to.drawImage(troupe.view.canvas, -Math.round(x * ratio), -Math.round(y * ratio));"
+                + " const [r, g, b] = to.getImageData(0, 0, 1, 1).data; return r > 200 && g < 50 && b < 50; })"
+                + "(troupe.view.toPage(" + x + ", 0.03))";
+    }
+
+    @Test
+    void whatIsTakenOut_isNotDrawn() throws Exception {
+        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT);
+                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, false)).onto(view);
+            viewed.moved(world.latest());
+            open(view);
+            page().await("troupe.view.still?.size > 0 && troupe.view.stillWithout === ''");
+            world.removeObstacle(0);
+            world.removeRobot(1);
+            viewed.moved(world.advance());
+            page().await("troupe.model.frame.obstacles.get(0) === null && troupe.view.stillWithout === '0'");
+            page().await("document.querySelector('#robots').textContent.includes('not in the world')");
+            world.placeObstacle(0, LiveRuns.ARENA.world().obstacles().getFirst().pose());
+            viewed.moved(world.advance());
+            page().await("troupe.model.frame.obstacles.size === 0 && troupe.view.stillWithout === ''");
+        }
+    }
+
+    @Test
     void reader_acceptsAnyCutting_andAnyBytes_withoutMoreThanAnError() throws Exception {
         List<byte[]> messages = new ArrayList<>();
         var world = new ViewedWorld(LiveRuns.ARENA.world(), List.of("a"), List.of());
@@ -414,6 +478,9 @@ class BrowserTest {
             messages.add(ViewMessages.text(ViewMessages.WORLD, world.json()));
             messages.add(ViewMessages.frame(world, frame, false));
             messages.add(ViewMessages.sensors(frame, List.of(0, 1, 9)));
+            var push = new ViewedWorld(PushedBox.WORLD, List.of(), List.of());
+            var pushed = new ViewFrame(8, PushedBox.run().getLast(), new short[] {0}, 0);
+            messages.add(ViewMessages.frame(push, pushed, false));
             messages.add(ViewMessages.text(99, "of a later version"));
             messages.add(ViewMessages.text(ViewMessages.EVENTS, "[{\"kind\":\"é\\u0000\"}]"));
         }

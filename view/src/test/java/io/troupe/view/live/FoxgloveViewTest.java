@@ -7,6 +7,7 @@ import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.CrowdWorld;
+import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
 import java.io.ByteArrayOutputStream;
@@ -20,6 +21,7 @@ import java.nio.ByteBuffer;
 import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.Random;
 import java.util.concurrent.BlockingQueue;
 import java.util.concurrent.CompletionStage;
@@ -153,6 +155,24 @@ class FoxgloveViewTest {
                 assertThat(client.next("8 200000000")).contains("\"service\":\"none\"");
                 assertThat(client.received).noneMatch(each -> each.startsWith("7 "));
             }
+        }
+    }
+
+    @Test
+    void pushedBox_isSentWhereItIs_andNothingElseOfTheWorld() throws Exception {
+        List<Snapshot> pushed = PushedBox.run();
+        try (var page = page();
+                var client = new Client(page.port())) {
+            var viewed = new ViewedRun(PushedBox.WORLD, new RunControl(0, true)).onto(page);
+            viewed.moved(pushed.getFirst());
+            subscribe(client, 1, channel(client.next("{\"op\":\"advertise\""), "/world"));
+            assertThat(client.next("1 0 ")).contains("\"id\":\"0 box\"", "\"id\":\"1 wall\"");
+            viewed.moved(pushed.getLast());
+            assertThat(client.next("1 6000000000 "))
+                    .contains(
+                            "\"id\":\"0 box\"",
+                            "\"x\":" + pushed.getLast().moved().getFirst().x())
+                    .doesNotContain("wall");
         }
     }
 

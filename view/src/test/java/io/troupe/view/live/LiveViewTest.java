@@ -2,17 +2,21 @@ package io.troupe.view.live;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.actor.time.ManualClock;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
+import io.troupe.sim.World;
+import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RangeNoise;
 import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
+import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
 import io.troupe.view.RunRecorder;
@@ -22,6 +26,8 @@ import java.io.InputStream;
 import java.net.BindException;
 import java.net.InetAddress;
 import java.net.Socket;
+import java.nio.ByteBuffer;
+import java.nio.ByteOrder;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -310,6 +316,43 @@ class LiveViewTest {
         assertThat(world.xSteps(pose.x()) - world.xSteps(0)).isBetween(1233, 1235);
         assertThat(world.ySteps(pose.y()) - world.ySteps(0)).isBetween(-4001, -3999);
         assertThat(world.xSteps(1e9)).isEqualTo(0xFFFF);
+    }
+
+    @Test
+    void frame_hasTheObstaclesThatAreNotWhereTheyBegan() {
+        List<Snapshot> pushed = PushedBox.run();
+        var world = new ViewedWorld(PushedBox.WORLD, List.of(), List.of());
+        byte[] start = message(world, pushed.getFirst(), false);
+        assertThat(start).as("head, time and counts, one robot").hasSize(5 + 20 + 8);
+        Pose box = pushed.getLast().moved().getFirst();
+        ByteBuffer end =
+                ByteBuffer.wrap(message(world, pushed.getLast(), false)).order(ByteOrder.LITTLE_ENDIAN);
+        assertThat(end.capacity()).isEqualTo(start.length + 2 + 8);
+        assertThat(end.getInt(1)).as("length of the content").isEqualTo(20 + 8 + 2 + 8);
+        end.position(start.length);
+        assertThat(List.of(end.getShort(), end.getShort())).as("one, the first").containsExactly((short) 1, (short) 0);
+        assertThat(end.getShort() & 0xFFFF).isEqualTo(world.xSteps(box.x()));
+        assertThat(end.getShort() & 0xFFFF).isEqualTo(world.ySteps(box.y()));
+        assertThat((double) end.getShort()).isEqualTo(box.headingRad() * 1e4, within(0.5));
+        assertThat(message(world, pushed.getLast(), true)).as("for trails").hasSize(start.length);
+    }
+
+    @Test
+    void frame_hasWhatWasTakenOut_orPutElsewhere() {
+        WorldSpec arena = LiveRuns.ARENA.world();
+        try (var world = World.create(arena, WorldSettings.DEFAULT)) {
+            world.removeObstacle(1);
+            world.placeObstacle(0, new Pose(20, 0, 1.5 * Math.PI));
+            var viewed = new ViewedWorld(arena, List.of(), List.of());
+            assertThat(viewed.displaced(world.advance()))
+                    .containsExactly(
+                            new ViewedWorld.Displaced(0, viewed.xSteps(20), viewed.ySteps(0), -15708),
+                            new ViewedWorld.Displaced(1, 0, 0, ViewedWorld.Displaced.TAKEN_OUT));
+        }
+    }
+
+    private static byte[] message(ViewedWorld world, Snapshot snapshot, boolean past) {
+        return ViewMessages.frame(world, new ViewFrame(0, snapshot, new short[] {0}, 0), past);
     }
 
     @Test

@@ -6,17 +6,23 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Recording;
+import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
+import io.troupe.view.RunLog;
+import io.troupe.view.RunRecorder;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
@@ -176,7 +182,7 @@ class RunExportTest {
                 BEFORE_THE_BOX));
         assertThat(only(file, "/world"))
                 .contains("\"id\":\"0 north\"", "\"id\":\"3 west\"", "\"id\":\"4 red box\"")
-                .contains("{\"x\":1.5,\"y\":4.9,\"z\":0}")
+                .contains("\"position\":{\"x\":1,\"y\":4.95,\"z\":0}", "{\"x\":0.5,\"y\":-0.05,\"z\":0}")
                 .contains("\"color\":{\"r\":1,\"g\":0,\"b\":0,\"a\":1}");
         assertThat(file.texts("/robots"))
                 .as("once for each service")
@@ -306,6 +312,55 @@ class RunExportTest {
                 .extracting(Object::toString)
                 .noneMatch(channel -> channel.contains("/robot12/"));
         assertThatThrownBy(() -> export.writeMcap(chosen, Set.of(12))).isInstanceOf(IndexOutOfBoundsException.class);
+    }
+
+    @Test
+    void obstaclesThatMove_comeOrGo_areEntitiesWhereTheyAre() throws IOException {
+        List<Snapshot> pushed = PushedBox.run();
+        McapFile file = mcap(new RunExport(recorded(PushedBox.WORLD, pushed), PushedBox.WORLD));
+        List<String> scenes = file.texts("/world");
+        assertThat(scenes.getFirst()).contains("\"id\":\"0 box\"", "\"id\":\"1 wall\"");
+        long still = pushed.stream()
+                .filter(each -> each.displaced(PushedBox.WORLD).isEmpty())
+                .count();
+        assertThat(still).isGreaterThan(5);
+        assertThat(scenes).as("nothing while nothing moves").hasSizeLessThanOrEqualTo((int) (1 + 61 - still));
+        Pose end = pushed.getLast().moved().getFirst();
+        assertThat(scenes.getLast())
+                .contains("\"id\":\"0 box\"", "\"position\":{\"x\":" + end.x() + ",\"y\":" + number(end.y()))
+                .doesNotContain("wall");
+
+        List<Snapshot> changed = new ArrayList<>();
+        try (var world = World.create(Room.WORLD, WorldSettings.DEFAULT)) {
+            changed.add(world.advance());
+            world.removeObstacle(4);
+            changed.add(world.advance());
+            world.placeObstacle(4, new Pose(-3, 0.5, 0));
+            changed.add(world.advance());
+        }
+        List<String> rooms =
+                mcap(new RunExport(recorded(Room.WORLD, changed), Room.WORLD)).texts("/world");
+        assertThat(rooms).hasSize(3);
+        assertThat(rooms.get(1))
+                .contains("\"type\":0,\"id\":\"4 red box\"}],\"entities\":[]")
+                .contains("{\"sec\":0,\"nsec\":200000000}");
+        assertThat(rooms.get(2)).contains("\"deletions\":[]", "\"id\":\"4 red box\"", "{\"x\":-3,\"y\":0.5,\"z\":0}");
+    }
+
+    private static String number(double value) {
+        return value == Math.rint(value) ? "" + (long) value : "" + value;
+    }
+
+    /** The log of a run without services. */
+    private Path recorded(WorldSpec world, List<Snapshot> snapshots) throws IOException {
+        Path file = folder.resolve("recorded.jsonl");
+        try (var log = new RunLog(file)) {
+            log.begin(world, RecordedRun.Settings.DEFAULT);
+            var recorder = new RunRecorder(world, SubsumptionTable.ofThePaper(), log, change -> {});
+            recorder.start(snapshots.getFirst());
+            snapshots.stream().skip(1).forEach(recorder::record);
+        }
+        return file;
     }
 
     // ---- tables

@@ -13,9 +13,11 @@ import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.ColouredBox;
+import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
 import io.troupe.view.RunRecorder;
@@ -167,6 +169,56 @@ class RunLogReaderTest {
     }
 
     @Test
+    void readingsWhileABoxIsPushed_areTheirs() throws IOException {
+        List<Snapshot> pushed = PushedBox.run();
+        assertThat(read(recorded(PushedBox.WORLD, pushed), PushedBox.WORLD)).hasSize(1);
+        assertSameReadings(pushed);
+        assertThat(collector.readings)
+                .extracting(each -> each.snapshot().moved())
+                .isEqualTo(pushed.stream().map(Snapshot::moved).toList());
+        assertThat(pushed.getLast().moved().getFirst().x()).isGreaterThan(1.5);
+    }
+
+    @Test
+    void readingsWhileObstaclesComeAndGo_areTheirs() throws IOException {
+        List<Snapshot> snapshots = new ArrayList<>();
+        try (var world = World.create(Room.WORLD, WorldSettings.DEFAULT)) {
+            world.command(0, 0.5, 0.1);
+            for (int tick = 0; tick < 40; tick++) {
+                switch (tick) {
+                    case 5 -> world.removeObstacle(4);
+                    case 10 -> world.placeObstacle(4, new Pose(2, 4, 0.5));
+                    case 20 -> world.removeObstacle(0);
+                    case 30 -> world.reset();
+                    default -> {}
+                }
+                snapshots.add(world.advance());
+            }
+        }
+        String log = recorded(Room.WORLD, snapshots);
+        assertThat(log)
+                .contains("{\"t\":0.6,\"type\":\"obstacle\",\"number\":5,\"obstacle\":\"red box\"}\n")
+                .contains(
+                        "{\"t\":1.1,\"type\":\"obstacle\",\"number\":5,\"obstacle\":\"red box\",\"x\":2.0,\"y\":4.0,\"heading\":0.5}\n")
+                .contains("{\"t\":3.1,\"type\":\"obstacle\",\"number\":1,\"obstacle\":\"north\",\"x\":0.0,\"y\":5.1,");
+        assertThat(log.lines().filter(line -> line.contains("\"obstacle\""))).hasSize(5);
+        assertThat(read(log, Room.WORLD)).hasSize(1);
+        assertSameReadings(snapshots);
+    }
+
+    /** The log of a run without services. */
+    private String recorded(WorldSpec world, List<Snapshot> snapshots) throws IOException {
+        Path file = folder.resolve("recorded.jsonl");
+        try (var log = new RunLog(file)) {
+            log.begin(world, RecordedRun.Settings.DEFAULT);
+            var recorder = new RunRecorder(world, SubsumptionTable.ofThePaper(), log, change -> {});
+            recorder.start(snapshots.getFirst());
+            snapshots.stream().skip(1).forEach(recorder::record);
+        }
+        return Files.readString(file);
+    }
+
+    @Test
     void readings_inARoom_areThoseWorkedOutByHand() throws IOException {
         String pose =
                 "{\"t\":0.5,\"type\":\"pose\",\"robot\":1,\"x\":-1.0,\"y\":2.0,\"heading\":0.0,\"gap\":2.8,\"service\":\"a\"}\n";
@@ -289,6 +341,8 @@ class RunLogReaderTest {
                 "{\"type\":\"pose\"} | there is no 't', expected a number",
                 "{\"t\":-1.0,\"type\":\"pose\"} | 't' is -1.0, expected 0.0 or more, as in the line before",
                 "{\"t\":0.0,\"type\":\"pose\",\"robot\":1,\"x\":-3,\"y\":0,\"heading\":0,\"gap\":1,\"service\":\"a\"} | robot 1 is 1.000 m from the nearest obstacle, but in room.world that is 1.800 m: expected the world of the run, unchanged",
+                "{\"t\":0.0,\"type\":\"obstacle\",\"number\":6} | 'number' is 6.0, expected a whole number from 1 to 5",
+                "{\"t\":0.0,\"type\":\"obstacle\",\"number\":1,\"x\":1} | there is no 'y', expected a number",
                 "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,\"services\":[1]} | 'services' is [1.0], expected a list of texts",
                 "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,\"services\":[]} | 0 services, expected one for each robot",
                 "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":-1,\"services\":[]} | 'colour' is -1.0, expected a whole number from 0 to 16777215",
