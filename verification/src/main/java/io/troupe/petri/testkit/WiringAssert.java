@@ -17,8 +17,6 @@ import org.jspecify.annotations.Nullable;
  * An AssertJ assertion about a {@link Wiring}.
  *
  * {@snippet :
- * import static io.troupe.petri.testkit.WiringAssert.assertThat;
- *
  * @Test
  * void components_neverDeadlock() {
  *     assertThat(Wiring.of("demo").component(client()).component(planner()).build()).cannotDeadlock();
@@ -29,8 +27,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Cost.</b> That of {@link WiringCheck#check(Wiring)} for each assertion.
  *
- * <p><b>Errors.</b> An assertion that fails throws {@link AssertionError}; its message says who waits for whom, and how
- * it came to that.
+ * <p><b>Errors.</b> An assertion that fails throws {@link AssertionError}; its message is the counterexample: who waits
+ * for whom, and the steps that lead there.
  */
 public final class WiringAssert extends AbstractAssert<WiringAssert, Wiring> {
     private final Function<Wiring, WiringResult> check;

@@ -41,7 +41,7 @@ final class Explainer {
                 circle);
     }
 
-    /** What the marking says about each component. */
+    /** The state of each component and mailbox in a marking. */
     private record Scene(
             Map<String, String> at, Map<String, Step.Requests> asking, Map<String, List<String>> mailboxes) {
         static Scene of(Marking marking, WiringNet net) {

@@ -10,7 +10,7 @@ import java.util.Map;
 import java.util.Set;
 
 /**
- * Calls whose caller goes on: a few places for each question that a component may have open, with one token that says
+ * Calls whose caller goes on: a few places for each question that a component may have open, with one token that marks
  * how far it is, and for a stream places for its items and the room that is left.
  */
 final class Questions {

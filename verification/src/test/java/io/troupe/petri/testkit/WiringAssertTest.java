@@ -14,7 +14,7 @@ import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringBuilder;
 import org.junit.jupiter.api.Test;
 
-/** What the assertion accepts, and what it says when it fails. */
+/** What the assertion accepts, and its messages when it fails. */
 class WiringAssertTest {
     private static Protocol client() {
         return Protocol.of("client")

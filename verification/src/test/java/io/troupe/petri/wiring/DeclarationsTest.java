@@ -102,14 +102,18 @@ class DeclarationsTest {
     // ---- time-outs and late answers
 
     private static WiringBuilder ring(boolean timesOut) {
-        var request = requests("next.take").then("idle");
-        var node = Protocol.of("node")
+        var patient = Protocol.of("node")
+                .in("idle", requests("next.take").then("idle"), provides("take").then("idle"))
+                .build();
+        var impatient = Protocol.of("node")
                 .in(
                         "idle",
-                        timesOut ? request.orTimeout("idle") : request,
+                        requests("next.take").then("idle").orTimeout("idle"),
                         provides("take").then("idle"))
                 .build();
-        return Wiring.of("ring").components("node", 3, node).bindEach("node", "next", i -> "node" + (i % 3 + 1));
+        return Wiring.of("ring")
+                .components("node", 3, timesOut ? impatient : patient)
+                .bindEach("node", "next", i -> "node" + (i % 3 + 1));
     }
 
     @Test
@@ -119,14 +123,22 @@ class DeclarationsTest {
     }
 
     private static WiringBuilder late(boolean givesUp) {
-        var impatience = givesUp
-                ? cancels("planner.plan").then("idle")
-                : does("time out").then("idle");
-        var client = Protocol.of("client")
+        var forgetful = Protocol.of("client")
                 .in("idle", asks("planner.plan").then("waiting"))
-                .in("waiting", answered("planner.plan").then("idle"), impatience);
+                .in(
+                        "waiting",
+                        answered("planner.plan").then("idle"),
+                        does("time out").then("idle"))
+                .build();
+        var tidy = Protocol.of("client")
+                .in("idle", asks("planner.plan").then("waiting"))
+                .in(
+                        "waiting",
+                        answered("planner.plan").then("idle"),
+                        cancels("planner.plan").then("idle"))
+                .build();
         var planner = Protocol.of("planner").in("ready", provides("plan").then("ready"));
-        return Wiring.of("late").component(client.build()).component(planner.build());
+        return Wiring.of("late").component(givesUp ? tidy : forgetful).component(planner.build());
     }
 
     @Test
@@ -339,8 +351,11 @@ class DeclarationsTest {
                 .in("read", releases("map").then("ready"))
                 .in("down", rejects("plan").then("down"), does("restart").then("ready"))
                 .failsTo("down");
-        var request = requests("planner.plan").then("idle");
-        var client = Protocol.of("client").in("idle", takesRejection ? request.orRejected("idle") : request);
+        var client = Protocol.of("client")
+                .in("idle", requests("planner.plan").then("idle").orRejected("idle"));
+        if (!takesRejection) {
+            client = Protocol.of("client").in("idle", requests("planner.plan").then("idle"));
+        }
         return Wiring.of("plans")
                 .component(planner.build())
                 .component(client.build())
