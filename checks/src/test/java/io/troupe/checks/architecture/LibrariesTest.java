@@ -26,6 +26,7 @@ class LibrariesTest {
         "org.eclipse.emf..,        io.troupe.petri.drawing",
         "org.eclipse.xtext..,      io.troupe.petri.drawing",
         "com.google.common..,      io.troupe.petri.drawing",
+        "org.assertj..,            io.troupe.petri.testkit",
         "org.jctools..,            io.troupe.bench..",
         "io.vertx..,               io.troupe.bench..",
         "org.apache.pekko..,       io.troupe.bench..",

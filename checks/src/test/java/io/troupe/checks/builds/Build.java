@@ -64,12 +64,16 @@ record Build(String tool, String group, String version, Map<String, Module> modu
             return "troupe-" + folder;
         }
 
-        /** The dependencies by their identity: a library may also be its own annotation processor. */
+        /**
+         * The dependencies by their identity: a library may also be its own annotation processor, and a module may
+         * compile against what all modules have for their tests.
+         */
         private Map<String, Dependency> byKey() {
             var byKey = new LinkedHashMap<String, Dependency>();
             for (var dependency : dependencies) {
                 var key = dependency.coordinates + (dependency.scope == Scope.PROCESSOR ? " (processor)" : "");
-                if (byKey.putIfAbsent(key, dependency) != null) {
+                var other = byKey.put(key, dependency);
+                if (other != null && (other.scope != Scope.TEST || dependency.scope != Scope.PROVIDED)) {
                     throw new NotUnderstood(key + " is listed twice");
                 }
             }

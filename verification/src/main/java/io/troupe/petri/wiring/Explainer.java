@@ -12,6 +12,7 @@ import java.util.Comparator;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
@@ -40,42 +41,108 @@ final class Explainer {
                 circle);
     }
 
-    private Map<String, Wait> waits(Marking marking, Set<String> stuck) {
-        var at = new LinkedHashMap<String, String>();
-        var asking = new HashMap<String, Step.Requests>();
-        for (var place : marking.marked()) {
-            switch (net.componentState(place)) {
-                case WiringNet.ComponentState.At(var component, var where) -> at.put(component, where);
-                case WiringNet.ComponentState.Asking(var component, var request) -> asking.put(component, request);
-                case WiringNet.ComponentState.Serving serving -> {}
+    /** The state of each component and mailbox in a marking. */
+    private record Scene(
+            Map<String, String> at, Map<String, Step.Requests> asking, Map<String, List<String>> mailboxes) {
+        static Scene of(Marking marking, WiringNet net) {
+            var scene = new Scene(new LinkedHashMap<>(), new HashMap<>(), new HashMap<>());
+            for (var place : marking.marked()) {
+                switch (net.componentState(place)) {
+                    case WiringNet.ComponentState.At(var component, var where) -> scene.at.put(component, where);
+                    case WiringNet.ComponentState.Asking(var component, var request) ->
+                        scene.asking.put(component, request);
+                    case WiringNet.ComponentState.Holding(var component, var messages) ->
+                        scene.mailboxes.put(component, messages);
+                    case WiringNet.ComponentState.Other other -> {}
+                }
             }
+            return scene;
         }
+    }
+
+    private Map<String, Wait> waits(Marking marking, Set<String> stuck) {
+        var scene = Scene.of(marking, net);
         var waits = new LinkedHashMap<String, Wait>();
         for (var component : wiring.components()) {
             if (!stuck.contains(component)) {
                 continue;
             }
-            var asked = asking.get(component);
-            var where = at.get(component);
+            var asked = scene.asking().get(component);
+            var where = scene.at().get(component);
             if (asked != null) {
                 waits.put(component, new Wait.Answer(component, wiring.provider(component, asked), asked.call()));
             } else if (where != null) {
-                waits.put(component, idle(component, where, at, asking));
+                waits.put(component, idle(component, where, scene));
             }
         }
         return waits;
     }
 
     /** The wait of a component that is in a state without an enabled step. */
-    private Wait idle(String component, String state, Map<String, String> at, Map<String, Step.Requests> asking) {
-        var offers = wiring.protocol(component).out(state).stream()
-                .filter(Step.Provides.class::isInstance)
-                .map(step -> ((Step.Provides) step).call())
-                .map(call -> new Wait.Offer(call, callers(component, call, at, asking)))
+    private Wait idle(String component, String state, Scene scene) {
+        var ways = new LinkedHashSet<Wait>();
+        var offers = new LinkedHashSet<Wait.Offer>();
+        for (var step : wiring.protocol(component).out(state)) {
+            switch (step) {
+                case Step.Receives receives ->
+                    ways.add(new Wait.Message(
+                            component,
+                            state,
+                            receives.call(),
+                            wiring.senders(component, receives.call(), net.chosen()),
+                            scene.mailboxes().getOrDefault(component, List.of())));
+                case Step.Incoming offer ->
+                    offers.add(new Wait.Offer(offer.call(), callers(component, offer.call(), scene)));
+                case Step.Takes takes -> ways.add(answer(component, takes));
+                case Step.Asks asks -> ways.add(answer(component, asks));
+                case Step.Sends sends -> {
+                    var receiver = wiring.provider(component, sends);
+                    var content = scene.mailboxes().getOrDefault(receiver, List.of());
+                    ways.add(new Wait.Room(component, receiver, sends.call(), content));
+                }
+                case Step.Emits emits ->
+                    wiring.callers(component, emits.call(), net.chosen())
+                            .forEach(caller -> ways.add(new Wait.Room(
+                                    component,
+                                    caller,
+                                    emits.call(),
+                                    Collections.nCopies(wiring.window(component, emits.call()), emits.call()))));
+                case Step.Acquires acquires -> {
+                    var resource = wiring.bound(component, acquires.resource());
+                    ways.add(new Wait.Resource(component, resource, holders(resource, scene)));
+                }
+                default -> {}
+            }
+        }
+        if (!offers.isEmpty()) {
+            ways.add(new Wait.Call(component, state, List.copyOf(offers)));
+        }
+        return switch (ways.size()) {
+            case 0 ->
+                new Wait.Stop(
+                        component, List.copyOf(SynchronisedStop.missing(wiring, component, net.chosen(), scene.at())));
+            case 1 -> ways.iterator().next();
+            default -> new Wait.AnyOf(component, state, List.copyOf(ways));
+        };
+    }
+
+    private Wait answer(String component, Step.Outgoing step) {
+        return new Wait.Answer(component, wiring.provider(component, step), step.call());
+    }
+
+    /** The components that hold a unit of a resource, by the states that they are in. */
+    private List<String> holders(String resource, Scene scene) {
+        return wiring.components().stream()
+                .filter(net.chosen()::contains)
+                .filter(component -> {
+                    var asked = scene.asking().get(component);
+                    var state = asked != null ? asked.from() : scene.at().get(component);
+                    return state != null
+                            && wiring.protocol(component).held(state).stream()
+                                    .anyMatch(role ->
+                                            wiring.bound(component, role).equals(resource));
+                })
                 .toList();
-        return offers.isEmpty()
-                ? new Wait.Stop(component, List.copyOf(SynchronisedStop.missing(wiring, component, net.chosen(), at)))
-                : new Wait.Call(component, state, offers);
     }
 
     /**
@@ -83,11 +150,15 @@ final class Explainer {
      * putting it down. If there are none, all that make the call. The other callers wait for the component, so it does
      * not wait for them.
      */
-    private List<String> callers(
-            String component, String call, Map<String, String> at, Map<String, Step.Requests> asking) {
+    private List<String> callers(String component, String call, Scene scene) {
         var all = wiring.callers(component, call, net.chosen());
         var near = all.stream()
-                .filter(caller -> getsTo(component, call, caller, at.get(caller), asking.get(caller)))
+                .filter(caller -> getsTo(
+                        component,
+                        call,
+                        caller,
+                        scene.at().get(caller),
+                        scene.asking().get(caller)))
                 .toList();
         return near.isEmpty() ? all : near;
     }
@@ -105,13 +176,13 @@ final class Explainer {
         var ahead = new ArrayDeque<>(seen);
         while (!ahead.isEmpty()) {
             for (var step : wiring.protocol(caller).out(ahead.remove())) {
-                if (step instanceof Step.Requests request
-                        && wiring.provider(caller, request).equals(component)) {
-                    if (request.call().equals(call)) {
-                        return true;
-                    }
-                } else if (seen.add(step.to())) {
-                    ahead.add(step.to());
+                var isCall = (step instanceof Step.Requests || step instanceof Step.Asks)
+                        && wiring.provider(caller, (Step.Outgoing) step).equals(component);
+                if (isCall && ((Step.Outgoing) step).call().equals(call)) {
+                    return true;
+                }
+                if (!isCall || step instanceof Step.Asks) {
+                    step.targets().filter(seen::add).forEach(ahead::add);
                 }
             }
         }
@@ -186,7 +257,7 @@ final class Explainer {
                         parts.add(call + ", which nobody will do");
                     }
                 }
-                case Wait.Stop stop -> parts.add(stop.toString());
+                default -> parts.add(wait.toString());
             }
         }
         return String.join("; ", parts) + (allAsk && shown.size() > 1 ? ": all ask and nobody answers" : "");

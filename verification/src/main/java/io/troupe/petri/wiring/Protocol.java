@@ -5,15 +5,17 @@ import static java.util.Objects.requireNonNull;
 import java.util.ArrayDeque;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.TreeSet;
+import java.util.stream.Stream;
 
 /**
- * The behaviour of one kind of component: its states, the calls that it makes and offers in them, its private steps,
- * and where it may stop.
+ * The behaviour of one kind of component: its states, the steps that lead out of them, and where it may stop or fail.
  *
- * <p>Several steps out of one state are a choice. The component chooses a private step or a request at any time; an
- * offer is taken when another component calls. A component that made a request waits until it is answered; one that
- * offers a call in a state waits there for it.
+ * <p>Several steps out of one state are a choice. The component chooses its own steps at any time: a private step, a
+ * request, a message, a resource that is free. An offer is taken when another component calls. A component that made a
+ * request waits until it is answered; one that offers a call in a state waits there for it.
  *
  * {@snippet :
  * var client = Protocol.of("client")
@@ -25,22 +27,49 @@ import java.util.TreeSet;
  *         .build();
  * }
  *
+ * <table>
+ * <caption>The steps</caption>
+ * <tr><td>{@link #does}</td><td>a private step</td></tr>
+ * <tr><td>{@link #requests}, {@link #provides}, {@link #rejects}</td><td>a call whose caller waits</td></tr>
+ * <tr><td>{@link #asks}, {@link #answered}, {@link #rejected}, {@link #cancels}</td>
+ *     <td>a call whose caller goes on and takes the answer later, as with a promise</td></tr>
+ * <tr><td>{@link #streams}, {@link #emits}, {@link #finishes}, {@link #finished}</td>
+ *     <td>a call with many answers, as with a callback</td></tr>
+ * <tr><td>{@link #sends}, {@link #receives}</td><td>a one-way message into a bounded mailbox</td></tr>
+ * <tr><td>{@link #acquires}, {@link #releases}</td><td>a resource that one component at a time may hold</td></tr>
+ * <tr><td>{@link #stops}</td><td>back to the first state</td></tr>
+ * </table>
+ *
+ * <p>A message that no state receives stays in the mailbox, and holds up those behind it. A question that was asked
+ * stays open until its answer is taken or it is cancelled.
+ *
  * <p><b>Role.</b> Added to a {@link Wiring} under a name, as often as required.
  *
  * <p><b>Threads.</b> Immutable.
  *
- * <p><b>Errors.</b> {@link ProtocolBuilder} throws {@link IllegalArgumentException} for a call that is offered twice, a
- * step to an undeclared state, an unreachable state, and a state without a way out.
+ * <p><b>Errors.</b> {@link ProtocolBuilder} throws {@link IllegalArgumentException} for a step to an undeclared state,
+ * an unreachable state, a state without a way out, and a resource that is held in a state or not, depending on the way
+ * there.
  */
 public final class Protocol {
     private final String name;
     private final List<String> states;
     private final List<Step> steps;
+    private final Optional<String> failure;
+    /** By state: the resources that the component holds in it, one that is held twice named twice. */
+    private final Map<String, List<String>> held;
 
-    Protocol(String name, List<String> states, List<Step> steps) {
+    Protocol(
+            String name,
+            List<String> states,
+            List<Step> steps,
+            Optional<String> failure,
+            Map<String, List<String>> held) {
         this.name = name;
         this.states = List.copyOf(states);
         this.steps = List.copyOf(steps);
+        this.failure = failure;
+        this.held = Map.copyOf(held);
     }
 
     /** Starts a declaration; a component starts in the state that is declared first. */
@@ -53,7 +82,10 @@ public final class Protocol {
         return new Branch.Builder(Branch.Kind.DOES, label);
     }
 
-    /** A call, written {@code component.call}; the component waits for its answer. */
+    /**
+     * A call, written {@code component.call}; the component waits for its answer. {@link Branch#orTimeout} and
+     * {@link Branch#orRejected} add the states after a time-out and a rejection.
+     */
     public static Branch.Builder requests(String target) {
         return new Branch.Builder(Branch.Kind.REQUESTS, target);
     }
@@ -61,6 +93,83 @@ public final class Protocol {
     /** A call that other components may make while the component is in this state. */
     public static Branch.Builder provides(String call) {
         return new Branch.Builder(Branch.Kind.PROVIDES, call);
+    }
+
+    /** A call that the component rejects while it is in this state. */
+    public static Branch.Builder rejects(String call) {
+        return new Branch.Builder(Branch.Kind.REJECTS, call);
+    }
+
+    /**
+     * A call, written {@code component.call}, whose answer the component takes later, in a state that is
+     * {@link #answered}. One question is open at a time: asking again waits until the first is answered or cancelled.
+     */
+    public static Branch.Builder asks(String target) {
+        return new Branch.Builder(Branch.Kind.ASKS, target);
+    }
+
+    /** Takes the answer to a question; of a stream, its next item. */
+    public static Branch.Builder answered(String target) {
+        return new Branch.Builder(Branch.Kind.ANSWERED, target);
+    }
+
+    /** Takes the rejection of a question. */
+    public static Branch.Builder rejected(String target) {
+        return new Branch.Builder(Branch.Kind.REJECTED, target);
+    }
+
+    /**
+     * Gives up a question, for example after a time-out, and closes its stream. What comes back later is dropped.
+     * Without an open question this is a private step.
+     */
+    public static Branch.Builder cancels(String target) {
+        return new Branch.Builder(Branch.Kind.CANCELS, target);
+    }
+
+    /** A call that stays open as a stream; it is taken when no other stream of the same call is open. */
+    public static Branch.Builder streams(String call) {
+        return new Branch.Builder(Branch.Kind.STREAMS, call);
+    }
+
+    /**
+     * Puts an item into the open stream of a call. The component waits while the {@link WiringBuilder#window} is full;
+     * without an open stream this is a private step.
+     */
+    public static Branch.Builder emits(String call) {
+        return new Branch.Builder(Branch.Kind.EMITS, call);
+    }
+
+    /** Ends the open stream of a call; without one this is a private step. */
+    public static Branch.Builder finishes(String call) {
+        return new Branch.Builder(Branch.Kind.FINISHES, call);
+    }
+
+    /** Takes the end of a stream, after all of its items. */
+    public static Branch.Builder finished(String target) {
+        return new Branch.Builder(Branch.Kind.FINISHED, target);
+    }
+
+    /**
+     * A one-way message, written {@code component.message}. If the mailbox is full, its {@link Overflow} decides;
+     * {@link Branch#orRejected} adds the state after a rejected message.
+     */
+    public static Branch.Builder sends(String target) {
+        return new Branch.Builder(Branch.Kind.SENDS, target);
+    }
+
+    /** Takes the oldest message of the {@link WiringBuilder#mailbox} if it is this one. */
+    public static Branch.Builder receives(String message) {
+        return new Branch.Builder(Branch.Kind.RECEIVES, message);
+    }
+
+    /** Waits for a unit of a {@link WiringBuilder#resource} and holds it from then on. */
+    public static Branch.Builder acquires(String resource) {
+        return new Branch.Builder(Branch.Kind.ACQUIRES, resource);
+    }
+
+    /** Gives a unit of a resource back. */
+    public static Branch.Builder releases(String resource) {
+        return new Branch.Builder(Branch.Kind.RELEASES, resource);
     }
 
     /** Allows the component to stop here: it goes back to its first state. */
@@ -77,20 +186,73 @@ public final class Protocol {
         return states;
     }
 
-    /** The calls that are offered, in the order of their declaration. */
+    /** The calls that are offered, each once, in the order of their declaration. */
     public List<String> provided() {
         return steps.stream()
-                .filter(Step.Provides.class::isInstance)
-                .map(step -> ((Step.Provides) step).call())
+                .filter(step -> step instanceof Step.Provides || step instanceof Step.Streams)
+                .map(step -> ((Step.Incoming) step).call())
+                .distinct()
                 .toList();
     }
 
     /** The calls that are made, each once, as {@code role.call}. */
     public List<String> requested() {
-        return requests().stream()
-                .map(step -> step.role() + "." + step.call())
+        return outgoing()
+                .filter(step -> step instanceof Step.Requests || step instanceof Step.Asks)
+                .map(Step.Outgoing::target)
                 .distinct()
                 .toList();
+    }
+
+    /** The one-way messages that are taken from the mailbox, each once, in the order of their declaration. */
+    public List<String> received() {
+        return steps(Step.Receives.class).map(Step.Receives::call).distinct().toList();
+    }
+
+    /** The one-way messages that are sent, each once, as {@code role.message}. */
+    public List<String> sent() {
+        return steps(Step.Sends.class).map(Step.Outgoing::target).distinct().toList();
+    }
+
+    /** The resources that are acquired, each once. */
+    public List<String> acquired() {
+        return steps(Step.Acquires.class)
+                .map(Step.Acquires::resource)
+                .distinct()
+                .toList();
+    }
+
+    /** The state after a failure; empty if the component never fails. */
+    public Optional<String> failure() {
+        return failure;
+    }
+
+    /** Whether it may fail in this state. */
+    boolean failsIn(String state) {
+        return failure.isPresent() && !failure.get().equals(state);
+    }
+
+    List<String> held(String state) {
+        return held.getOrDefault(state, List.of());
+    }
+
+    <S extends Step> Stream<S> steps(Class<S> kind) {
+        return steps.stream().filter(kind::isInstance).map(kind::cast);
+    }
+
+    Stream<Step.Outgoing> outgoing() {
+        return steps(Step.Outgoing.class);
+    }
+
+    /** Whether a call may be rejected. */
+    boolean mayReject(String call) {
+        return failure.isPresent() && offers(call)
+                || steps(Step.Rejects.class).anyMatch(step -> step.call().equals(call));
+    }
+
+    /** Whether the answers of a call are a stream. */
+    boolean isStream(String call) {
+        return steps(Step.Streams.class).anyMatch(step -> step.call().equals(call));
     }
 
     List<Step> steps() {
@@ -98,10 +260,7 @@ public final class Protocol {
     }
 
     List<Step.Requests> requests() {
-        return steps.stream()
-                .filter(Step.Requests.class::isInstance)
-                .map(Step.Requests.class::cast)
-                .toList();
+        return steps(Step.Requests.class).toList();
     }
 
     List<Step> out(String state) {
@@ -114,10 +273,7 @@ public final class Protocol {
 
     /** The states in which it may stop, in the order of their declaration. */
     List<String> stopStates() {
-        return steps.stream()
-                .filter(Step.Stops.class::isInstance)
-                .map(Step::from)
-                .toList();
+        return steps(Step.Stops.class).map(Step::from).toList();
     }
 
     /**
@@ -149,7 +305,7 @@ public final class Protocol {
     }
 
     private boolean waitsForCall(String state) {
-        return out(state).stream().allMatch(step -> step instanceof Step.Provides || step instanceof Step.Stops);
+        return out(state).stream().allMatch(step -> step instanceof Step.Incoming || step instanceof Step.Stops);
     }
 
     /** The name. */

@@ -6,7 +6,10 @@ import io.troupe.common.text.Suggestions;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Map;
+import java.util.Optional;
 import java.util.regex.Pattern;
 
 /**
@@ -25,6 +28,7 @@ public final class ProtocolBuilder {
     private final String name;
     private final List<String> states = new ArrayList<>();
     private final List<Step> steps = new ArrayList<>();
+    private Optional<String> failure = Optional.empty();
 
     ProtocolBuilder(String name) {
         requireName("the name of a protocol", requireNonNull(name, "name"));
@@ -55,28 +59,50 @@ public final class ProtocolBuilder {
     private void requireGood(String state, Branch branch) {
         switch (branch.kind()) {
             case DOES -> requireReadable("step", branch.what());
-            case REQUESTS -> {
-                var dot = branch.what().indexOf('.');
-                require(dot > 0, "state " + state + " " + branch + ", expected component.call");
-                requireWord(
-                        "component of request " + branch.what(), branch.what().substring(0, dot));
-                requireWord("call of request " + branch.what(), branch.what().substring(dot + 1));
-            }
-            case PROVIDES -> {
-                requireWord("offered call", branch.what());
-                for (var step : steps) {
-                    require(
-                            !(step instanceof Step.Provides offer
-                                    && offer.call().equals(branch.what())),
-                            "call " + branch.what() + " is offered twice, in state " + step.from() + " and in state "
-                                    + state + "; expected one state that offers it");
-                }
-            }
             case STOPS ->
                 require(
                         !state.equals(states.get(0)),
                         "state " + state + " is the first one and stops; expected a stop in a later state");
+            default -> {
+                if (branch.kind().hasTarget()) {
+                    requireTarget(state, branch);
+                } else {
+                    requireWord(wordOf(branch.kind()), branch.what());
+                }
+            }
         }
+    }
+
+    private static String wordOf(Branch.Kind kind) {
+        return switch (kind) {
+            case RECEIVES -> "received message";
+            case ACQUIRES, RELEASES -> "resource";
+            default -> "offered call";
+        };
+    }
+
+    private void requireTarget(String state, Branch branch) {
+        var isMessage = branch.kind() == Branch.Kind.SENDS;
+        var word = isMessage ? "message" : "call";
+        var dot = branch.what().indexOf('.');
+        require(dot > 0, "state " + state + " " + branch + ", expected component." + word);
+        var owner = (isMessage ? "message " : "request ") + branch.what();
+        requireWord("component of " + owner, branch.what().substring(0, dot));
+        requireWord(word + " of " + owner, branch.what().substring(dot + 1));
+    }
+
+    /**
+     * Lets the component fail at any moment in every other state, also while it waits for an answer or serves a call;
+     * it then is in {@code state}. A call that it serves is rejected, a stream that it has open is rejected, its own
+     * questions are cancelled, and what it holds is released. The mailbox keeps its messages.
+     *
+     * <p>The way from {@code state} back to another one is the restart. Calls that it rejects until then are declared
+     * there by {@link Protocol#rejects}.
+     */
+    public ProtocolBuilder failsTo(String state) {
+        require(failure.isEmpty(), "failsTo is declared twice, expected one state");
+        failure = Optional.of(requireNonNull(state, "state"));
+        return this;
     }
 
     private void requireWord(String what, String word) {
@@ -95,27 +121,109 @@ public final class ProtocolBuilder {
     public Protocol build() {
         require(!states.isEmpty(), "there are no states; expected 1 or more");
         for (var step : steps) {
-            require(
-                    states.contains(step.to()),
-                    "a step of state " + step.from() + " leads to state " + step.to() + ", which is not declared; "
-                            + Suggestions.hintWithAll(step.to(), states));
+            step.targets().forEach(to -> requireDeclared("a step of state " + step.from() + " leads", to));
         }
-        var protocol = new Protocol(name, states, steps);
-        var ahead = new ArrayDeque<>(List.of(states.get(0)));
-        var reached = new HashSet<>(ahead);
-        while (!ahead.isEmpty()) {
-            protocol.out(ahead.remove()).stream()
-                    .map(Step::to)
-                    .filter(reached::add)
-                    .forEach(ahead::add);
-        }
+        failure.ifPresent(state -> requireDeclared("a failure leads", state));
+        var held = held();
         for (var state : states) {
             require(
-                    reached.contains(state),
+                    held.containsKey(state),
                     "state " + state + " cannot be reached from the first state " + states.get(0)
                             + "; expected a step that leads to it");
         }
+        requireTakenOnlyIfAsked();
+        var protocol = new Protocol(name, states, steps, failure, held);
+        for (var offer : protocol.steps(Step.Provides.class).toList()) {
+            require(
+                    !protocol.isStream(offer.call()),
+                    "call " + offer.call() + " is answered once in state " + offer.from()
+                            + " and is a stream elsewhere; expected one of the two");
+        }
+        protocol.steps()
+                .forEach(step -> requireStream(
+                        protocol,
+                        step instanceof Step.Emits emits
+                                ? emits.call()
+                                : step instanceof Step.Finishes finishes ? finishes.call() : "",
+                        step.from()));
         return protocol;
+    }
+
+    private void requireStream(Protocol protocol, String call, String state) {
+        require(
+                call.isEmpty() || protocol.isStream(call),
+                "state " + state + " emits or finishes " + call + ", which is no stream; expected streams(\"" + call
+                        + "\") in a state");
+    }
+
+    private void requireDeclared(String what, String state) {
+        require(
+                states.contains(state),
+                what + " to state " + state + ", which is not declared; " + Suggestions.hintWithAll(state, states));
+    }
+
+    private void requireTakenOnlyIfAsked() {
+        var asked = steps.stream()
+                .filter(Step.Asks.class::isInstance)
+                .map(step -> ((Step.Asks) step).target())
+                .distinct()
+                .toList();
+        for (var step : steps) {
+            if (step instanceof Step.Takes || step instanceof Step.Cancels) {
+                var target = ((Step.Outgoing) step).target();
+                require(
+                        asked.contains(target),
+                        "state " + step.from() + " takes or cancels an answer of " + target + ", which is never asked; "
+                                + Suggestions.hintWithAll(target, asked));
+            }
+        }
+    }
+
+    /** By state that can be reached: the resources that are held in it. */
+    private Map<String, List<String>> held() {
+        var held = new LinkedHashMap<String, List<String>>();
+        held.put(states.get(0), List.of());
+        failure.ifPresent(state -> held.put(state, List.of()));
+        var ahead = new ArrayDeque<>(held.keySet());
+        while (!ahead.isEmpty()) {
+            var state = ahead.remove();
+            var here = requireNonNull(held.get(state));
+            for (var step : steps) {
+                if (!step.from().equals(state)) {
+                    continue;
+                }
+                var after = after(step, here);
+                step.targets().forEach(to -> {
+                    var other = held.putIfAbsent(to, after);
+                    require(
+                            other == null || other.equals(after),
+                            "state " + to + " is reached holding " + after + " and holding " + other
+                                    + "; expected the same resources on every way there");
+                    if (other == null) {
+                        ahead.add(to);
+                    }
+                });
+            }
+        }
+        return held;
+    }
+
+    private List<String> after(Step step, List<String> held) {
+        var after = new ArrayList<>(held);
+        switch (step) {
+            case Step.Acquires acquires -> after.add(acquires.resource());
+            case Step.Releases releases ->
+                require(
+                        after.remove(releases.resource()),
+                        "state " + step.from() + " releases " + releases.resource() + ", but it holds " + held
+                                + " there; expected a resource that it acquired before");
+            case Step.Stops stops ->
+                require(
+                        held.isEmpty(),
+                        "state " + step.from() + " stops holding " + held + "; expected releases before the stop");
+            default -> {}
+        }
+        return after.stream().sorted().toList();
     }
 
     private void requireReadable(String what, String text) {

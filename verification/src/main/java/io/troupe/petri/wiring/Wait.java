@@ -49,6 +49,84 @@ public sealed interface Wait {
         }
     }
 
+    /**
+     * Waits for a unit of a resource.
+     *
+     * @param on those that hold a unit
+     */
+    record Resource(String component, String resource, List<String> on) implements Wait {
+        public Resource {
+            on = List.copyOf(on);
+        }
+
+        @Override
+        public String toString() {
+            return component + " waits for " + resource + ", which " + String.join(" and ", on)
+                    + (on.size() == 1 ? " holds" : " hold");
+        }
+    }
+
+    /**
+     * Waits for a one-way message.
+     *
+     * @param on those that send it
+     * @param mailbox what the mailbox holds instead, oldest first
+     */
+    record Message(String component, String state, String message, List<String> on, List<String> mailbox)
+            implements Wait {
+        public Message {
+            on = List.copyOf(on);
+            mailbox = List.copyOf(mailbox);
+        }
+
+        @Override
+        public String toString() {
+            return component + " (" + state + ") waits for the message " + message
+                    + (on.isEmpty() ? "" : " from " + String.join(" or ", on)) + ", its mailbox holds " + mailbox;
+        }
+    }
+
+    /**
+     * Waits for room to send a message, or an item of a stream.
+     *
+     * @param receiver who has to make room
+     * @param what the message, or the call of the stream
+     * @param content what the mailbox of the receiver holds, oldest first; of a stream, as many items as it may hold
+     */
+    record Room(String component, String receiver, String what, List<String> content) implements Wait {
+        public Room {
+            content = List.copyOf(content);
+        }
+
+        @Override
+        public List<String> on() {
+            return List.of(receiver);
+        }
+
+        @Override
+        public String toString() {
+            return component + " waits for room to send " + what + " to " + receiver + ", which has not taken "
+                    + content;
+        }
+    }
+
+    /** Waits for any one of several things. */
+    record AnyOf(String component, String state, List<Wait> ways) implements Wait {
+        public AnyOf {
+            ways = List.copyOf(ways);
+        }
+
+        @Override
+        public List<String> on() {
+            return ways.stream().flatMap(way -> way.on().stream()).distinct().toList();
+        }
+
+        @Override
+        public String toString() {
+            return ways.stream().map(Wait::toString).collect(Collectors.joining(", or "));
+        }
+    }
+
     /** Waits for the others, to stop together with them. */
     record Stop(String component, List<String> on) implements Wait {
         public Stop {

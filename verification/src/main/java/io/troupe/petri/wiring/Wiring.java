@@ -5,10 +5,13 @@ import static java.util.Objects.requireNonNull;
 import io.troupe.common.text.Suggestions;
 import io.troupe.petri.PetriNet;
 import java.util.HashSet;
+import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Predicate;
 
 /**
  * An application: named components, each with its {@link Protocol}, and the calls between them.
@@ -33,22 +36,53 @@ import java.util.Set;
  */
 public final class Wiring {
     private final String name;
-    private final Map<String, Protocol> components;
-    private final Map<String, String> bindings;
-    private final Set<String> open;
+    private final Parts parts;
     /** The groups that stop in one step; empty if each component stops alone. */
     private final Optional<List<Set<String>>> stopGroups;
 
-    Wiring(
-            String name,
+    /**
+     * What a wiring is made of.
+     *
+     * @param components by name
+     * @param bindings from {@code component.role} to a component or a resource
+     * @param open calls and messages that come from outside
+     * @param mailboxes by component
+     * @param resources units by name
+     * @param windows by {@code component.call}: the items that a stream holds
+     */
+    record Parts(
             Map<String, Protocol> components,
             Map<String, String> bindings,
             Set<String> open,
-            Optional<List<Set<String>>> stopGroups) {
+            Map<String, Mailbox> mailboxes,
+            Map<String, Integer> resources,
+            Map<String, Integer> windows) {
+        static Parts empty() {
+            return new Parts(
+                    new LinkedHashMap<>(),
+                    new LinkedHashMap<>(),
+                    new LinkedHashSet<>(),
+                    new LinkedHashMap<>(),
+                    new LinkedHashMap<>(),
+                    new LinkedHashMap<>());
+        }
+
+        Parts copy() {
+            return new Parts(
+                    new LinkedHashMap<>(components),
+                    Map.copyOf(bindings),
+                    new LinkedHashSet<>(open),
+                    Map.copyOf(mailboxes),
+                    new LinkedHashMap<>(resources),
+                    Map.copyOf(windows));
+        }
+    }
+
+    record Mailbox(int capacity, Overflow overflow) {}
+
+    Wiring(String name, Parts parts, Optional<List<Set<String>>> stopGroups) {
         this.name = name;
-        this.components = components;
-        this.bindings = bindings;
-        this.open = open;
+        this.parts = parts;
         this.stopGroups = stopGroups;
     }
 
@@ -63,15 +97,15 @@ public final class Wiring {
 
     /** The names of the components in the order in which they were added. */
     public List<String> components() {
-        return List.copyOf(components.keySet());
+        return List.copyOf(parts.components().keySet());
     }
 
     /** The protocol of a component. */
     public Protocol protocol(String component) {
-        var found = components.get(requireNonNull(component, "component"));
+        var found = parts.components().get(requireNonNull(component, "component"));
         if (found == null) {
             throw new IllegalArgumentException("wiring " + name + ": there is no component " + component + "; "
-                    + Suggestions.hintWithAll(component, components.keySet()));
+                    + Suggestions.hintWithAll(component, parts.components().keySet()));
         }
         return found;
     }
@@ -89,10 +123,8 @@ public final class Wiring {
     public Wiring withSynchronisedStop() {
         return new Wiring(
                 name + " with a synchronised stop",
-                components,
-                bindings,
-                open,
-                Optional.of(List.of(Set.copyOf(components.keySet()))));
+                parts,
+                Optional.of(List.of(Set.copyOf(parts.components().keySet()))));
     }
 
     /**
@@ -116,7 +148,7 @@ public final class Wiring {
                                     !protocol(component).stopStates().isEmpty()),
                     "nobody stops in group " + group + "; expected a component that declares a stop");
         }
-        components.forEach((component, protocol) -> {
+        parts.components().forEach((component, protocol) -> {
             for (var state : seen.contains(component) ? List.<String>of() : protocol.stopStates()) {
                 require(
                         protocol.out(state).size() > 1,
@@ -124,7 +156,7 @@ public final class Wiring {
             }
         });
         List<Set<String>> copies = groups.stream().<Set<String>>map(Set::copyOf).toList();
-        return new Wiring(name + " with stops by groups", components, bindings, open, Optional.of(copies));
+        return new Wiring(name + " with stops by groups", parts, Optional.of(copies));
     }
 
     private void require(boolean condition, String message) {
@@ -138,22 +170,57 @@ public final class Wiring {
      * declaration.
      */
     public PetriNet net() {
-        return new WiringNet(this, components.keySet()).net();
+        return new WiringNet(this, parts.components().keySet()).net();
     }
 
-    /** The component that answers a request. */
-    String provider(String component, Step.Requests request) {
-        return bindings.getOrDefault(component + "." + request.role(), request.role());
+    /** The component on the other side of a step. */
+    String provider(String component, Step.Outgoing step) {
+        return bound(component, step.role());
+    }
+
+    /** The component or resource that a component means by {@code role}. */
+    String bound(String component, String role) {
+        return parts.bindings().getOrDefault(component + "." + role, role);
     }
 
     /** The components of {@code among} that call an offer, in order. */
     List<String> callers(String provider, String call, Set<String> among) {
-        return components.keySet().stream()
+        return partners(provider, call, among, step -> step instanceof Step.Requests || step instanceof Step.Asks);
+    }
+
+    /** The components of {@code among} that send a message, in order. */
+    List<String> senders(String receiver, String message, Set<String> among) {
+        return partners(receiver, message, among, Step.Sends.class::isInstance);
+    }
+
+    private List<String> partners(String other, String call, Set<String> among, Predicate<Step.Outgoing> isOfKind) {
+        return parts.components().keySet().stream()
                 .filter(among::contains)
-                .filter(caller -> protocol(caller).requests().stream()
-                        .anyMatch(request -> request.call().equals(call)
-                                && provider(caller, request).equals(provider)))
+                .filter(component -> protocol(component)
+                        .outgoing()
+                        .filter(isOfKind)
+                        .anyMatch(step -> step.call().equals(call)
+                                && provider(component, step).equals(other)))
                 .toList();
+    }
+
+    /** Whether a call or message, written {@code component.call}, comes from outside. */
+    boolean isOpen(String target) {
+        return parts.open().contains(target);
+    }
+
+    Optional<Mailbox> mailbox(String component) {
+        return Optional.ofNullable(parts.mailboxes().get(component));
+    }
+
+    /** The units of each resource, by its name. */
+    Map<String, Integer> resources() {
+        return parts.resources();
+    }
+
+    /** The items that a stream holds. */
+    int window(String component, String call) {
+        return parts.windows().getOrDefault(component + "." + call, 1);
     }
 
     /** The groups that stop in one step, in order; empty if each component stops alone. */
@@ -174,6 +241,6 @@ public final class Wiring {
     /** The components and the name. */
     @Override
     public String toString() {
-        return name + " " + components.keySet();
+        return name + " " + parts.components().keySet();
     }
 }

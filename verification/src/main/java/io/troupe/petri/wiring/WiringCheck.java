@@ -223,8 +223,9 @@ public final class WiringCheck {
         }
 
         private boolean calls(String caller, String provider) {
-            return wiring.protocol(caller).requests().stream()
-                    .anyMatch(request -> wiring.provider(caller, request).equals(provider));
+            return wiring.protocol(caller)
+                    .outgoing()
+                    .anyMatch(step -> wiring.provider(caller, step).equals(provider));
         }
 
         private PairResult result(String one, String other) {

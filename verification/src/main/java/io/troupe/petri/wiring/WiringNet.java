@@ -3,68 +3,99 @@ package io.troupe.petri.wiring;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.petri.Arc;
-import io.troupe.petri.Composition;
-import io.troupe.petri.Meld;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
 import java.util.ArrayList;
+import java.util.HashMap;
+import java.util.HashSet;
 import java.util.LinkedHashMap;
+import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.stream.Stream;
 
 /**
- * The net of some components of a wiring. A call from or to a component outside of these stays a private transition, as
- * if it were made, or answered, at any time. The names of places and transitions are sentences, so that a firing
- * sequence can be read.
+ * The net of some components of a wiring. A call or message from or to a component outside of these stays a private
+ * transition, as if it were made, or answered, at any time. The names of places and transitions are sentences, so that
+ * a firing sequence can be read.
+ *
+ * <p>A request is melded as in the paper ({@link io.troupe.petri.Meld}). The parts for {@link Questions} and
+ * {@link Mailboxes} are in their files.
  */
 final class WiringNet {
     /** The components that take part in a transition, and those that stop in it. */
     record Event(Set<String> who, Set<String> stopping) {}
 
-    /** The component of a place, and, if it waits for an answer there, the request. */
+    /** What a token on a place means. */
     sealed interface ComponentState {
-        String component();
-
         record At(String component, String state) implements ComponentState {}
 
         record Asking(String component, Step.Requests request) implements ComponentState {}
 
-        record Serving(String component) implements ComponentState {}
+        /** The contents of the mailbox of a component, oldest first. */
+        record Holding(String component, List<String> messages) implements ComponentState {}
+
+        /** Anything that does not make a component wait. */
+        record Other() implements ComponentState {}
     }
 
     private final Wiring wiring;
     private final Labels labels;
     private final Set<String> chosen;
-    private final Map<String, Event> events = new LinkedHashMap<>();
-    private final Map<String, ComponentState> componentStates = new LinkedHashMap<>();
-    private final List<Meld> melds = new ArrayList<>();
+    private final Draft draft;
+    private final Questions questions;
+    private final Map<String, Service> services = new HashMap<>();
+    private final Set<String> abandoned = new HashSet<>();
     private final PetriNet net;
 
     WiringNet(Wiring wiring, Set<String> chosen) {
         this.wiring = wiring;
-        labels = new Labels(wiring);
         this.chosen = chosen;
-        var components = new ArrayList<PetriNet>();
-        var stops = SynchronisedStop.of(wiring, chosen);
-        for (var component : wiring.components()) {
-            if (chosen.contains(component)) {
-                components.add(component(component, stops));
-            }
+        labels = new Labels(wiring);
+        draft = new Draft(wiring.name());
+        questions = new Questions(this);
+        var components = wiring.components().stream().filter(chosen::contains).toList();
+        components.forEach(component -> wiring.protocol(component)
+                .states()
+                .forEach(state -> draft.place(
+                        at(component, state),
+                        state.equals(first(component)) ? 1 : 0,
+                        new ComponentState.At(component, state))));
+        wiring.resources().forEach((resource, units) -> draft.place(resource + " is free", units));
+        components.forEach(this::steps);
+        components.forEach(this::requests);
+        questions.add();
+        var mailboxes = new Mailboxes(this);
+        components.forEach(mailboxes::add);
+        for (var stop : SynchronisedStop.of(wiring, chosen)) {
+            var who = stop.states().keySet();
+            draft.step(
+                    stop.name(),
+                    new Event(who, who),
+                    who.stream()
+                            .map(component ->
+                                    at(component, requireNonNull(stop.states().get(component))))
+                            .toList(),
+                    who.stream()
+                            .map(component -> at(component, first(component)))
+                            .toList());
         }
-        var whole = Composition.compose(wiring.name(), components, melds);
-        for (var i = 0; i < stops.size(); i++) {
-            var number = i;
-            var who = stops.get(i).states().keySet();
-            var parts = who.stream()
-                    .map(component -> component + " stops #" + number)
-                    .toList();
-            whole = Composition.fuse(whole, stops.get(i).name(), parts);
-            events.put(stops.get(i).name(), new Event(who, who));
-        }
-        net = whole;
+        net = draft.build();
+    }
+
+    Wiring wiring() {
+        return wiring;
+    }
+
+    Draft draft() {
+        return draft;
+    }
+
+    Labels labels() {
+        return labels;
     }
 
     PetriNet net() {
@@ -77,12 +108,11 @@ final class WiringNet {
     }
 
     Event event(Transition transition) {
-        return requireNonNull(events.get(name(transition)));
+        return requireNonNull(draft.events.get(name(transition)));
     }
 
     ComponentState componentState(Place place) {
-        return requireNonNull(
-                componentStates.get(net.places().get(place.index()).name()));
+        return requireNonNull(draft.meanings.get(net.places().get(place.index()).name()));
     }
 
     /** Equal for nets that differ in names only: the tokens of each place, the arcs of each transition. */
@@ -107,83 +137,356 @@ final class WiringNet {
         return chosen;
     }
 
-    private PetriNet component(String component, List<SynchronisedStop> together) {
+    static String at(String component, String state) {
+        return component + "." + state;
+    }
+
+    private String first(String component) {
+        return wiring.protocol(component).states().get(0);
+    }
+
+    /** The steps of a component in which no call and no mailbox takes part. */
+    private void steps(String component) {
         var protocol = wiring.protocol(component);
-        var builder = PetriNet.builder(component);
-        var first = protocol.states().get(0);
-        for (var state : protocol.states()) {
-            builder.place(Labels.place(component, state), state.equals(first) ? 1 : 0);
-            componentStates.put(Labels.place(component, state), new ComponentState.At(component, state));
-        }
         for (var step : protocol.steps()) {
-            if (step instanceof Step.Requests request && chosen.contains(wiring.provider(component, request))) {
-                melds.add(meld(component, request));
-            }
-            if (step instanceof Step.Stops && wiring.stopsTogether()) {
-                continue;
-            }
             var label = labels.label(component, protocol, step);
-            builder.transition(
-                    label, List.of(Labels.place(component, step.from())), List.of(Labels.place(component, step.to())));
-            var stopping = step instanceof Step.Stops ? Set.of(component) : Set.<String>of();
-            events.put(label, new Event(Set.of(component), stopping));
-        }
-        for (var i = 0; i < together.size(); i++) {
-            var state = together.get(i).states().get(component);
-            if (state != null) {
-                builder.transition(
-                        component + " stops #" + i,
-                        List.of(Labels.place(component, state)),
-                        List.of(Labels.place(component, first)));
+            var from = at(component, step.from());
+            var to = at(component, step.to());
+            switch (step) {
+                case Step.Does does -> draft.step(label, component, List.of(from), List.of(to));
+                case Step.Requests request -> {
+                    if (!chosen.contains(wiring.provider(component, request))) {
+                        draft.step(label, component, List.of(from), List.of(to));
+                        outside(component, label + " and times out", from, request.onTimeout());
+                        outside(component, label + " and is rejected", from, request.onRejection());
+                    }
+                }
+                case Step.Incoming offer -> {
+                    if (!(offer instanceof Step.Receives) && !isCalled(component, offer.call())) {
+                        draft.step(label, component, List.of(from), List.of(to));
+                    }
+                }
+                case Step.Acquires acquires ->
+                    draft.step(label, component, List.of(from, free(component, acquires.resource())), List.of(to));
+                case Step.Releases releases ->
+                    draft.step(label, component, List.of(from), List.of(to, free(component, releases.resource())));
+                case Step.Stops stops -> {
+                    if (!wiring.stopsTogether()) {
+                        var who = Set.of(component);
+                        draft.step(label, new Event(who, who), List.of(from), List.of(to));
+                    }
+                }
+                default -> {} // steps of questions and messages
             }
         }
-        return builder.build();
+        for (var state : protocol.states()) {
+            if (protocol.failsIn(state)) {
+                fails(
+                        component,
+                        state,
+                        component + " fails (in " + state + ")",
+                        List.of(at(component, state)),
+                        List.of());
+            }
+        }
     }
 
-    private Meld meld(String component, Step.Requests request) {
-        var provider = wiring.provider(component, request);
-        var offer = provider + " does " + request.call();
-        var where = labels.where(component, request);
-        var target = provider + "." + request.call();
-        var meld = new Meld(
-                labels.request(component, request),
+    /** What a request, or a message, to a component outside of the net may lead to besides the usual. */
+    void outside(String component, String label, String from, Optional<String> state) {
+        state.ifPresent(to -> draft.step(label, component, List.of(from), List.of(at(component, to))));
+    }
+
+    private boolean isCalled(String component, String call) {
+        return !wiring.callers(component, call, chosen).isEmpty();
+    }
+
+    private String free(String component, String role) {
+        return wiring.bound(component, role) + " is free";
+    }
+
+    /** A failure of a component whose last state was {@code state}. */
+    void fails(String component, String state, String label, List<String> in, List<String> more) {
+        var out = new ArrayList<>(more);
+        out.add(questions.failed(component));
+        wiring.protocol(component).held(state).forEach(role -> out.add(free(component, role)));
+        draft.step(label, component, in, out);
+    }
+
+    /** The places of a provider that has accepted a call, and that has served it. */
+    record Service(Step.Provides offer, String where, String before, String after) {}
+
+    /** The ways in which a provider answers a call, one for each state that offers it. */
+    List<Service> services(String provider, String call) {
+        var offers = wiring.protocol(provider)
+                .steps(Step.Provides.class)
+                .filter(offer -> offer.call().equals(call))
+                .toList();
+        return offers.stream()
+                .map(offer -> services.computeIfAbsent(
+                        provider + "." + call + " " + offer.from(),
+                        key -> service(provider, offer, offers.size() == 1 ? "" : " in " + offer.from())))
+                .toList();
+    }
+
+    private Service service(String provider, Step.Provides offer, String where) {
+        var service = new Service(
                 offer,
-                component + " asks " + target + where,
-                component + " waits for " + target + where,
-                provider + " takes " + request.call() + " from " + component + where,
-                component + " is served " + target + where,
-                provider + " before " + request.call(),
-                provider + " after " + request.call(),
-                provider + " answers " + request.call() + " to " + component + where);
-        events.put(meld.asking(), new Event(Set.of(component), Set.of()));
-        events.put(meld.accept(), new Event(Set.of(component, provider), Set.of()));
-        events.put(meld.answer(), new Event(Set.of(component, provider), Set.of()));
-        componentStates.put(meld.waiting(), new ComponentState.Asking(component, request));
-        componentStates.put(meld.pending(), new ComponentState.Serving(component));
-        componentStates.put(meld.before(), new ComponentState.Serving(provider));
-        componentStates.put(meld.after(), new ComponentState.Serving(provider));
-        return meld;
+                where,
+                provider + " before " + offer.call() + where,
+                provider + " after " + offer.call() + where);
+        draft.place(service.before(), 0);
+        draft.place(service.after(), 0);
+        draft.step(
+                provider + " does " + offer.call() + where,
+                provider,
+                List.of(service.before()),
+                List.of(service.after()));
+        return service;
     }
 
-    /** Names for the places and transitions of a wiring's net, in the words of the declaration. */
-    private record Labels(Wiring wiring) {
+    /** A failure of a provider while it serves a call for the token {@code pending}. */
+    void failsServing(String provider, Service service, String caller, String pending, List<String> rejected) {
+        if (wiring.protocol(provider).failsIn(service.offer().from())) {
+            var call = service.offer().call() + service.where() + " to " + caller;
+            var state = service.offer().from();
+            fails(
+                    provider,
+                    state,
+                    provider + " fails before it does " + call,
+                    List.of(service.before(), pending),
+                    rejected);
+            fails(
+                    provider,
+                    state,
+                    provider + " fails before it answers " + call,
+                    List.of(service.after(), pending),
+                    rejected);
+        }
+    }
+
+    /** The place of a call that is served although its caller gave it up. */
+    String abandoned(String caller, String provider, String call) {
+        var place = caller + " has given up " + provider + "." + call;
+        if (abandoned.add(place)) {
+            draft.place(place, 0);
+            for (var service : services(provider, call)) {
+                draft.step(
+                        provider + " answers " + call + service.where() + " to " + caller + ", which has given up",
+                        provider,
+                        List.of(service.after(), place),
+                        List.of(at(provider, service.offer().to())));
+                failsServing(provider, service, caller + ", which has given up", place, List.of());
+            }
+        }
+        return place;
+    }
+
+    private void requests(String component) {
+        for (var request : wiring.protocol(component).requests()) {
+            if (chosen.contains(wiring.provider(component, request))) {
+                meld(component, request, wiring.provider(component, request));
+            }
+        }
+    }
+
+    private void meld(String component, Step.Requests request, String provider) {
+        var call = request.call();
+        var where = labels.where(component, request);
+        var target = provider + "." + call;
+        var caller = component + where;
+        var waiting = component + " waits for " + target + where;
+        var pending = component + " is served " + target + where;
+        draft.place(waiting, 0, new ComponentState.Asking(component, request));
+        draft.place(pending, 0);
+        var services = services(provider, call);
+        draft.step(
+                component + " asks " + target + where,
+                component,
+                List.of(at(component, request.from())),
+                List.of(waiting));
+        var both = new Event(new LinkedHashSet<>(List.of(component, provider)), Set.of());
+        for (var service : services) {
+            var offer = service.offer();
+            draft.step(
+                    provider + " takes " + call + service.where() + " from " + caller,
+                    both,
+                    List.of(waiting, at(provider, offer.from())),
+                    List.of(pending, service.before()));
+            draft.step(
+                    provider + " answers " + call + service.where() + " to " + caller,
+                    both,
+                    List.of(pending, service.after()),
+                    List.of(at(component, request.to()), at(provider, offer.to())));
+            request.onRejection()
+                    .ifPresent(
+                            state -> failsServing(provider, service, caller, pending, List.of(at(component, state))));
+        }
+        request.onRejection()
+                .ifPresent(state -> wiring.protocol(provider)
+                        .steps(Step.Rejects.class)
+                        .filter(step -> step.call().equals(call))
+                        .forEach(step -> draft.step(
+                                provider + " rejects " + call + " of " + caller + " in " + step.from(),
+                                both,
+                                List.of(waiting, at(provider, step.from())),
+                                List.of(at(component, state), at(provider, step.to())))));
+        request.onTimeout().ifPresent(state -> {
+            var after = at(component, state);
+            var event = caller + " times out: " + target;
+            draft.step(event + " was not taken", component, List.of(waiting), List.of(after));
+            draft.step(
+                    event + " is served in vain",
+                    component,
+                    List.of(pending),
+                    List.of(after, abandoned(component, provider, call)));
+        });
+        if (wiring.protocol(component).failsIn(request.from())) {
+            fails(component, request.from(), caller + " fails waiting for " + target, List.of(waiting), List.of());
+            fails(
+                    component,
+                    request.from(),
+                    caller + " fails while it is served " + target,
+                    List.of(pending),
+                    List.of(abandoned(component, provider, call)));
+        }
+    }
+
+    /** Collects the places and transitions, in any order, with their meaning. */
+    static final class Draft {
+        private record NewStep(List<String> in, List<String> out) {}
+
+        private final String name;
+        private final Map<String, Integer> places = new LinkedHashMap<>();
+        private final Map<String, NewStep> steps = new LinkedHashMap<>();
+        private final Map<String, Event> events = new HashMap<>();
+        private final Map<String, ComponentState> meanings = new HashMap<>();
+
+        Draft(String name) {
+            this.name = name;
+        }
+
+        void place(String place, int tokens) {
+            place(place, tokens, new ComponentState.Other());
+        }
+
+        void place(String place, int tokens, ComponentState meaning) {
+            requireNew(places.put(place, tokens) == null, place);
+            meanings.put(place, meaning);
+        }
+
+        void step(String step, String component, List<String> in, List<String> out) {
+            step(step, new Event(Set.of(component), Set.of()), in, out);
+        }
+
+        /** A place that is named several times is an arc of that weight. */
+        void step(String step, Event event, List<String> in, List<String> out) {
+            requireNew(steps.put(step, new NewStep(in, out)) == null, step);
+            events.put(step, event);
+        }
+
+        private static void requireNew(boolean isNew, String name) {
+            if (!isNew) {
+                throw new IllegalStateException("\"" + name + "\" is there twice");
+            }
+        }
+
+        PetriNet build() {
+            var builder = PetriNet.builder(name);
+            places.forEach(builder::place);
+            steps.forEach((step, arcs) -> {
+                builder.transition(step);
+                weights(arcs.in()).forEach((place, weight) -> builder.arc(place, step, weight));
+                weights(arcs.out()).forEach((place, weight) -> builder.arc(step, place, weight));
+            });
+            return builder.build();
+        }
+
+        private static Map<String, Integer> weights(List<String> names) {
+            var weights = new LinkedHashMap<String, Integer>();
+            names.forEach(place -> weights.merge(place, 1, Integer::sum));
+            return weights;
+        }
+    }
+
+    /** Names for the transitions of a wiring's net, in the words of the declaration. */
+    record Labels(Wiring wiring) {
         String label(String component, Protocol protocol, Step step) {
             return switch (step) {
                 case Step.Does does ->
-                    component + ": " + does.label() + (isUnique(protocol, does) ? "" : " (in " + step.from() + ")");
+                    component + ": " + does.label()
+                            + in(
+                                    step,
+                                    protocol.steps(Step.Does.class)
+                                            .filter(other -> other.label().equals(does.label())));
                 case Step.Requests request -> request(component, request);
-                case Step.Provides offer -> component + " does " + offer.call();
+                case Step.Provides offer -> component + " does " + offer.call() + in(component, offer);
+                case Step.Rejects rejects -> component + " rejects " + rejects.call() + in(component, rejects);
+                case Step.Streams streams -> component + " streams " + streams.call() + in(component, streams);
+                case Step.Emits emits ->
+                    component + " emits " + emits.call()
+                            + in(
+                                    step,
+                                    protocol.steps(Step.Emits.class)
+                                            .filter(other -> other.call().equals(emits.call())));
+                case Step.Finishes finishes ->
+                    component + " finishes " + finishes.call()
+                            + in(
+                                    step,
+                                    protocol.steps(Step.Finishes.class)
+                                            .filter(other -> other.call().equals(finishes.call())));
+                case Step.Receives receives -> component + " receives " + receives.call() + in(component, receives);
+                case Step.Acquires acquires ->
+                    component + " takes " + wiring.bound(component, acquires.resource())
+                            + in(
+                                    step,
+                                    protocol.steps(Step.Acquires.class)
+                                            .filter(other -> bound(component, other.resource())
+                                                    .equals(bound(component, acquires.resource()))));
+                case Step.Releases releases ->
+                    component + " gives back " + wiring.bound(component, releases.resource())
+                            + in(
+                                    step,
+                                    protocol.steps(Step.Releases.class)
+                                            .filter(other -> bound(component, other.resource())
+                                                    .equals(bound(component, releases.resource()))));
+                case Step.Outgoing outgoing -> outgoing(component, outgoing);
                 case Step.Stops stop ->
                     component + " stops" + (protocol.stopStates().size() == 1 ? "" : " in " + stop.from());
             };
         }
 
-        private static boolean isUnique(Protocol protocol, Step.Does does) {
-            return protocol.steps().stream()
-                            .filter(step -> step instanceof Step.Does other
-                                    && other.label().equals(does.label()))
-                            .count()
-                    == 1;
+        private String bound(String component, String role) {
+            return wiring.bound(component, role);
+        }
+
+        private String outgoing(String component, Step.Outgoing step) {
+            var target = wiring.provider(component, step) + "." + step.call();
+            var what = switch (step) {
+                case Step.Asks asks -> " asks " + target + " and goes on";
+                case Step.Cancels cancels -> " gives up " + target;
+                case Step.Takes takes ->
+                    switch (takes.outcome()) {
+                                case ANSWER -> " gets the answer of ";
+                                case REJECTION -> " gets the rejection of ";
+                                case END -> " gets the end of ";
+                            }
+                            + target;
+                case Step.Sends sends -> " sends " + target;
+                case Step.Requests request -> " requests " + target;
+            };
+            return component + what + where(component, step);
+        }
+
+        private static String in(Step step, Stream<? extends Step> same) {
+            return same.count() == 1 ? "" : " (in " + step.from() + ")";
+        }
+
+        private String in(String component, Step.Incoming step) {
+            return in(
+                    step,
+                    wiring.protocol(component)
+                            .steps(step.getClass())
+                            .filter(other -> ((Step.Incoming) other).call().equals(step.call())));
         }
 
         String request(String component, Step.Requests request) {
@@ -192,17 +495,17 @@ final class WiringNet {
         }
 
         /** The state of a call; empty unless the same call is made in several states. */
-        String where(String component, Step.Requests request) {
-            var provider = wiring.provider(component, request);
-            var same = wiring.protocol(component).requests().stream()
-                    .filter(other -> other.call().equals(request.call())
-                            && wiring.provider(component, other).equals(provider))
-                    .count();
-            return same == 1 ? "" : " (in " + request.from() + ")";
-        }
-
-        static String place(String component, String state) {
-            return component + "." + state;
+        String where(String component, Step.Outgoing step) {
+            var provider = wiring.provider(component, step);
+            return in(
+                    step,
+                    wiring.protocol(component)
+                            .outgoing()
+                            .filter(other -> other.getClass() == step.getClass()
+                                    && !(other instanceof Step.Takes takes
+                                            && takes.outcome() != ((Step.Takes) step).outcome())
+                                    && other.call().equals(step.call())
+                                    && wiring.provider(component, other).equals(provider)));
         }
     }
 }

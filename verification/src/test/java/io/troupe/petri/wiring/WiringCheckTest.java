@@ -313,8 +313,6 @@ class WiringCheckTest {
     void protocols_thatMakeNoSense_areRefused() {
         var loop = does("x").then("a");
         assertThat(refusals(
-                        () -> p("a", provides("x").then("b"))
-                                .in("b", provides("x").then("a")),
                         p("a", loop).in("b", does("y").then("a"))::build,
                         p("driving", does("x").then("drivng"))::build,
                         Protocol.of("p")::build,
@@ -326,7 +324,6 @@ class WiringCheckTest {
                         () -> asking("setValues"),
                         () -> asking("player.set values")))
                 .isEqualTo("""
-                protocol p: call x is offered twice, in state a and in state b; expected one state that offers it
                 protocol p: state b cannot be reached from the first state a; expected a step that leads to it
                 protocol p: a step of state driving leads to state drivng, which is not declared; did you mean \
                 driving? known: driving
