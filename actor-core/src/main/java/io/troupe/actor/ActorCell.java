@@ -98,18 +98,18 @@ final class ActorCell extends Recipient {
 
     /**
      * For callers on other threads, for threads that only borrow the space (crank, sequential bodies), for bounded
-     * mailboxes, and for spaces with contexts or a call graph.
+     * mailboxes, and for spaces with contexts or a call observer.
      */
     private void sendSlowly(Node call, @Nullable Supplier<Runnable> context) {
+        CallObserver observer = space.settings.callObserver();
+        if (observer != null) {
+            ObservedCalls.called(observer, this, call);
+        }
         Node entry = context == null ? call : new CarriedCall(this, call, context);
         if (mailbox != null) {
             sendBounded(entry, mailbox);
         } else {
             space.enqueueMessage(entry);
-        }
-        CallGraph graph = space.settings.callGraph();
-        if (graph != null) {
-            graph.called(this);
         }
     }
 
@@ -412,8 +412,8 @@ final class ActorCell extends Recipient {
 
     /** Rejects a call for which the mailbox had no room, or which was dropped for a newer one. Any thread. */
     void drop(Node entry, String reason) {
-        noteTaken();
         Node call = CarriedCall.callIn(entry);
+        noteDropped(call);
         space.reports().rejectCall(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
     }
 
@@ -437,9 +437,11 @@ final class ActorCell extends Recipient {
         return target;
     }
 
-    /** What calls may invoke without the slow path: the instance, unless calls are bounded, counted or have a quota. */
+    /**
+     * What calls may invoke without the slow path: the instance, unless calls are bounded, observed or have a quota.
+     */
     private @Nullable Object direct(@Nullable Object target) {
-        return mailbox == null && share() == null && space.settings.callGraph() == null ? target : null;
+        return mailbox == null && share() == null && space.settings.callObserver() == null ? target : null;
     }
 
     private @Nullable Share share() {
@@ -471,15 +473,20 @@ final class ActorCell extends Recipient {
     }
 
     private void deliverCall(Node call) {
-        noteTaken();
         Object target = instance;
         if (call instanceof Request<?> request && (request.isDone() || request.shed())) {
+            noteDropped(call);
             space.reports().skip(request); // cancelled or given up while queued
         } else if (target == null) {
+            noteDropped(call);
             reject(call);
         } else {
             space.begin(life);
-            CallGraph.Turn turn = beginTurn();
+            CallObserver observer = space.settings.callObserver();
+            if (observer != null) {
+                ObservedCalls.begun(observer, this, call);
+            }
+            CallObserver.Turn turn = beginTurn();
             try {
                 if (call instanceof Message message) {
                     message.serveWith(target);
@@ -497,16 +504,16 @@ final class ActorCell extends Recipient {
         }
     }
 
-    private void noteTaken() {
-        CallGraph graph = space.settings.callGraph();
-        if (graph != null) {
-            graph.taken(this);
+    private void noteDropped(Node call) {
+        CallObserver observer = space.settings.callObserver();
+        if (observer != null) {
+            ObservedCalls.dropped(observer, this, call);
         }
     }
 
-    private CallGraph.@Nullable Turn beginTurn() {
-        CallGraph graph = space.settings.callGraph();
-        return graph == null ? null : graph.begin(life, space.settings.stallLimit());
+    private CallObserver.@Nullable Turn beginTurn() {
+        CallObserver observer = space.settings.callObserver();
+        return observer == null ? null : ObservedCalls.turnBegun(observer, space, life);
     }
 
     /** The call that would be delivered for this ticket. */
@@ -555,7 +562,7 @@ final class ActorCell extends Recipient {
     /** Runs an action on behalf of this actor; an exception is a failure of the actor. */
     void guard(String what, Runnable action) {
         space.begin(life);
-        CallGraph.Turn turn = beginTurn();
+        CallObserver.Turn turn = beginTurn();
         try {
             action.run();
         } catch (Throwable thrown) {
@@ -627,6 +634,10 @@ final class ActorCell extends Recipient {
         return space.dispatcher.isLongerThan(COUNTED)
                 ? ", where more than " + COUNTED + " calls wait"
                 : ", which has begun it";
+    }
+
+    Class<?> type() {
+        return type;
     }
 
     /** Its name, or that of its type. */

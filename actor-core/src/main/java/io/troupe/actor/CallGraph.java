@@ -1,7 +1,6 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -17,7 +16,7 @@ import java.util.concurrent.atomic.LongAdder;
  *
  * {@snippet :
  * var graph = new CallGraph();
- * ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withCallGraph(graph));
+ * ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withCallObserver(graph));
  * Counter counter = space.spawn(Counter.class, Counter::new);
  * counter.add(5);
  * for (CallGraph.Edge edge : graph.snapshot().edges()) {
@@ -31,7 +30,7 @@ import java.util.concurrent.atomic.LongAdder;
  * <p><b>Threads.</b> Any thread. <b>Cost.</b> A call or a listener in such a space reads the clock twice, adds to some
  * counters, and takes the way of calls with a context; nothing in other spaces.
  */
-public final class CallGraph {
+public final class CallGraph implements CallObserver {
     /** The name of the node of threads that belong to no space. */
     public static final String OUTSIDE = "outside";
 
@@ -81,10 +80,8 @@ public final class CallGraph {
         }
     }
 
-    private record Key(String space, String name) {}
-
     private final Clock clock;
-    private final Map<Key, Counter> counters = new ConcurrentHashMap<>();
+    private final Map<Party, Counter> counters = new ConcurrentHashMap<>();
     private final List<Counter> inOrder = new ArrayList<>(); // guarded by this
     private final List<Link> links = new ArrayList<>(); // guarded by this
 
@@ -122,42 +119,47 @@ public final class CallGraph {
      * @param space that groups the names; it need not be an actor space
      */
     public void note(String space, String from, String to) {
-        Counter sender = counter(space, from);
-        counter(space, to).from(sender).calls.increment();
+        Counter sender = counter(new Party(space, from));
+        counter(new Party(space, to)).from(sender).calls.increment();
     }
 
     // ---- called by the spaces
 
-    /** A call of the current thread was put into an actor's mailbox, or was refused by it. */
-    void called(ActorCell actor) {
-        Counter from = caller();
-        Counter to = of(actor);
-        to.received.increment();
-        to.from(from).calls.increment();
+    @Override
+    public void called(Party from, Party to, Call call) {
+        Counter sender = counter(from);
+        Counter receiver = counter(to);
+        receiver.received.increment();
+        receiver.from(sender).calls.increment();
     }
 
-    /** A call is no longer in the mailbox of its actor. */
-    void taken(ActorCell actor) {
-        of(actor).taken.increment();
+    @Override
+    public void begun(Party actor, Call call) {
+        counter(actor).taken.increment();
     }
 
-    /** The current thread sends a result to a callback, which runs on behalf of this owner. */
-    void returned(Owner reader) {
-        Counter from = caller();
-        of(reader).from(from).results.increment();
+    @Override
+    public void dropped(Party actor, Call call) {
+        counter(actor).taken.increment();
     }
 
-    /** A turn of this owner begins. */
-    Turn begin(Owner owner, Duration stallLimit) {
-        Counter counter = of(owner);
+    @Override
+    public void returned(Party from, Party to) {
+        Counter sender = counter(from);
+        counter(to).from(sender).results.increment();
+    }
+
+    @Override
+    public Turn turnBegun(Party party, Duration stallLimit) {
+        Counter counter = counter(party);
         long now = clock.nanos();
         counter.begunNanos.set(now);
-        return new Turn(this, counter, now, stallLimit);
+        return new CountedTurn(this, counter, now, stallLimit);
     }
 
-    /** A turn that has begun. */
-    record Turn(CallGraph graph, Counter counter, long begunNanos, Duration stallLimit) {
-        void end() {
+    private record CountedTurn(CallGraph graph, Counter counter, long begunNanos, Duration stallLimit) implements Turn {
+        @Override
+        public void end() {
             long nanos = graph.clock.nanos() - begunNanos;
             counter.begunNanos.set(Counter.IDLE);
             counter.turns.increment();
@@ -169,30 +171,15 @@ public final class CallGraph {
         }
     }
 
-    private Counter caller() {
-        return Home.current() instanceof SpaceHome here ? of(here.owner()) : counter("", OUTSIDE);
-    }
-
-    private Counter of(Owner owner) {
-        return owner instanceof Incarnation life
-                ? of(life.cell())
-                : counter(owner.home().toString(), TASKS);
-    }
-
-    private Counter of(ActorCell actor) {
-        return counter(actor.space().toString(), actor.label());
-    }
-
-    private Counter counter(String space, String name) {
-        var key = new Key(space, name);
+    private Counter counter(Party key) {
         Counter known = counters.get(key);
         return known == null ? newCounter(key) : known;
     }
 
-    private synchronized Counter newCounter(Key key) {
-        boolean isFull = counters.size() >= MOST_NODES && !key.name.equals(OTHERS);
+    private synchronized Counter newCounter(Party key) {
+        boolean isFull = counters.size() >= MOST_NODES && !key.name().equals(OTHERS);
         return isFull
-                ? counter(key.space, OTHERS)
+                ? counter(new Party(key.space(), OTHERS))
                 : counters.computeIfAbsent(key, each -> {
                     var made = new Counter(this, each);
                     inOrder.add(made);
@@ -219,7 +206,7 @@ public final class CallGraph {
         static final long IDLE = Long.MIN_VALUE;
 
         private final CallGraph graph;
-        private final Key key;
+        private final Party key;
         private final Map<Counter, Link> senders = new ConcurrentHashMap<>();
         private final LongAdder received = new LongAdder();
         private final LongAdder taken = new LongAdder();
@@ -229,7 +216,7 @@ public final class CallGraph {
         private final AtomicLong longestNanos = new AtomicLong();
         private final AtomicLong begunNanos = new AtomicLong(IDLE); // of the turn that is running
 
-        Counter(CallGraph graph, Key key) {
+        Counter(CallGraph graph, Party key) {
             this.graph = graph;
             this.key = key;
         }
@@ -243,8 +230,8 @@ public final class CallGraph {
             long begun = begunNanos.get();
             long leaving = taken.sum(); // read first: a call arrives before it leaves
             return new Node(
-                    key.space,
-                    key.name,
+                    key.space(),
+                    key.name(),
                     turns.sum(),
                     Math.max(0, received.sum() - leaving),
                     stalls.sum(),

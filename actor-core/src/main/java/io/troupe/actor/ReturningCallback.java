@@ -133,9 +133,9 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     private void queue(Result next) {
-        CallGraph graph = home.settings.callGraph();
-        if (graph != null && !next.isEnd()) {
-            graph.returned(owner == null ? home.itself() : owner);
+        CallObserver observer = home.settings.callObserver();
+        if (observer != null && !next.isEnd()) {
+            ObservedCalls.returned(observer, home, owner == null ? home.itself() : owner);
         }
         Waiting<T> results = home.isCurrent() ? waiting : sharedQueue();
         if (results == null) {

@@ -60,7 +60,7 @@ final class SpaceHome extends Home {
     }
 
     void startThread() {
-        boolean isDirect = contexts == null && settings.callGraph() == null;
+        boolean isDirect = contexts == null && settings.callObserver() == null;
         ownThread = new SpaceThread(this, isDirect, callbacks, messages, loop);
         ownThread.start();
     }
@@ -177,8 +177,8 @@ final class SpaceHome extends Home {
     public @Nullable Supplier<Runnable> captureContext() {
         TimeLimit now = limit; // a guess on other threads
         var context = now == null ? captureCallers() : capture(isCurrent() ? now : null);
-        CallGraph graph = settings.callGraph();
-        return graph == null ? context : counted(graph, context);
+        CallObserver observer = settings.callObserver();
+        return observer == null ? context : observed(observer, context);
     }
 
     /** Captures the context of the calling thread, without its time limit; null if there is nothing to carry. */
@@ -219,13 +219,13 @@ final class SpaceHome extends Home {
         }
     }
 
-    private Supplier<Runnable> counted(CallGraph graph, @Nullable Supplier<Runnable> context) {
+    private Supplier<Runnable> observed(CallObserver observer, @Nullable Supplier<Runnable> context) {
         return () -> {
             Runnable end = context == null ? () -> {} : context.get();
             if (!isCurrent()) {
                 return end; // it is closed
             }
-            CallGraph.Turn turn = graph.begin(owner(), settings.stallLimit());
+            CallObserver.Turn turn = ObservedCalls.turnBegun(observer, this, owner());
             return () -> {
                 turn.end();
                 end.run();

@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  * @param actorQuota after so many calls of one actor in a row, those of the others that are queued come first; zero =
  *     all calls are handled in the order of arrival
  * @param context carried from callers to turns; null = none
- * @param callGraph counts the calls in this space; null = none
+ * @param callObserver observes the calls in this space; null = none
  */
 public record SpaceSettings(
         String name,
@@ -42,7 +42,7 @@ public record SpaceSettings(
         boolean handCranked,
         int actorQuota,
         @Nullable TurnContext<?> context,
-        @Nullable CallGraph callGraph) {
+        @Nullable CallObserver callObserver) {
     private static final int USUAL_OFFLOAD_LIMIT = 256;
 
     public SpaceSettings {
@@ -93,7 +93,7 @@ public record SpaceSettings(
                 handCranked,
                 actorQuota,
                 context,
-                callGraph);
+                callObserver);
     }
 
     public SpaceSettings withClock(Clock newClock) {
@@ -108,7 +108,7 @@ public record SpaceSettings(
                 handCranked,
                 actorQuota,
                 context,
-                callGraph);
+                callObserver);
     }
 
     public SpaceSettings withOnError(ErrorHandler handler) {
@@ -123,7 +123,7 @@ public record SpaceSettings(
                 handCranked,
                 actorQuota,
                 context,
-                callGraph);
+                callObserver);
     }
 
     public SpaceSettings withOnDeadLetter(Consumer<DeadLetter> handler) {
@@ -138,7 +138,7 @@ public record SpaceSettings(
                 handCranked,
                 actorQuota,
                 context,
-                callGraph);
+                callObserver);
     }
 
     public SpaceSettings withOnStall(Duration limit, Consumer<Stall> handler) {
@@ -153,7 +153,7 @@ public record SpaceSettings(
                 handCranked,
                 actorQuota,
                 context,
-                callGraph);
+                callObserver);
     }
 
     public SpaceSettings withHandCrank() {
@@ -168,7 +168,7 @@ public record SpaceSettings(
                 true,
                 actorQuota,
                 context,
-                callGraph);
+                callObserver);
     }
 
     public SpaceSettings withOffloadLimit(int limit) {
@@ -183,7 +183,7 @@ public record SpaceSettings(
                 handCranked,
                 actorQuota,
                 context,
-                callGraph);
+                callObserver);
     }
 
     /**
@@ -204,7 +204,7 @@ public record SpaceSettings(
                 handCranked,
                 calls,
                 context,
-                callGraph);
+                callObserver);
     }
 
     /**
@@ -226,11 +226,14 @@ public record SpaceSettings(
                 handCranked,
                 actorQuota,
                 Objects.requireNonNull(newContext, "newContext"),
-                callGraph);
+                callObserver);
     }
 
-    /** Counts the calls in this space, and the time of its actors. Several spaces may have the same graph. */
-    public SpaceSettings withCallGraph(CallGraph graph) {
+    /**
+     * Observes the calls in this space, and the turns of its actors. Several spaces may have the same observer;
+     * {@link CallObserver#and} joins two.
+     */
+    public SpaceSettings withCallObserver(CallObserver observer) {
         return new SpaceSettings(
                 name,
                 clock,
@@ -242,7 +245,7 @@ public record SpaceSettings(
                 handCranked,
                 actorQuota,
                 context,
-                Objects.requireNonNull(graph, "graph"));
+                Objects.requireNonNull(observer, "observer"));
     }
 }
 

@@ -21,7 +21,7 @@ final class SpaceThread extends Thread implements DetachedNodes.Keeper {
     /**
      * Creates the thread.
      *
-     * @param isDirect whether calls go straight into the rings; false if they need a context, or are counted
+     * @param isDirect whether calls go straight into the rings; false if they need a context, or are observed
      */
     SpaceThread(SpaceHome space, boolean isDirect, NodeRing callbacks, NodeRing messages, SpaceLoop loop) {
         super(null, null, space.toString(), 0, false);

@@ -29,7 +29,7 @@ class CallGraphTest {
                 .withOnError((where, error) -> log.add(where + " " + error.getMessage()))
                 .withOnDeadLetter(letter -> log.add("dead " + letter.message()))
                 .withOnStall(STALL, stall -> {})
-                .withCallGraph(graph);
+                .withCallObserver(graph);
     }
 
     @AfterEach
@@ -293,7 +293,7 @@ class CallGraphTest {
 
     @Test
     void callsOfManyThreads_toASpaceWithAThread_areAllCounted() throws Exception {
-        var settings = SpaceSettings.named("threads").withCallGraph(graph);
+        var settings = SpaceSettings.named("threads").withCallObserver(graph);
         int threads = 4;
         int calls = 2_000;
         try (var busy = ActorSpace.create(settings)) {

@@ -69,7 +69,7 @@ final class HostedRunJob {
 
     private static SpaceSettings settings(@Nullable LiveView page) {
         var settings = SpaceSettings.named("broker");
-        return page == null ? settings : settings.withCallGraph(page.callGraph());
+        return page == null ? settings : settings.withCallObserver(page.callGraph());
     }
 
     /** The listener of a run that is also shown on a page, if there is one; viewers can only look at it. */

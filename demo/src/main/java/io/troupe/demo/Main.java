@@ -17,6 +17,7 @@ import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.verify.VerifyCommand;
 import io.troupe.petri.PnmlException;
+import io.troupe.petri.wiring.WiringMonitor;
 import io.troupe.player.PlayerException;
 import io.troupe.services.component.application.ApplicationException;
 import io.troupe.services.subsumption.ServiceJarException;
@@ -152,7 +153,8 @@ public final class Main implements Callable<Integer> {
                             || thrown instanceof RecordingException
                             || thrown instanceof ApplicationException
                             || thrown instanceof BusException
-                            || thrown instanceof PlayerException) {
+                            || thrown instanceof PlayerException
+                            || thrown instanceof WiringMonitor.ViolationException) {
                         return reportFailure(err, thrown, FAILED);
                     }
                     throw thrown;

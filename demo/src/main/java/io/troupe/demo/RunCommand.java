@@ -2,6 +2,7 @@ package io.troupe.demo;
 
 import io.troupe.demo.hosts.BusOptions;
 import io.troupe.demo.hosts.RobotAddress;
+import io.troupe.demo.monitor.RunMonitor;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
@@ -106,6 +107,12 @@ final class RunCommand implements Callable<Integer> {
     @Option(names = "--realtime", description = "no faster than real time")
     private boolean realtime;
 
+    @Option(
+            names = "--monitor",
+            description =
+                    "follow the declared protocols of arbitrator, services and messages, and end the run with the story if a message is not allowed")
+    private boolean monitored;
+
     @Option(names = "--out", paramLabel = "DIR", description = "where trajectory.svg and run.jsonl go")
     private Path out = Path.of("out");
 
@@ -166,7 +173,8 @@ final class RunCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--mode is sync, expected callback or promise for services on other hosts");
         }
-        for (String option : List.of("--seed", "--reconnect", "--realtime", "--html", "--repeat", "--view-speed")) {
+        for (String option :
+                List.of("--seed", "--reconnect", "--realtime", "--html", "--repeat", "--view-speed", "--monitor")) {
             if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
                 throw new ParameterException(
                         spec.commandLine(),
@@ -204,12 +212,14 @@ final class RunCommand implements Callable<Integer> {
         RunResult result;
         Path file = out.resolve("run.jsonl");
         ViewFile film = html == null ? null : new ViewFile();
+        RunMonitor monitor = monitored ? new RunMonitor(mode, team.table().robots()) : null;
         try (var page = viewOptions.open();
                 var log = new RunLog(file)) {
             try (var progress = ProgressBar.onTerminal(seconds)) {
                 var listener =
                         progress.listener(change -> progress.interrupt(() -> terminal.println(change)), interruption);
-                result = run.run(log, viewed(team, page, film, listener));
+                result =
+                        run.run(log, viewed(team, page, film, monitor == null ? listener : monitor.listener(listener)));
             }
             if (page != null) {
                 page.close("the run has ended");
@@ -226,6 +236,9 @@ final class RunCommand implements Callable<Integer> {
                     wallSeconds,
                     result.endMicros() / 1e6 / wallSeconds);
             terminal.print(result.summary());
+            if (monitor != null) {
+                terminal.println(monitor.summary());
+            }
             terminal.flush(); // before writing files, which may fail
         }
         Path picture = out.resolve("trajectory.svg");

@@ -1,8 +1,10 @@
 package io.troupe.view;
 
-import io.troupe.actor.CallGraph;
+import io.troupe.actor.CallObserver;
 import io.troupe.common.text.Plural;
+import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.services.subsumption.SynchronousRound;
@@ -123,10 +125,23 @@ public final class RecordedRun {
             return false;
         }
 
-        /** Counts the calls of the services and the arbitrator; null = none. */
-        default @Nullable CallGraph callGraph() {
+        /** Observes the calls of the services and the arbitrator; null = none. */
+        default @Nullable CallObserver callObserver() {
             return null;
         }
+
+        /** Returns {@code recorder}, or an observer of the services that passes everything on to it. */
+        default ServiceObserver services(ServiceObserver recorder) {
+            return recorder;
+        }
+
+        /** Returns {@code recorder}, or a listener to the states that passes everything on to it. */
+        default Arbitrator.StateListener states(Arbitrator.StateListener recorder) {
+            return recorder;
+        }
+
+        /** The services are going to be stopped, because the run ends. */
+        default void closing() {}
     }
 
     /**
@@ -210,10 +225,16 @@ public final class RecordedRun {
             log.begin(scenario.world(), settings);
             var recorder = new RunRecorder(scenario.world(), table, log, listener::stateStarted);
             var services = new SubsumptionRun.Settings(
-                            settings.mode(), "localhost", port, table, simulation.clock(), recorder, recorder)
+                            settings.mode(),
+                            "localhost",
+                            port,
+                            table,
+                            simulation.clock(),
+                            listener.services(recorder),
+                            listener.states(recorder))
                     .withReconnection(settings.reconnects())
                     .withRound(settings.round())
-                    .withCallGraph(listener.callGraph());
+                    .withCallObserver(listener.callObserver());
             try (var running = SubsumptionRun.start(services)) {
                 recorder.start(simulation.latest());
                 listener.recorded(simulation.latest(), recorder);
@@ -229,6 +250,7 @@ public final class RecordedRun {
                         pacer.await(snapshot.timeMicros());
                     }
                 }
+                listener.closing();
                 return recorder.finish(simulation.timeMicros() < endMicros);
             } catch (RuntimeException | Error failure) {
                 recorder.fail();

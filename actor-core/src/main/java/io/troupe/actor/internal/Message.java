@@ -20,7 +20,7 @@ public abstract class Message extends Node {
     /** Calls the method. */
     protected abstract void invoke(Object implementation) throws Throwable;
 
-    /** The method's name and parameter types. */
+    /** The type's and the method's name, and parameter types: {@code Greeter.greet(String)}. */
     protected abstract String method();
 
     /** The arguments, for log and error messages. */
@@ -74,14 +74,25 @@ public abstract class Message extends Node {
         return call instanceof Request<?> request ? request.arguments() : new Object[0];
     }
 
+    /** The name of the method of a call, without its type; empty if the node is no call. */
+    public static String methodOf(Node call) {
+        String name = call instanceof Message message
+                ? nameOf(message.method())
+                : call instanceof Request<?> request ? nameOf(request.method()) : "";
+        return name.substring(name.lastIndexOf('.') + 1);
+    }
+
+    private static String nameOf(String method) {
+        return method.substring(0, method.indexOf('('));
+    }
+
     @Override
     public final String toString() {
         return describe(method(), arguments());
     }
 
     static String describe(String method, Object[] arguments) {
-        String name = method.substring(0, method.indexOf('('));
-        return name + Arrays.stream(arguments).map(Message::show).collect(Collectors.joining(", ", "(", ")"));
+        return nameOf(method) + Arrays.stream(arguments).map(Message::show).collect(Collectors.joining(", ", "(", ")"));
     }
 
     private static String show(Object argument) {

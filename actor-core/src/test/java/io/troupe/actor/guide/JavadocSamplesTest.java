@@ -14,6 +14,7 @@ import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.ActorTypeException;
 import io.troupe.actor.Backlog;
 import io.troupe.actor.CallGraph;
+import io.troupe.actor.CallObserver;
 import io.troupe.actor.Callback;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.ErrorHandler;
@@ -40,6 +41,7 @@ import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.List;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.concurrent.Flow;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -180,9 +182,24 @@ class JavadocSamplesTest extends InTestSpace {
     }
 
     @Test
+    void callObserver_observesCalls() {
+        List<String> seen = new CopyOnWriteArrayList<>();
+        var observer = new CallObserver() {
+            @Override
+            public void called(Party from, Party to, Call call) {
+                seen.add(from.name() + " calls " + to.name() + "." + call.method());
+            }
+        };
+        ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withCallObserver(observer));
+        space.spawn(Counter.class, Counter::new).add(5);
+        space.close();
+        assertThat(seen).containsExactly("outside calls Counter.add");
+    }
+
+    @Test
     void callGraph_countsWhoCallsWhom() {
         var graph = new CallGraph();
-        ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withCallGraph(graph));
+        ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withCallObserver(graph));
         Counter counter = space.spawn(Counter.class, Counter::new);
         counter.add(5);
         for (CallGraph.Edge edge : graph.snapshot().edges()) {

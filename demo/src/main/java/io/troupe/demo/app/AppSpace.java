@@ -1,7 +1,7 @@
 package io.troupe.demo.app;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.CallGraph;
+import io.troupe.actor.CallObserver;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
@@ -46,13 +46,13 @@ final class AppSpace implements AutoCloseable {
         this(file, clock, null);
     }
 
-    /** @param graph counts the calls of actors; null = none */
-    AppSpace(Path file, Clock clock, @Nullable CallGraph graph) {
+    /** @param calls observes the calls of actors; null = none */
+    AppSpace(Path file, Clock clock, @Nullable CallObserver calls) {
         this.file = file;
         var settings = SpaceSettings.named("application")
                 .withClock(clock)
                 .withOnError((where, error) -> failure.compareAndSet(null, error));
-        this.space = ActorSpace.create(graph == null ? settings : settings.withCallGraph(graph));
+        this.space = ActorSpace.create(calls == null ? settings : settings.withCallObserver(calls));
     }
 
     ActorSpace space() {

@@ -173,7 +173,7 @@ final class CrowdTrial {
                             simulation.clock(),
                             page == null ? ServiceObserver.NONE : drivers,
                             watch)
-                    .withCallGraph(page == null ? null : page.callGraph());
+                    .withCallObserver(page == null ? null : page.callGraph());
             if (page != null) {
                 var viewed =
                         new ViewedRun(scenario.world(), table, new RunControl(0, false)).onto(page, ViewControl.NONE);

@@ -1,7 +1,7 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.CallGraph;
+import io.troupe.actor.CallObserver;
 import io.troupe.actor.Callback;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Promise;
@@ -45,7 +45,7 @@ public final class SubsumptionRun implements AutoCloseable {
      * @param reconnects whether each service has a separate connection with its robot (section 3.5); not supported in
      *     synchronous mode, which connects once
      * @param round what the synchronous mode does at a reading; ignored in the other modes
-     * @param callGraph counts the calls of the actors, of which the synchronous mode has none; null = none
+     * @param callObserver observes the calls of the actors, of which the synchronous mode has none; null = none
      */
     public record Settings(
             Mode mode,
@@ -57,7 +57,7 @@ public final class SubsumptionRun implements AutoCloseable {
             Arbitrator.StateListener listener,
             boolean reconnects,
             SynchronousRound round,
-            @Nullable CallGraph callGraph) {
+            @Nullable CallObserver callObserver) {
         public Settings {
             if (mode == Mode.SYNC && reconnects) {
                 throw new IllegalArgumentException("the mode is " + mode
@@ -88,15 +88,15 @@ public final class SubsumptionRun implements AutoCloseable {
         }
 
         public Settings withReconnection(boolean newReconnects) {
-            return new Settings(mode, host, port, table, clock, observer, listener, newReconnects, round, callGraph);
+            return new Settings(mode, host, port, table, clock, observer, listener, newReconnects, round, callObserver);
         }
 
         public Settings withRound(SynchronousRound newRound) {
-            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, newRound, callGraph);
+            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, newRound, callObserver);
         }
 
-        public Settings withCallGraph(@Nullable CallGraph newGraph) {
-            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, round, newGraph);
+        public Settings withCallObserver(@Nullable CallObserver newObserver) {
+            return new Settings(mode, host, port, table, clock, observer, listener, reconnects, round, newObserver);
         }
     }
 
@@ -242,8 +242,8 @@ public final class SubsumptionRun implements AutoCloseable {
             var space = SpaceSettings.named("robots")
                     .withClock(settings.clock())
                     .withOnError((where, error) -> report(error));
-            CallGraph graph = settings.callGraph();
-            this.space = ActorSpace.create(graph == null ? space : space.withCallGraph(graph));
+            CallObserver calls = settings.callObserver();
+            this.space = ActorSpace.create(calls == null ? space : space.withCallObserver(calls));
         }
 
         /** Returns when the services of the first state have started, or have failed to start. */

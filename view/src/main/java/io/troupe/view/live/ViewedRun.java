@@ -1,8 +1,11 @@
 package io.troupe.view.live;
 
 import io.troupe.actor.CallGraph;
+import io.troupe.actor.CallObserver;
 import io.troupe.actor.time.Clock;
+import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
@@ -115,8 +118,27 @@ public final class ViewedRun {
             }
 
             @Override
-            public @Nullable CallGraph callGraph() {
-                return callGraph == null ? inner.callGraph() : callGraph;
+            public @Nullable CallObserver callObserver() {
+                CallObserver other = inner.callObserver();
+                if (callGraph == null) {
+                    return other;
+                }
+                return other == null ? callGraph : callGraph.and(other);
+            }
+
+            @Override
+            public ServiceObserver services(ServiceObserver recorder) {
+                return inner.services(recorder);
+            }
+
+            @Override
+            public Arbitrator.StateListener states(Arbitrator.StateListener recorder) {
+                return inner.states(recorder);
+            }
+
+            @Override
+            public void closing() {
+                inner.closing();
             }
 
             @Override

@@ -288,7 +288,7 @@ class BrowserTest {
     void actorThatIsStuckInATurn_isMarked_withItsMailbox() throws Exception {
         var release = new CountDownLatch(1);
         try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0));
-                var space = ActorSpace.create(SpaceSettings.named("stuck").withCallGraph(view.callGraph()))) {
+                var space = ActorSpace.create(SpaceSettings.named("stuck").withCallObserver(view.callGraph()))) {
             new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
                     .onto(view)
                     .moved(LiveRuns.start());

@@ -1,0 +1,128 @@
+package io.troupe.actor;
+
+import java.time.Duration;
+import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Observes the calls of actors, and their turns, in the spaces that have it in their settings.
+ *
+ * {@snippet :
+ * var observer = new CallObserver() {
+ *     @Override
+ *     public void called(Party from, Party to, Call call) {
+ *         seen.add(from.name() + " calls " + to.name() + "." + call.method());
+ *     }
+ * };
+ * ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withCallObserver(observer));
+ * }
+ *
+ * <p><b>Role.</b> {@link CallGraph} is one that counts.
+ *
+ * <p><b>Threads.</b> The thread on which it happens: the caller's, or that of the actor's space. It must not block.
+ *
+ * <p><b>Order.</b> A call is observed before it is in the mailbox, then when it leaves the mailbox, then when its
+ * promise is settled.
+ *
+ * <p><b>Cost.</b> Calls in such a space take the way of calls with a context; nothing in other spaces.
+ *
+ * <p><b>Errors.</b> An exception is reported to the error handler of the space, and has no effect on the call.
+ */
+public interface CallObserver {
+    /**
+     * A caller or a receiver.
+     *
+     * @param space the name of its space; empty for threads that belong to none
+     * @param name of an actor as in {@link ActorSettings}, or the simple name of its type; or {@link CallGraph#OUTSIDE}
+     *     or {@link CallGraph#TASKS}
+     */
+    record Party(String space, String name) {}
+
+    /** A call of an actor; equal for all events of one call. */
+    interface Call {
+        /** The type under which the actor was spawned. */
+        Class<?> type();
+
+        /** The method's name. */
+        String method();
+
+        /** The arguments; callbacks as the actor sees them. */
+        List<@Nullable Object> arguments();
+
+        /**
+         * Calls back with the error, or null, when the promise of the request is settled, on the thread that settles
+         * it; never for a one-way message.
+         */
+        void whenSettled(Consumer<@Nullable Throwable> callback);
+    }
+
+    /** A turn that has begun. */
+    interface Turn {
+        /** A turn whose end is not observed. */
+        Turn NONE = () -> {};
+
+        void end();
+    }
+
+    /** A message or a request is sent. It may still be refused by a full mailbox. */
+    default void called(Party from, Party to, Call call) {}
+
+    /** The actor begins a call. */
+    default void begun(Party actor, Call call) {}
+
+    /** A call has left the mailbox, and will not begin: it was refused or cancelled, or the actor has stopped. */
+    default void dropped(Party actor, Call call) {}
+
+    /** A result is sent to a callback, which {@code to} had passed as an argument. */
+    default void returned(Party from, Party to) {}
+
+    /**
+     * A turn begins: a call, a listener, a timer or a result of a callback.
+     *
+     * @param stallLimit as in the settings of the space
+     */
+    default Turn turnBegun(Party party, Duration stallLimit) {
+        return Turn.NONE;
+    }
+
+    /** Both observe, this one first. */
+    default CallObserver and(CallObserver other) {
+        CallObserver first = this;
+        return new CallObserver() {
+            @Override
+            public void called(Party from, Party to, Call call) {
+                first.called(from, to, call);
+                other.called(from, to, call);
+            }
+
+            @Override
+            public void begun(Party actor, Call call) {
+                first.begun(actor, call);
+                other.begun(actor, call);
+            }
+
+            @Override
+            public void dropped(Party actor, Call call) {
+                first.dropped(actor, call);
+                other.dropped(actor, call);
+            }
+
+            @Override
+            public void returned(Party from, Party to) {
+                first.returned(from, to);
+                other.returned(from, to);
+            }
+
+            @Override
+            public Turn turnBegun(Party party, Duration stallLimit) {
+                Turn one = first.turnBegun(party, stallLimit);
+                Turn two = other.turnBegun(party, stallLimit);
+                return () -> {
+                    one.end();
+                    two.end();
+                };
+            }
+        };
+    }
+}

@@ -1,0 +1,104 @@
+package io.troupe.actor;
+
+import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Home;
+import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.Owner;
+import java.util.Arrays;
+import java.util.Collections;
+import java.util.List;
+import java.util.function.Consumer;
+import org.jspecify.annotations.Nullable;
+
+/** Passes the calls of a space to its observer. From any thread. */
+final class ObservedCalls {
+    private ObservedCalls() {}
+
+    private record ObservedCall(ActorCell actor, Node node) implements CallObserver.Call {
+        @Override
+        public Class<?> type() {
+            return actor.type();
+        }
+
+        @Override
+        public String method() {
+            return Message.methodOf(node);
+        }
+
+        @Override
+        public List<@Nullable Object> arguments() {
+            return Collections.unmodifiableList(Arrays.asList(Message.argumentsOf(node)));
+        }
+
+        @Override
+        public void whenSettled(Consumer<@Nullable Throwable> callback) {
+            if (node instanceof Request<?> request) {
+                Request.whenSettled(
+                        request, () -> false, () -> guard(actor.space(), () -> callback.accept(request.error())));
+            }
+        }
+    }
+
+    static void called(CallObserver observer, ActorCell actor, Node call) {
+        guard(
+                actor.space(),
+                () -> observer.called(
+                        Home.current() instanceof SpaceHome here
+                                ? party(here.owner())
+                                : new CallObserver.Party("", CallGraph.OUTSIDE),
+                        party(actor),
+                        new ObservedCall(actor, call)));
+    }
+
+    static void begun(CallObserver observer, ActorCell actor, Node call) {
+        guard(actor.space(), () -> observer.begun(party(actor), new ObservedCall(actor, call)));
+    }
+
+    static void dropped(CallObserver observer, ActorCell actor, Node call) {
+        guard(actor.space(), () -> observer.dropped(party(actor), new ObservedCall(actor, call)));
+    }
+
+    /** The current thread sends a result to a callback, which runs on behalf of this owner. */
+    static void returned(CallObserver observer, SpaceHome space, Owner reader) {
+        guard(
+                space,
+                () -> observer.returned(
+                        Home.current() instanceof SpaceHome here
+                                ? party(here.owner())
+                                : new CallObserver.Party("", CallGraph.OUTSIDE),
+                        party(reader)));
+    }
+
+    static CallObserver.Turn turnBegun(CallObserver observer, SpaceHome space, Owner owner) {
+        try {
+            CallObserver.Turn turn = observer.turnBegun(party(owner), space.settings.stallLimit());
+            return turn == CallObserver.Turn.NONE ? turn : () -> guard(space, turn::end);
+        } catch (RuntimeException thrown) {
+            report(space, thrown);
+            return CallObserver.Turn.NONE;
+        }
+    }
+
+    private static void guard(SpaceHome space, Runnable event) {
+        try {
+            event.run();
+        } catch (RuntimeException thrown) {
+            report(space, thrown);
+        }
+    }
+
+    private static void report(SpaceHome space, RuntimeException thrown) {
+        space.reports().error("the call observer of", space, thrown, null);
+    }
+
+    private static CallObserver.Party party(Owner owner) {
+        return owner instanceof Incarnation life
+                ? party(life.cell())
+                : new CallObserver.Party(owner.home().toString(), CallGraph.TASKS);
+    }
+
+    private static CallObserver.Party party(ActorCell actor) {
+        return new CallObserver.Party(actor.space().toString(), actor.label());
+    }
+}

@@ -1,0 +1,295 @@
+package io.troupe.demo.monitor;
+
+import io.troupe.actor.CallObserver;
+import io.troupe.petri.wiring.WiringMonitor;
+import io.troupe.services.behaviour.Velocity;
+import io.troupe.services.subsumption.Arbitrator;
+import io.troupe.services.subsumption.Mode;
+import io.troupe.services.subsumption.RobotServices;
+import io.troupe.services.subsumption.Service;
+import io.troupe.services.subsumption.ServiceObserver;
+import io.troupe.services.subsumption.State;
+import io.troupe.sim.Simulation;
+import io.troupe.sim.Snapshot;
+import io.troupe.view.RecordedRun;
+import io.troupe.view.RunRecorder;
+import java.util.HashSet;
+import java.util.Set;
+import org.jspecify.annotations.Nullable;
+
+/**
+ * Follows a run of the main job through its {@link RunWirings declaration}: translates what the observers of actors,
+ * services and states notice to the calls of the declaration.
+ *
+ * <table>
+ * <caption>What is observed, and what it is in the declaration</caption>
+ * <tr><td>a call of {@code drive} or {@code stop}</td><td>the arbitrator's call of a starter or stopper, which then
+ *     asks the service</td></tr>
+ * <tr><td>the services begin {@code drive}</td><td>{@code service.begin}</td></tr>
+ * <tr><td>the promise of {@code stop} is settled</td><td>the answer of {@code service.stop}</td></tr>
+ * <tr><td>the arbitrator is sent {@code live} again</td><td>{@code stopper.done} of each robot</td></tr>
+ * <tr><td>a service sends a colour, the arbitrator receives one</td><td>{@code promise.fulfil},
+ *     {@code inbox.colour}</td></tr>
+ * <tr><td>the next tick</td><td>{@code answered} of the services, {@code idle} of promises, inbox and
+ * arbitrator, {@code data} of the services</td></tr>
+ * </table>
+ *
+ * <p><b>Threads.</b> Any thread; one lock guards it.
+ *
+ * <p><b>Errors.</b> A violation ends the run at the next tick, by {@link WiringMonitor#check}.
+ */
+public final class RunMonitor {
+    private final Mode mode;
+    private final int robots;
+    private final WiringMonitor monitor;
+    private final Set<Integer> sent = new HashSet<>(); // robots; in this tick
+    private final Set<Integer> received = new HashSet<>();
+    private boolean isAlive;
+    private boolean isSwitching;
+
+    public RunMonitor(Mode mode, int robots) {
+        this(mode, robots, WiringMonitor.of(RunWirings.of(mode, robots)));
+    }
+
+    /** @param monitor of the wiring for this mode and number of robots */
+    RunMonitor(Mode mode, int robots, WiringMonitor monitor) {
+        this.mode = mode;
+        this.robots = robots;
+        this.monitor = monitor;
+    }
+
+    /** One line that reports a run in which all was allowed. */
+    public String summary() {
+        return "monitor: " + monitor.count() + " events, all as declared for " + robots + " robots in " + mode
+                + " mode";
+    }
+
+    /** The listener of a run that is followed. */
+    public RecordedRun.Listener listener(RecordedRun.Listener inner) {
+        return new RecordedRun.Listener() {
+            @Override
+            public void stateStarted(String line) {
+                inner.stateStarted(line);
+            }
+
+            @Override
+            public void beforeTick(Simulation simulation, RunRecorder recorder) throws InterruptedException {
+                inner.beforeTick(simulation, recorder);
+                tick();
+            }
+
+            @Override
+            public void recorded(Snapshot snapshot, RunRecorder recorder) {
+                inner.recorded(snapshot, recorder);
+            }
+
+            @Override
+            public void ticked(long timeMicros) {
+                inner.ticked(timeMicros);
+            }
+
+            @Override
+            public boolean isStopRequested() {
+                return inner.isStopRequested();
+            }
+
+            @Override
+            public @Nullable CallObserver callObserver() {
+                CallObserver other = inner.callObserver();
+                return other == null ? calls() : calls().and(other);
+            }
+
+            @Override
+            public ServiceObserver services(ServiceObserver recorder) {
+                return RunMonitor.this.services(inner.services(recorder));
+            }
+
+            @Override
+            public Arbitrator.StateListener states(Arbitrator.StateListener recorder) {
+                return RunMonitor.this.states(inner.states(recorder));
+            }
+
+            @Override
+            public void closing() {
+                inner.closing();
+                close();
+            }
+        };
+    }
+
+    /** The world is about to tick: all have answered. */
+    void tick() {
+        if (mode != Mode.SYNC) {
+            synchronized (this) {
+                sent.clear();
+                received.clear();
+            }
+            worldCalls("service", ".answered");
+            worldCalls("promise", ".idle");
+            monitor.called("world", "inbox.idle");
+            monitor.called("world", "arbitrator.idle");
+            worldCalls("service", ".data");
+        }
+        monitor.check();
+    }
+
+    private void worldCalls(String component, String call) {
+        for (int robot = 1; robot <= robots; robot++) {
+            monitor.called("world", component + robot + call);
+        }
+    }
+
+    /** The run is going to be closed, which is not part of the declaration. */
+    void close() {
+        monitor.idle();
+        monitor.end();
+        monitor.check();
+    }
+
+    /** Observes the calls of the arbitrator and the services. */
+    CallObserver calls() {
+        return new CallObserver() {
+            @Override
+            public void called(Party from, Party to, Call call) {
+                if (call.type() == RobotServices.class) {
+                    RunMonitor.this.called(call);
+                } else if (call.type() == Arbitrator.class && call.method().equals("live")) {
+                    alive();
+                }
+            }
+
+            @Override
+            public void begun(Party actor, Call call) {
+                if (call.type() == RobotServices.class) {
+                    RunMonitor.this.begun(call);
+                }
+            }
+        };
+    }
+
+    private static String robot(CallObserver.Call call) {
+        return String.valueOf((Integer) call.arguments().getFirst() + 1);
+    }
+
+    private static boolean isStop(CallObserver.Call call) {
+        return call.method().equals("stop");
+    }
+
+    private synchronized void called(CallObserver.Call call) {
+        String robot = robot(call);
+        if (!isStop(call)) {
+            monitor.called("arbitrator", "starter" + robot + ".send");
+            monitor.asked("starter" + robot, "service" + robot + ".begin");
+            return;
+        }
+        if (!isSwitching) {
+            isSwitching = true;
+            monitor.called("inbox", "arbitrator.change");
+        }
+        monitor.called("arbitrator", "stopper" + robot + ".send");
+        monitor.asked("stopper" + robot, "service" + robot + ".stop");
+        call.whenSettled(error -> monitor.answered("stopper" + robot, "service" + robot + ".stop"));
+    }
+
+    private void begun(CallObserver.Call call) {
+        String robot = robot(call);
+        if (isStop(call)) {
+            monitor.taken("stopper" + robot, "service" + robot + ".stop");
+        } else {
+            monitor.taken("starter" + robot, "service" + robot + ".begin");
+            monitor.answered("starter" + robot, "service" + robot + ".begin");
+        }
+    }
+
+    private synchronized void alive() {
+        for (int robot = 1; isAlive && robot <= robots; robot++) {
+            monitor.called("arbitrator", "stopper" + robot + ".done");
+        }
+        isAlive = true;
+        isSwitching = false;
+    }
+
+    /** Whether this is the first message of a reading in callback mode, or any in promise mode. */
+    private synchronized boolean isFirst(Set<Integer> seen, int robot) {
+        return seen.add(robot) || mode == Mode.PROMISE;
+    }
+
+    /** Observes services, and passes everything on. */
+    ServiceObserver services(ServiceObserver inner) {
+        return new ServiceObserver() {
+            @Override
+            public void serviceStarted(int robot, Service service) {
+                if (mode == Mode.SYNC) {
+                    monitor.called("loop", "service" + (robot + 1) + ".start");
+                }
+                inner.serviceStarted(robot, service);
+            }
+
+            @Override
+            public void cycleStarted(int robot, Service service) {
+                if (mode == Mode.SYNC) {
+                    monitor.asked("loop", "service" + (robot + 1) + ".cycle");
+                    monitor.taken("loop", "service" + (robot + 1) + ".cycle");
+                }
+                inner.cycleStarted(robot, service);
+            }
+
+            @Override
+            public void commanded(int robot, Service service, Velocity velocity) {
+                inner.commanded(robot, service, velocity);
+            }
+
+            @Override
+            public void cycleEnded(int robot, Service service) {
+                if (mode == Mode.SYNC) {
+                    monitor.answered("loop", "service" + (robot + 1) + ".cycle");
+                }
+                inner.cycleEnded(robot, service);
+            }
+
+            @Override
+            public void serviceEnded(int robot, Service service) {
+                if (mode == Mode.SYNC) {
+                    monitor.called("loop", "service" + (robot + 1) + ".end");
+                }
+                inner.serviceEnded(robot, service);
+            }
+
+            @Override
+            public void colourSent(int robot, int colour) {
+                if (isFirst(sent, robot)) {
+                    monitor.called("service" + (robot + 1), "promise" + (robot + 1) + ".fulfil");
+                }
+                inner.colourSent(robot, colour);
+            }
+
+            @Override
+            public void leaseLost(int robot, Service service) {
+                inner.leaseLost(robot, service);
+            }
+        };
+    }
+
+    /** Listens to states, and passes everything on. */
+    Arbitrator.StateListener states(Arbitrator.StateListener inner) {
+        return new Arbitrator.StateListener() {
+            @Override
+            public void stateStarted(State state, @Nullable Integer seenBy) {
+                inner.stateStarted(state, seenBy);
+            }
+
+            @Override
+            public void colourReceived(int robot, int colour) {
+                if (isFirst(received, robot)) {
+                    monitor.called("promise" + (robot + 1), "inbox.colour");
+                }
+                inner.colourReceived(robot, colour);
+            }
+
+            @Override
+            public void colourTooLate(int robot, int colour) {
+                inner.colourTooLate(robot, colour);
+            }
+        };
+    }
+}
