@@ -3,6 +3,8 @@ package io.troupe.demo;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.broker.BrokerEvent;
+import io.troupe.bus.BusMessage;
+import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.BusObserver;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.Loss;
@@ -31,7 +33,7 @@ import picocli.CommandLine.Model.CommandSpec;
 /** The part of {@code troupe run} that is over hosts: the arbitrator and the record. */
 final class HostedRunJob {
     /** Of two arbitrators for one application, the bus refuses the second. */
-    private static final String NODE = "arbitrator";
+    static final String NODE = "arbitrator";
 
     private final BusOptions busOptions;
     private final ViewOptions viewOptions;
@@ -57,7 +59,7 @@ final class HostedRunJob {
         try (var page = viewOptions.open();
                 var progress = ProgressBar.onTerminal(settings.seconds());
                 var space = ActorSpace.create(settings(page));
-                var bus = busOptions.open(NODE, BusSettings.on(space).withObserver(observer(progress)));
+                var bus = busOptions.open(NODE, BusSettings.on(space).withObserver(observer(progress, page)));
                 var node = RobotNode.open(bus, space, HostedRunJob::log, 0);
                 var log = new RunLog(file)) {
             var run = new RecordedHostedRun(settings);
@@ -67,7 +69,8 @@ final class HostedRunJob {
         }
     }
 
-    private static SpaceSettings settings(@Nullable LiveView page) {
+    /** The space of the arbitrator, whose calls the page shows, if there is one. */
+    static SpaceSettings settings(@Nullable LiveView page) {
         var settings = SpaceSettings.named("broker");
         return page == null ? settings : settings.withCallObserver(page.callGraph());
     }
@@ -115,8 +118,28 @@ final class HostedRunJob {
         });
     }
 
-    private BusObserver observer(ProgressBar progress) {
+    /** Counts a message of the arbitrator's node for the page, if there is one. */
+    static void count(BusMessage message, @Nullable LiveView page) {
+        if (page != null) {
+            String from = message.from().node();
+            String to = switch (message.purpose()) {
+                case Purpose.Publication publication -> from.equals(NODE) ? "the other nodes" : NODE;
+                case Purpose.Request request -> request.to().node();
+                case Purpose.Notice notice -> notice.to().node();
+                case Purpose.Reply reply -> reply.to().node();
+                case Purpose.Rejection rejection -> rejection.to().node();
+            };
+            page.callGraph().note("bus", from, to);
+        }
+    }
+
+    private BusObserver observer(ProgressBar progress, @Nullable LiveView page) {
         return new BusObserver() {
+            @Override
+            public void passed(BusMessage message) {
+                count(message, page);
+            }
+
             @Override
             public void lost(Loss loss) {
                 losses.increment();

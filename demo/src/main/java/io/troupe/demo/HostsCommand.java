@@ -1,8 +1,8 @@
 package io.troupe.demo;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.SpaceSettings;
 import io.troupe.bus.Bus;
+import io.troupe.bus.BusMessage;
 import io.troupe.bus.BusObserver;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.Loss;
@@ -26,6 +26,7 @@ import io.troupe.view.Pictures;
 import io.troupe.view.RecordedHostedRun;
 import io.troupe.view.RunLog;
 import io.troupe.view.RunResult;
+import io.troupe.view.live.LiveView;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
@@ -189,12 +190,12 @@ final class HostsCommand implements Callable<Integer> {
         private RunResult drive(RecordedHostedRun.Settings settings, Faults events)
                 throws IOException, InterruptedException {
             var server = NatsSettings.at(processes.bus()).withUser(HostProcesses.USER, processes.password());
-            try (var space = ActorSpace.create(SpaceSettings.named("broker"));
+            try (var page = view.open();
+                    var space = ActorSpace.create(HostedRunJob.settings(page));
                     var bus = NatsBus.open(
-                            "arbitrator", server, BusSettings.on(space).withObserver(events));
+                            HostedRunJob.NODE, server, BusSettings.on(space).withObserver(events.counting(page)));
                     var node = RobotNode.open(bus, space, event -> {}, 0);
                     var log = new RunLog(out.resolve("run.jsonl"));
-                    var page = view.open();
                     var progress = ProgressBar.onTerminal(seconds)) {
                 events.watch(bus);
                 var run = new RecordedHostedRun(settings);
@@ -246,9 +247,21 @@ final class HostsCommand implements Callable<Integer> {
 
             private final Map<Integer, String> drivers = new TreeMap<>(); // guarded by itself; robots from 0
             private RecordedHostedRun.Listener shown = new RecordedHostedRun.Listener() {};
+            private volatile @Nullable LiveView page;
             private @Nullable DriverFault happened;
             private boolean isFrozen;
             private volatile long nowMicros;
+
+            /** Counts the messages for the page, if there is one. */
+            Faults counting(@Nullable LiveView newPage) {
+                page = newPage;
+                return this;
+            }
+
+            @Override
+            public void passed(BusMessage message) {
+                HostedRunJob.count(message, page);
+            }
 
             /** Keeps which node drives which robot. */
             void watch(Bus bus) {

@@ -5,13 +5,18 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.common.process.NatsServerProcess;
 import java.io.IOException;
+import java.net.URI;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
+import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
@@ -22,6 +27,14 @@ import org.junit.jupiter.api.condition.OS;
 @DisabledOnOs(OS.WINDOWS)
 class HostsCommandTest extends CommandLineBench {
     private static final Path CONFIGURATION = Path.of("..", "docs", "hosts", "nats.conf");
+    private static final Pattern ADDRESS = Pattern.compile("watch it at (http://\\S+)");
+    /** Nodes of the graph. */
+    private static final String[] WANTED = {
+        "\"space\":\"bus\",\"name\":\"host-a\"",
+        "\"space\":\"bus\",\"name\":\"arbitrator\"",
+        "\"space\":\"arbitrator\",\"name\":\"Arbitrator\",\"turns\":"
+    };
+
     private static final Pattern PROCESS = Pattern.compile(", process (\\d+)");
 
     private static void assumeInstalled() {
@@ -101,6 +114,43 @@ class HostsCommandTest extends CommandLineBench {
         assertWritten("host-a.log", "host-b.log", "host-c.log", "serve.log");
         assertThat(written("nats.conf"))
                 .isEqualTo(Files.readString(CONFIGURATION).replace("port: 7422", "port: -1"));
+    }
+
+    @Test
+    void page_showsTheActorsOfTheArbitrator_andTheMessagesOfTheNodes() throws Exception {
+        assumeInstalled();
+        var reading = new CompletableFuture<String>();
+        Process process = hosts("--seconds 3600 --fault none --view 0").start();
+        Outcome outcome = run(process, line -> {
+            Matcher address = ADDRESS.matcher(line);
+            if (address.find()) {
+                Thread.ofVirtual().start(() -> reading.complete(read(address.group(1), process)));
+            }
+        });
+        assertNoProcessIsLeft(outcome);
+        assertThat(reading.get(1, TimeUnit.MINUTES))
+                .as(outcome.text())
+                .contains(List.of(WANTED))
+                .contains("\"space\":\"broker\"", "\"name\":\"robot1\"");
+    }
+
+    /** Reads the stream of the page until it has all that is wanted, or ends, and ends the process. */
+    private static String read(String address, Process process) {
+        var text = new StringBuilder();
+        try (var stream = URI.create(address + "stream").toURL().openStream()) {
+            byte[] bytes = new byte[8192];
+            for (int count = stream.read(bytes); count >= 0; count = stream.read(bytes)) {
+                text.append(new String(bytes, 0, count, StandardCharsets.ISO_8859_1));
+                if (Stream.of(WANTED).allMatch(text.toString()::contains)) {
+                    break;
+                }
+            }
+        } catch (IOException e) {
+            text.append(e);
+        } finally {
+            process.toHandle().destroy(); // SIGTERM is handled as Ctrl-C is
+        }
+        return text.toString();
     }
 
     @Test

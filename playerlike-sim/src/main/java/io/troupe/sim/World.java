@@ -43,6 +43,8 @@ import org.jspecify.annotations.Nullable;
  * touching bodies and no more visible blobs than ever before.
  *
  * <p><b>Units and shapes.</b> SI; robots by index from 0, in the order of the world file.
+ *
+ * <p>Long, because everything that can be done to a world is a method here, with its contract.
  */
 public final class World implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(World.class.getName());

@@ -1,5 +1,6 @@
 package io.troupe.view;
 
+import io.troupe.actor.CallGraph;
 import io.troupe.common.text.Plural;
 import io.troupe.services.subsumption.DriverReport;
 import io.troupe.services.subsumption.HostedRun;
@@ -123,6 +124,11 @@ public final class RecordedHostedRun {
         Events(RunRecorder recorder, Listener listener) {
             this.recorder = recorder;
             this.listener = listener;
+        }
+
+        @Override
+        public @Nullable CallGraph callGraph() {
+            return listener.callGraph();
         }
 
         void record() {

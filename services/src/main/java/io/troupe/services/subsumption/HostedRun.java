@@ -1,6 +1,7 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.CallGraph;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
@@ -52,6 +53,11 @@ public final class HostedRun implements AutoCloseable {
 
         /** A robot is driven again. */
         default void drivenAgain(int robot, String service) {}
+
+        /** Counts the calls of the arbitrator; null = none. */
+        default @Nullable CallGraph callGraph() {
+            return null;
+        }
     }
 
     private static final System.Logger LOG = System.getLogger(HostedRun.class.getName());
@@ -83,7 +89,9 @@ public final class HostedRun implements AutoCloseable {
     private HostedRun(RobotNode node, SubsumptionTable table, Listener listener) {
         this.node = node;
         this.table = table;
-        this.space = ActorSpace.create(SpaceSettings.named("arbitrator").withOnError((where, error) -> report(error)));
+        var settings = SpaceSettings.named("arbitrator").withOnError((where, error) -> report(error));
+        CallGraph graph = listener.callGraph();
+        this.space = ActorSpace.create(graph == null ? settings : settings.withCallGraph(graph));
         this.port = node.bus().attach(SubsumptionRun.CALLER);
         this.earlierLeasesOver = space.delay(FailoverServices.CERTAINLY_OVER);
         space.execute(() -> DriverReport.subscribe(port, listener::reported));

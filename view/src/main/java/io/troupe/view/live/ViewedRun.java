@@ -183,6 +183,11 @@ public final class ViewedRun {
             }
 
             @Override
+            public @Nullable CallGraph callGraph() {
+                return callGraph == null ? inner.callGraph() : callGraph;
+            }
+
+            @Override
             public void recorded(Snapshot snapshot, RunRecorder recorder) {
                 inner.recorded(snapshot, recorder);
                 show(snapshot, recorder);

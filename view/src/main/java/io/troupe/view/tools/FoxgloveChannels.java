@@ -51,6 +51,8 @@ import org.jspecify.annotations.Nullable;
  * millimetres; everything else has all digits. Times are simulated, from 0.
  *
  * <p><b>Threads.</b> One at a time.
+ *
+ * <p>Long, because it writes the messages of all channels, which have their parts in common.
  */
 final class FoxgloveChannels {
     /** A channel; its id is its index. */
