@@ -17,8 +17,8 @@ import java.util.function.Predicate;
  * that a kind of marking occurs again and again.
  *
  * <p>A run is fair if a firing that is possible infinitely often happens infinitely often. Each fair run of a finite
- * graph ends in a {@link TerminalComponent} and visits all of it, so the answers are exact. They say nothing about how
- * long it takes.
+ * graph ends in a {@link TerminalComponent} and visits all of it, so the answers are exact. They do not limit how long
+ * it takes.
  *
  * {@snippet :
  * var runs = FairRuns.of(ReachabilityGraph.explore(net));
