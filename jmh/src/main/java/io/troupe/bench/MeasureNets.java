@@ -24,8 +24,10 @@ import java.lang.ref.Reference;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
+import java.util.Set;
 import java.util.concurrent.Callable;
 import java.util.function.Supplier;
+import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.Option;
 
@@ -149,6 +151,9 @@ public final class MeasureNets implements Callable<Integer> {
                     new NetTask("12 robots stopping together, decision", () -> decide(RobotTeams.stoppingTogether(12))),
                     new NetTask(
                             "12 robots stopping one by one, decision", () -> decide(RobotTeams.stoppingOneByOne(12))),
+                    new NetTask(
+                            "12 robots with a service each, decision",
+                            () -> decide(households(12).net())),
                     new NetTask("50 philosophers, decision", () -> decide(philosophers(50))),
                     new NetTask("1,000 philosophers, decision", () -> decide(philosophers(1_000))),
                     new NetTask(
@@ -226,6 +231,23 @@ public final class MeasureNets implements Callable<Integer> {
                 table.bind("philosopher" + i, isOther ? "first" : "second", "fork" + (i % count + 1));
             }
             return table.build();
+        }
+
+        /** Each robot has a separate player, middleware and service, and stops together with these. */
+        private static Wiring households(int robots) {
+            return Wiring.of(robots + " robots with a service each")
+                    .components("robot", robots, PaperWiring.robot())
+                    .components("player", robots, PaperWiring.player())
+                    .components("middleware", robots, PaperWiring.middleware())
+                    .components("service", robots, PaperWiring.service())
+                    .bindEach("robot", "player", i -> "player" + i)
+                    .bindEach("player", "middleware", i -> "middleware" + i)
+                    .bindEach("middleware", "service", i -> "service" + i)
+                    .bindEach("service", "middleware", i -> "middleware" + i)
+                    .build()
+                    .withSynchronisedStops(IntStream.rangeClosed(1, robots)
+                            .mapToObj(i -> Set.of("robot" + i, "player" + i, "middleware" + i, "service" + i))
+                            .toList());
         }
 
         private static Found decide(PetriNet net) {

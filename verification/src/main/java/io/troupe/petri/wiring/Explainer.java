@@ -53,6 +53,7 @@ final class Explainer {
                         scene.asking.put(component, request);
                     case WiringNet.ComponentState.Holding(var component, var messages) ->
                         scene.mailboxes.put(component, messages);
+                    case WiringNet.ComponentState.Unanswered unanswered -> {}
                     case WiringNet.ComponentState.Other other -> {}
                 }
             }

@@ -145,8 +145,9 @@ final class Questions {
         }
         for (var question : questions.values()) {
             draft.place(question.none(), 1);
-            draft.place(question.asked(), 0);
-            draft.place(question.open(), 0);
+            var unanswered = new WiringNet.ComponentState.Unanswered(question.caller(), question.target());
+            draft.place(question.asked(), 0, unanswered);
+            draft.place(question.open(), 0, question.isStream() ? new WiringNet.ComponentState.Other() : unanswered);
             draft.place(question.settled(), 0);
             if (question.mayBeRejected()) {
                 draft.place(question.rejected(), 0);

@@ -35,6 +35,9 @@ final class WiringNet {
 
         record Asking(String component, Step.Requests request) implements ComponentState {}
 
+        /** A call of a component that is being served, or that it asked and went on. */
+        record Unanswered(String component, String target) implements ComponentState {}
+
         /** The contents of the mailbox of a component, oldest first. */
         record Holding(String component, List<String> messages) implements ComponentState {}
 
@@ -297,7 +300,7 @@ final class WiringNet {
         var waiting = component + " waits for " + target + where;
         var pending = component + " is served " + target + where;
         draft.place(waiting, 0, new ComponentState.Asking(component, request));
-        draft.place(pending, 0);
+        draft.place(pending, 0, new ComponentState.Unanswered(component, target));
         var services = services(provider, call);
         draft.step(
                 component + " asks " + target + where,

@@ -1,0 +1,87 @@
+package io.troupe.petri.wiring;
+
+import static io.troupe.petri.Nets.refused;
+import static io.troupe.petri.wiring.Protocol.answered;
+import static io.troupe.petri.wiring.Protocol.asks;
+import static io.troupe.petri.wiring.Protocol.does;
+import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.requests;
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.petri.SearchEnd;
+import io.troupe.petri.SearchLimits;
+import io.troupe.petri.wiring.WiringProgress.Fails;
+import io.troupe.petri.wiring.WiringProgress.Holds;
+import io.troupe.petri.wiring.WiringProgress.Unknown;
+import org.junit.jupiter.api.Test;
+
+/** Questions about what components get in the end. */
+class WiringProgressTest {
+    private static Wiring drivers(boolean retires) {
+        var robot = Protocol.of("robot")
+                .in("idle", provides("drive").then("driven"))
+                .in("driven", provides("leave").then("idle"))
+                .build();
+        var driver = Protocol.of("driver");
+        if (retires) {
+            driver.in("off", requests("robot.drive").then("on"), does("retire").then("retired"))
+                    .in("retired", does("rest").then("retired"));
+        } else {
+            driver.in("off", requests("robot.drive").then("on"));
+        }
+        driver.in("on", requests("robot.leave").then("off"));
+        return Wiring.of("drivers").component(robot).component(driver.build()).build();
+    }
+
+    @Test
+    void robot_alwaysGetsADriverAgain_unlessTheDriverMayRetire() {
+        var wiring = drivers(false);
+        var progress = WiringProgress.of(wiring);
+        assertThat(progress.everyRequestIsAnswered()).isInstanceOf(Holds.class);
+        assertThat(progress.alwaysAgain("robot", "driven")).isInstanceOf(Holds.class);
+
+        var fails = (Fails) WiringProgress.of(drivers(true)).alwaysAgain("robot", "driven");
+        assertThat(fails).hasToString("""
+                robot is never driven again
+                  after 1 steps:
+                    1. driver: retire
+                  then for ever only:
+                    driver: rest""");
+    }
+
+    /** All components can go on, but the planner may turn to other work before it takes the question. */
+    @Test
+    void question_thatIsNeverTaken_isNamed() {
+        var client = Protocol.of("client")
+                .in("idle", asks("planner.plan").then("waiting"))
+                .in(
+                        "waiting",
+                        answered("planner.plan").then("idle"),
+                        does("look around").then("waiting"));
+        var planner = Protocol.of("planner")
+                .in(
+                        "ready",
+                        provides("plan").then("ready"),
+                        does("begin to map").then("mapping"))
+                .in("mapping", does("map").then("mapping"));
+        var wiring = Wiring.of("plans")
+                .component(client.build())
+                .component(planner.build())
+                .build();
+        assertThat(WiringCheck.check(wiring)).isInstanceOf(WiringResult.Proved.class);
+        var fails = (Fails) WiringProgress.of(wiring).everyRequestIsAnswered();
+        assertThat(fails.sentence()).isEqualTo("client waits for planner.plan and is never answered");
+        assertThat(fails.firings())
+                .containsExactlyInAnyOrder("client asks planner.plan and goes on", "planner: begin to map");
+        assertThat(fails.forever()).containsExactlyInAnyOrder("client: look around", "planner: map");
+    }
+
+    @Test
+    void wiring_thatIsTooLarge_isNotDecided() {
+        var progress = WiringProgress.of(drivers(false), SearchLimits.markings(2));
+        assertThat(progress.alwaysAgain("robot", "driven")).isEqualTo(new Unknown(SearchEnd.LIMIT, 2));
+        refused(
+                () -> progress.alwaysAgain("robot", "drivn"),
+                "wiring drivers: robot has no state drivn; did you mean driven? known: idle, driven");
+    }
+}
