@@ -10,6 +10,7 @@ import io.troupe.demo.evaluate.EvaluateCommand;
 import io.troupe.demo.hosts.OfferCommand;
 import io.troupe.demo.hosts.ServicesCommand;
 import io.troupe.demo.learn.LearnCommand;
+import io.troupe.demo.monitor.AppMonitor;
 import io.troupe.demo.serve.ReplayCommand;
 import io.troupe.demo.serve.ServeCommand;
 import io.troupe.demo.table.TableCommand;
@@ -154,7 +155,8 @@ public final class Main implements Callable<Integer> {
                             || thrown instanceof ApplicationException
                             || thrown instanceof BusException
                             || thrown instanceof PlayerException
-                            || thrown instanceof WiringMonitor.ViolationException) {
+                            || thrown instanceof WiringMonitor.ViolationException
+                            || thrown instanceof AppMonitor.MonitorException) {
                         return reportFailure(err, thrown, FAILED);
                     }
                     throw thrown;

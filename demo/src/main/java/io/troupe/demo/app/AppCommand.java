@@ -3,6 +3,7 @@ package io.troupe.demo.app;
 import io.troupe.common.text.Suggestions;
 import io.troupe.demo.hosts.BusOptions;
 import io.troupe.demo.hosts.RobotAddress;
+import io.troupe.demo.monitor.AppMonitor;
 import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
@@ -82,6 +83,12 @@ public final class AppCommand implements Callable<Integer> {
     @Mixin
     private ViewOptions view;
 
+    @Option(
+            names = "--monitor",
+            description =
+                    "follow the declared protocols of providers, components and requests, and end with the story if something is not allowed")
+    private boolean monitored;
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
@@ -109,16 +116,21 @@ public final class AppCommand implements Callable<Integer> {
         try (var opened = jars;
                 var interruption = Interruption.open()) {
             var kinds = ComponentKinds.standard(opened.catalogue(file));
+            AppMonitor monitor = monitored ? new AppMonitor() : null;
             try (var page = view.open()) {
-                new AppRun(file, kinds, scenario, new AppReport(terminal), page)
+                new AppRun(file, kinds, scenario, new AppReport(terminal), page, monitor)
                         .run(seconds, realtime, interruption::isRequested);
+            }
+            if (monitor != null) {
+                terminal.println(monitor.summary());
+                terminal.flush();
             }
             return interruption.isRequested() ? Interruption.STATUS : 0;
         }
     }
 
     private int overBus(Path declaration, PrintWriter terminal) throws IOException, InterruptedException {
-        for (String option : List.of("--world", "--realtime", "--view")) {
+        for (String option : List.of("--world", "--realtime", "--view", "--monitor")) {
             if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
                 throw wrong(
                         option + " is given with --bus, expected only --robots: over a bus the world runs elsewhere,"

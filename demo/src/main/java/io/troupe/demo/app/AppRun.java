@@ -7,6 +7,7 @@ import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.BusObserver;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.Loss;
+import io.troupe.demo.monitor.AppMonitor;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
@@ -54,10 +55,23 @@ final class AppRun {
     private final Scenario scenario;
     private final AppReport report;
     private final @Nullable LiveView page;
+    private final @Nullable AppMonitor monitor;
 
-    /** @param page that shows the world; null = none */
-    AppRun(Path file, ComponentKinds kinds, Scenario scenario, AppReport report, @Nullable LiveView page) {
+    /**
+     * Prepares a run.
+     *
+     * @param page that shows the world; null = none
+     * @param monitor follows the application; null = none
+     */
+    AppRun(
+            Path file,
+            ComponentKinds kinds,
+            Scenario scenario,
+            AppReport report,
+            @Nullable LiveView page,
+            @Nullable AppMonitor monitor) {
         this.page = page;
+        this.monitor = monitor;
         this.file = file;
         this.kinds = kinds;
         this.scenario = scenario;
@@ -82,8 +96,11 @@ final class AppRun {
             }
             var plan = ApplicationReader.parse(declaration, file, kinds, values).inOneProcess();
             report.watch(simulation.latest(), simulation::timeMicros);
-            var bus = Bus.inProcess("troupe", BusSettings.on(space.space()).withObserver(observer(plan)));
-            Application application = space.start(plan, bus, report);
+            var bus = Bus.inProcess(
+                    "troupe",
+                    BusSettings.on(space.space())
+                            .withObserver(monitor == null ? observer(plan) : monitor.bus(observer(plan))));
+            Application application = space.start(plan, bus, report, monitor);
             try {
                 space.awaitStarted(application);
                 move(
@@ -95,6 +112,9 @@ final class AppRun {
                 space.stop(application);
             }
             space.rethrowFailure();
+            if (monitor != null) {
+                monitor.check();
+            }
             report.summary(plan.name(), scenario.world().name());
         }
     }
@@ -153,6 +173,9 @@ final class AppRun {
         var pacer = new WallClockPacer();
         while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
             viewed.beforeTick(simulation, stop);
+            if (monitor != null) {
+                monitor.check();
+            }
             var snapshot = simulation.tick();
             report.moved(snapshot);
             viewed.moved(snapshot);

@@ -10,6 +10,7 @@ import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusTopic;
+import io.troupe.demo.monitor.AppMonitor;
 import io.troupe.services.component.application.Application;
 import io.troupe.services.component.application.ApplicationPlan;
 import io.troupe.services.component.application.ApplicationSettings;
@@ -61,8 +62,20 @@ final class AppSpace implements AutoCloseable {
 
     /** Starts an application that reports to {@code report}. */
     Application start(ApplicationPlan plan, Bus bus, AppReport report) throws InterruptedException {
-        var broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(report::onBroker));
-        var settings = ApplicationSettings.DEFAULT.withObservers(report, report::onApplication);
+        return start(plan, bus, report, null);
+    }
+
+    /** @param monitor follows the providers and components; null = none */
+    Application start(ApplicationPlan plan, Bus bus, AppReport report, @Nullable AppMonitor monitor)
+            throws InterruptedException {
+        var broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {
+            if (monitor != null) {
+                monitor.onBroker(event);
+            }
+            report.onBroker(event);
+        }));
+        var settings = ApplicationSettings.DEFAULT.withObservers(
+                monitor == null ? report : monitor.components(report), report::onApplication);
         BusPort listener = bus.attach(":report");
         for (var component : plan.components().values()) {
             for (var topic : component.publishes()) {

@@ -7,6 +7,12 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.CallObserver;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
 import io.troupe.common.text.NamedColours;
 import io.troupe.demo.RecordedDrive;
 import io.troupe.petri.Composition;
@@ -22,6 +28,7 @@ import io.troupe.petri.wiring.PaperWiring;
 import io.troupe.petri.wiring.Protocol;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
+import io.troupe.petri.wiring.WiringMonitor;
 import io.troupe.petri.wiring.WiringResult.Deadlock;
 import io.troupe.petri.wiring.WiringResult.Proved;
 import io.troupe.services.behaviour.Avoid;
@@ -46,9 +53,12 @@ import io.troupe.sim.model.Pose;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
+import java.util.concurrent.ConcurrentHashMap;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -92,6 +102,77 @@ class GuideSamplesTest {
                         does("find room").then("open"),
                         does("drop the oldest").then("open"))
                 .build();
+    }
+
+    /** Reports the calls between actors that are named as the components of a wiring. */
+    private static final class FollowedCalls implements CallObserver {
+        private final Wiring wiring;
+        private final WiringMonitor monitor;
+        private final Map<Call, String> callers = new ConcurrentHashMap<>();
+
+        FollowedCalls(Wiring wiring, WiringMonitor monitor) {
+            this.wiring = wiring;
+            this.monitor = monitor;
+        }
+
+        @Override
+        public void called(Party from, Party to, Call call) {
+            if (wiring.components().contains(from.name())) {
+                callers.put(call, from.name());
+                monitor.asked(from.name(), to.name() + "." + call.method());
+            }
+        }
+
+        @Override
+        public void begun(Party actor, Call call) {
+            String caller = callers.remove(call);
+            if (caller != null) {
+                String target = actor.name() + "." + call.method();
+                monitor.taken(caller, target);
+                call.whenSettled(error -> monitor.answered(caller, target));
+            }
+        }
+    }
+
+    interface Store {
+        Promise<Boolean> keep(String picture);
+    }
+
+    interface Camera {
+        void click();
+    }
+
+    /** The store of these samples gives no answer when it is full; the declared one always does. */
+    @Test
+    void followedActors_conform_untilAnAnswerIsMissing() {
+        var wiring = Wiring.of("pictures")
+                .component(tireless())
+                .component(boundedStore())
+                .build();
+        var kept = new ArrayList<String>();
+        var monitor = WiringMonitor.of(wiring);
+        var settings = SpaceSettings.named("pictures").withCallObserver(new FollowedCalls(wiring, monitor));
+        try (var space = ActorSpace.create(settings.withHandCrank())) {
+            Store store = space.spawn(
+                    Store.class,
+                    () -> picture -> kept.size() < 2 ? Promise.of(kept.add(picture)) : new Deferred<>(),
+                    ActorSettings.named("store"));
+            Camera camera =
+                    space.spawn(Camera.class, () -> () -> store.keep("a picture"), ActorSettings.named("camera"));
+            camera.click();
+            space.crank();
+            camera.click();
+            space.crank();
+            monitor.idle();
+            monitor.check();
+
+            camera.click();
+            space.crank();
+            monitor.idle();
+        }
+        assertThat(monitor.violation().orElseThrow().toString())
+                .startsWith("camera waits for the answer of store.keep, and nothing happens any more\n  after:\n")
+                .contains("    - store takes keep from camera\n  meanwhile:\n    * store answers keep to camera");
     }
 
     /** The wiring of the guide deadlocks; the guide shows the repaired one too. */

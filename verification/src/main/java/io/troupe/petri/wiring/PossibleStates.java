@@ -215,7 +215,7 @@ final class PossibleStates {
                             } else if (step instanceof Step.Provides offer) {
                                 found.add("take " + offer.call());
                             } else if (!isSilent(step) && step instanceof Step.Does does) {
-                                found.add(does.label());
+                                found.add("do \"" + does.label() + "\"");
                             }
                         }
                     }

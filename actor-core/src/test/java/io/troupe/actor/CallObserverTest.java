@@ -1,0 +1,140 @@
+package io.troupe.actor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Deferred;
+import io.troupe.actor.promise.Promise;
+import java.time.Duration;
+import java.util.ArrayList;
+import java.util.List;
+import org.junit.jupiter.api.AfterEach;
+import org.junit.jupiter.api.Test;
+
+/** What is observed of each call, in a space cranked by hand. */
+class CallObserverTest {
+    private final List<String> log = new ArrayList<>();
+
+    private class Observer implements CallObserver {
+        private final String name;
+
+        Observer(String name) {
+            this.name = name;
+        }
+
+        @Override
+        public void called(Party from, Party to, Call call) {
+            log.add(name + from.name() + " calls " + to.name() + "." + call.method() + call.arguments());
+            call.whenSettled(error -> log.add(name + call.method() + " is settled: " + error));
+        }
+
+        @Override
+        public void begun(Party actor, Call call) {
+            log.add(name + actor.name() + " begins " + call.method());
+        }
+
+        @Override
+        public void dropped(Party actor, Call call) {
+            log.add(name + actor.name() + " drops " + call.method());
+        }
+    }
+
+    private ActorSpace space = space(new Observer(""));
+
+    private ActorSpace space(CallObserver observer) {
+        return ActorSpace.create(SpaceSettings.named("shop")
+                .withHandCrank()
+                .withOnError((where, error) -> log.add(where + ": " + error.getMessage()))
+                .withOnDeadLetter(letter -> log.add("dead letter"))
+                .withCallObserver(observer));
+    }
+
+    @AfterEach
+    void close() {
+        space.close();
+    }
+
+    interface Store {
+        void put(String what);
+
+        Promise<Integer> count(String what);
+    }
+
+    private Store store(Promise<Integer> count, ActorSettings settings) {
+        return space.spawn(
+                Store.class,
+                () -> new Store() {
+                    @Override
+                    public void put(String what) {}
+
+                    @Override
+                    public Promise<Integer> count(String what) {
+                        return count;
+                    }
+                },
+                settings);
+    }
+
+    @Test
+    void call_isObservedWhenItIsSent_begins_andIsSettled_whichIsNoListener() {
+        var later = new Deferred<Integer>();
+        Store store = store(later, ActorSettings.named("store"));
+        store.put("pen");
+        store.count("pens");
+        assertThat(log).containsExactly("outside calls store.put[pen]", "outside calls store.count[pens]");
+        log.clear();
+        space.crank();
+        assertThat(log).containsExactly("store begins put", "store begins count");
+        log.clear();
+        space.execute(() -> later.reject(new IllegalStateException("empty")));
+        space.crank();
+        assertThat(log).first().isEqualTo("count is settled: java.lang.IllegalStateException: empty");
+    }
+
+    @Test
+    void callThatIsNotBegun_isDropped() {
+        Store full = store(Promise.of(1), ActorSettings.named("full").withMailbox(1, MailboxBound.Overflow.REJECT));
+        full.put("a");
+        full.put("b");
+        assertThat(log).contains("full drops put", "dead letter");
+        log.clear();
+        Store store = store(Promise.of(1), ActorSettings.named("store"));
+        Promise<Integer> cancelled = store.count("pens");
+        cancelled.cancel();
+        space.crank();
+        assertThat(log).contains("store drops count").doesNotContain("store begins count");
+        log.clear();
+        space.stop(store);
+        space.crank();
+        store.put("late");
+        space.crank();
+        assertThat(log).containsExactly("outside calls store.put[late]", "store drops put", "dead letter");
+    }
+
+    @Test
+    void twoObservers_areBothNotified_andTheirExceptionsAreReported() {
+        space.close();
+        log.clear();
+        space = space(new Observer("1 ").and(new Observer("2 ")));
+        store(Promise.of(1), ActorSettings.named("store")).put("pen");
+        assertThat(log).containsExactly("1 outside calls store.put[pen]", "2 outside calls store.put[pen]");
+
+        log.clear();
+        space.close();
+        space = space(new CallObserver() {
+            @Override
+            public void called(Party from, Party to, Call call) {
+                throw new IllegalStateException("broken");
+            }
+
+            @Override
+            public Turn turnBegun(Party party, Duration stallLimit) {
+                throw new IllegalStateException("broken turn");
+            }
+        });
+        Store store = store(Promise.of(1), ActorSettings.named("store"));
+        Promise<Integer> count = store.count("pens");
+        space.crank();
+        assertThat(count.getNow()).isEqualTo(1);
+        assertThat(log).contains("the call observer of shop: broken", "the call observer of shop: broken turn");
+    }
+}

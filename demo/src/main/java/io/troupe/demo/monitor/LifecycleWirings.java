@@ -1,0 +1,142 @@
+package io.troupe.demo.monitor;
+
+import static io.troupe.petri.wiring.Protocol.does;
+
+import io.troupe.petri.wiring.Protocol;
+import io.troupe.petri.wiring.Wiring;
+import java.util.Set;
+
+/**
+ * What a broker does with a provider, what an interface does with its component, and what happens to a request on a
+ * bus, as declarations whose private steps are all observed.
+ *
+ * <p><b>Source.</b> The classes {@code Registration}, {@code ComponentLifecycle} and {@code PendingRequests}.
+ */
+enum LifecycleWirings {
+    /** The events of a broker about a provider. One that was withdrawn or replaced may still be stopped. */
+    PROVIDER(
+            "provider",
+            Protocol.of("provider")
+                    .in(
+                            "unknown",
+                            does("is registered").then("idle"),
+                            does("is being started").then("starting"))
+                    .in(
+                            "idle",
+                            does("is being started").then("starting"),
+                            does("leaves").then("left"))
+                    .in(
+                            "starting",
+                            does("has started").then("running"),
+                            does("could not be started").then("failed"),
+                            does("has stopped").then("idle"),
+                            does("could not be stopped").then("failed"),
+                            does("leaves").then("left while starting"))
+                    .in(
+                            "running",
+                            does("is suspect").then("suspect"),
+                            does("has failed").then("failed"),
+                            does("has stopped").then("idle"),
+                            does("could not be stopped").then("failed"),
+                            does("leaves").then("left"))
+                    .in(
+                            "suspect",
+                            does("has recovered").then("running"),
+                            does("has failed").then("failed"),
+                            does("has stopped").then("idle"),
+                            does("could not be stopped").then("failed"),
+                            does("leaves").then("left"))
+                    .in(
+                            "failed",
+                            does("is being started").then("starting"),
+                            does("has stopped").then("idle"),
+                            does("could not be stopped").then("failed"),
+                            does("leaves").then("left"))
+                    .in(
+                            "left while starting",
+                            does("has started").then("left"),
+                            does("could not be started").then("left"),
+                            does("has stopped").then("left"),
+                            does("could not be stopped").then("left"))
+                    .in(
+                            "left",
+                            does("has failed").then("left"),
+                            does("has stopped").then("left"),
+                            does("could not be stopped").then("left"),
+                            does("is registered").then("idle"))
+                    .build()),
+
+    /** The states of a component. */
+    COMPONENT(
+            "component",
+            Protocol.of("component")
+                    .in("not invoked", does("is being invoked").then("invoking"))
+                    .in(
+                            "invoking",
+                            does("runs").then("running"),
+                            does("fails").then("failed"),
+                            does("is being terminated").then("terminating"))
+                    .in(
+                            "running",
+                            does("fails").then("failed"),
+                            does("is being terminated").then("terminating"))
+                    .in(
+                            "terminating",
+                            does("has been terminated").then("terminated"),
+                            does("fails").then("failed"))
+                    .in("terminated", does("is being invoked").then("invoking"))
+                    .in(
+                            "failed",
+                            does("is being invoked").then("invoking"),
+                            does("is being terminated").then("terminating"),
+                            does("has been terminated").then("terminated"))
+                    .build()),
+
+    /** A request on a bus: it is answered once. */
+    REQUEST(
+            "request",
+            Protocol.of("request")
+                    .in("new", does("is sent").then("open"))
+                    .in(
+                            "open",
+                            does("is answered").then("over"),
+                            does("is rejected").then("over"))
+                    .in("over", does("is forgotten").then("new"))
+                    .build());
+
+    private final String component;
+    private final Wiring wiring;
+
+    LifecycleWirings(String component, Protocol protocol) {
+        this.component = component;
+        this.wiring = Wiring.of(component).component(component, protocol).build();
+    }
+
+    String component() {
+        return component;
+    }
+
+    Wiring wiring() {
+        return wiring;
+    }
+
+    /** The labels of all steps. */
+    Set<String> steps() {
+        return switch (this) {
+            case PROVIDER ->
+                Set.of(
+                        "is registered",
+                        "is being started",
+                        "has started",
+                        "could not be started",
+                        "is suspect",
+                        "has recovered",
+                        "has failed",
+                        "has stopped",
+                        "could not be stopped",
+                        "leaves");
+            case COMPONENT -> Set.of("is being invoked", "runs", "fails", "is being terminated", "has been terminated");
+            case REQUEST -> Set.of("is sent", "is answered", "is rejected", "is forgotten");
+        };
+    }
+}
