@@ -1,6 +1,6 @@
 package io.troupe.view;
 
-import io.troupe.actor.CallGraph;
+import io.troupe.actor.CallObserver;
 import io.troupe.common.text.Plural;
 import io.troupe.services.subsumption.DriverReport;
 import io.troupe.services.subsumption.HostedRun;
@@ -127,8 +127,8 @@ public final class RecordedHostedRun {
         }
 
         @Override
-        public @Nullable CallGraph callGraph() {
-            return listener.callGraph();
+        public @Nullable CallObserver callObserver() {
+            return listener.callObserver();
         }
 
         void record() {

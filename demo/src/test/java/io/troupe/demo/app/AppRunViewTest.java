@@ -27,7 +27,8 @@ class AppRunViewTest {
                             ComponentKinds.standard(),
                             scenario,
                             new AppReport(new PrintWriter(text)),
-                            page)
+                            page,
+                            null)
                     .run(2, false, () -> false);
             Map<String, Long> calls = page.callGraph().snapshot().edges().stream()
                     .filter(edge -> edge.from().space().equals("bus"))

@@ -1,7 +1,7 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.CallGraph;
+import io.troupe.actor.CallObserver;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
@@ -54,8 +54,8 @@ public final class HostedRun implements AutoCloseable {
         /** A robot is driven again. */
         default void drivenAgain(int robot, String service) {}
 
-        /** Counts the calls of the arbitrator; null = none. */
-        default @Nullable CallGraph callGraph() {
+        /** Observes the calls of the arbitrator; null = none. */
+        default @Nullable CallObserver callObserver() {
             return null;
         }
     }
@@ -90,8 +90,8 @@ public final class HostedRun implements AutoCloseable {
         this.node = node;
         this.table = table;
         var settings = SpaceSettings.named("arbitrator").withOnError((where, error) -> report(error));
-        CallGraph graph = listener.callGraph();
-        this.space = ActorSpace.create(graph == null ? settings : settings.withCallGraph(graph));
+        CallObserver calls = listener.callObserver();
+        this.space = ActorSpace.create(calls == null ? settings : settings.withCallObserver(calls));
         this.port = node.bus().attach(SubsumptionRun.CALLER);
         this.earlierLeasesOver = space.delay(FailoverServices.CERTAINLY_OVER);
         space.execute(() -> DriverReport.subscribe(port, listener::reported));

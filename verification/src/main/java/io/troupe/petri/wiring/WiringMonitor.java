@@ -122,16 +122,29 @@ public final class WiringMonitor {
     static PossibleStates statesOf(Wiring wiring, String component, Set<String> observed) {
         var protocol = wiring.protocol(component);
         for (var step : protocol.steps()) {
-            if (!(step instanceof Step.Does
-                    || step instanceof Step.Requests
-                    || step instanceof Step.Provides
-                    || step instanceof Step.Stops)) {
+            if (!canFollow(step)) {
                 throw new IllegalArgumentException("wiring " + wiring.name() + ": " + component + " has the step "
-                        + step + ", which a monitor cannot follow; expected does, requests, provides and stops only");
+                        + step + ", which a monitor cannot follow;"
+                        + " expected does, requests without time-out or rejection, provides and stops only");
             }
+        }
+        if (protocol.failure().isPresent()) {
+            throw new IllegalArgumentException("wiring " + wiring.name() + ": " + component + " may fail (state "
+                    + protocol.failure().get() + "), which a monitor cannot follow; expected no failure");
         }
         return new PossibleStates(
                 protocol.states().get(0), protocol.steps(), request -> wiring.provider(component, request), observed);
+    }
+
+    private static boolean canFollow(Step step) {
+        return switch (step) {
+            case Step.Requests request ->
+                request.onTimeout().isEmpty() && request.onRejection().isEmpty();
+            case Step.Does does -> true;
+            case Step.Provides provides -> true;
+            case Step.Stops stops -> true;
+            default -> false;
+        };
     }
 
     /** Starts with each component in its first state. */

@@ -169,6 +169,31 @@ class WiringMonitorTest {
     }
 
     @Test
+    void stepsThatItCannotFollow_areRejected() {
+        var provider = Protocol.of("provider").in("ready", provides("plan").then("ready"));
+        var inTime = requests("provider.plan").then("idle").orTimeout("idle");
+        assertThatThrownBy(() -> WiringMonitor.of(pair(
+                        provider.build(),
+                        Protocol.of("client").in("idle", inTime).build())))
+                .hasMessageContaining("client has the step")
+                .hasMessageContaining("which a monitor cannot follow");
+
+        var failing = provider.failsTo("ready").build();
+        var client = Protocol.of("client")
+                .in("idle", requests("provider.plan").then("idle"))
+                .build();
+        assertThatThrownBy(() -> WiringMonitor.of(pair(failing, client)))
+                .hasMessageContaining("provider may fail (state ready), which a monitor cannot follow");
+    }
+
+    private static Wiring pair(Protocol provider, Protocol client) {
+        return Wiring.of("pair")
+                .component("provider", provider)
+                .component("client", client)
+                .build();
+    }
+
+    @Test
     void unknownNames_areRejected() {
         assertThatThrownBy(() -> monitor.asked("client3", "planner.plan")).hasMessageContaining("client3", "client1");
         assertThatThrownBy(() -> monitor.asked("client1", "planer.plan")).hasMessageContaining("planer", "planner");

@@ -119,11 +119,7 @@ public final class ViewedRun {
 
             @Override
             public @Nullable CallObserver callObserver() {
-                CallObserver other = inner.callObserver();
-                if (callGraph == null) {
-                    return other;
-                }
-                return other == null ? callGraph : callGraph.and(other);
+                return withCallGraph(inner.callObserver());
             }
 
             @Override
@@ -159,6 +155,13 @@ public final class ViewedRun {
         };
     }
 
+    private @Nullable CallObserver withCallGraph(@Nullable CallObserver other) {
+        if (callGraph == null) {
+            return other;
+        }
+        return other == null ? callGraph : callGraph.and(other);
+    }
+
     /** Shows a run over hosts. */
     public RecordedHostedRun.Listener hostedListener(RecordedHostedRun.Listener inner) {
         return new RecordedHostedRun.Listener() {
@@ -183,8 +186,8 @@ public final class ViewedRun {
             }
 
             @Override
-            public @Nullable CallGraph callGraph() {
-                return callGraph == null ? inner.callGraph() : callGraph;
+            public @Nullable CallObserver callObserver() {
+                return withCallGraph(inner.callObserver());
             }
 
             @Override
