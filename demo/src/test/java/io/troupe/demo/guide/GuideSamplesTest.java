@@ -172,7 +172,8 @@ class GuideSamplesTest {
         }
         assertThat(monitor.violation().orElseThrow().toString())
                 .startsWith("camera waits for the answer of store.keep, and nothing happens any more\n  after:\n")
-                .contains("    - store takes keep from camera\n  meanwhile:\n    * store answers keep to camera");
+                .contains("    - camera asks store.keep\n    - store takes keep from camera\n  meanwhile:\n")
+                .endsWith("    * store answers keep to camera");
     }
 
     /** The wiring of the guide deadlocks; the guide shows the repaired one too. */
