@@ -178,12 +178,11 @@ class WiringMonitorTest {
                 .hasMessageContaining("client has the step")
                 .hasMessageContaining("which a monitor cannot follow");
 
-        var failing = provider.failsTo("ready").build();
-        var client = Protocol.of("client")
+        var failing = Protocol.of("client")
                 .in("idle", requests("provider.plan").then("idle"))
-                .build();
-        assertThatThrownBy(() -> WiringMonitor.of(pair(failing, client)))
-                .hasMessageContaining("provider may fail (state ready), which a monitor cannot follow");
+                .failsTo("idle");
+        assertThatThrownBy(() -> WiringMonitor.of(pair(provider.build(), failing.build())))
+                .hasMessageContaining("client may fail (state idle), which a monitor cannot follow");
     }
 
     private static Wiring pair(Protocol provider, Protocol client) {
