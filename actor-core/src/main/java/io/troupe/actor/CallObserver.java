@@ -86,43 +86,8 @@ public interface CallObserver {
         return Turn.NONE;
     }
 
-    /** Both observe, this one first. */
+    /** Both observe, this one first, each whatever the other one throws. */
     default CallObserver and(CallObserver other) {
-        CallObserver first = this;
-        return new CallObserver() {
-            @Override
-            public void called(Party from, Party to, Call call) {
-                first.called(from, to, call);
-                other.called(from, to, call);
-            }
-
-            @Override
-            public void begun(Party actor, Call call) {
-                first.begun(actor, call);
-                other.begun(actor, call);
-            }
-
-            @Override
-            public void dropped(Party actor, Call call) {
-                first.dropped(actor, call);
-                other.dropped(actor, call);
-            }
-
-            @Override
-            public void returned(Party from, Party to) {
-                first.returned(from, to);
-                other.returned(from, to);
-            }
-
-            @Override
-            public Turn turnBegun(Party party, Duration stallLimit) {
-                Turn one = first.turnBegun(party, stallLimit);
-                Turn two = other.turnBegun(party, stallLimit);
-                return () -> {
-                    one.end();
-                    two.end();
-                };
-            }
-        };
+        return new ObservedCalls.Both(this, other);
     }
 }

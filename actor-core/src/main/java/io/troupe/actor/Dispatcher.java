@@ -143,9 +143,9 @@ final class Dispatcher {
                 && !timers.isDue();
     }
 
-    /** The number of messages that the last pass took from the inbox. */
+    /** The number of messages that the last pass took from the inbox; 0 if there is more to do already. */
     int arrivals() {
-        return arrivals;
+        return callbacks.isEmpty() && messages.isEmpty() && !callbackInbox.isReady() ? arrivals : 0;
     }
 
     /** True if an entry has arrived from another thread; does not read the senders' cache lines. */

@@ -1,26 +1,14 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.loop.CacheLinePadding;
 import io.troupe.actor.time.Clock;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
-/** Padding that keeps the following field off the cache lines of the fields before it. */
-@SuppressWarnings("unused")
-abstract class IdlePadding {
-    private byte p000, p001, p002, p003, p004, p005, p006, p007, p008, p009, p010, p011, p012, p013, p014, p015;
-    private byte p016, p017, p018, p019, p020, p021, p022, p023, p024, p025, p026, p027, p028, p029, p030, p031;
-    private byte p032, p033, p034, p035, p036, p037, p038, p039, p040, p041, p042, p043, p044, p045, p046, p047;
-    private byte p048, p049, p050, p051, p052, p053, p054, p055, p056, p057, p058, p059, p060, p061, p062, p063;
-    private byte p064, p065, p066, p067, p068, p069, p070, p071, p072, p073, p074, p075, p076, p077, p078, p079;
-    private byte p080, p081, p082, p083, p084, p085, p086, p087, p088, p089, p090, p091, p092, p093, p094, p095;
-    private byte p096, p097, p098, p099, p100, p101, p102, p103, p104, p105, p106, p107, p108, p109, p110, p111;
-    private byte p112, p113, p114, p115, p116, p117, p118, p119, p120, p121, p122, p123, p124, p125, p126, p127;
-}
-
 /** The field that senders read at every message; it is written when the space goes to sleep or is woken. */
-abstract class IdlePhase extends IdlePadding {
+abstract class IdlePhase extends CacheLinePadding {
     volatile int phase;
 }
 
@@ -65,9 +53,9 @@ final class IdleStrategy extends IdlePhasePadding {
      */
     private static final int LOOKS = 12;
     private static final int SPINS_PER_LOOK = 8;
-    private static final int MOST_SPINS = 64; // about 1 us
-    private static final int ENOUGH = 32; // messages per pass that are worth the transfer of their cache lines
-    private static final int MANY = 128; // messages per pass of a space that is behind its senders anyway
+    static final int MOST_SPINS = 64; // about 1 us
+    static final int ENOUGH = 32; // messages per pass that are worth the transfer of their cache lines
+    static final int MANY = 128; // messages per pass of a space that is behind its senders anyway
 
     private static final VarHandle PHASE;
 
@@ -105,17 +93,21 @@ final class IdleStrategy extends IdlePhasePadding {
      * as few messages arrive in it. A space that gets its next message only when it has answered the last one sleeps in
      * between, and waits for one spin only.
      *
-     * @param arrivals the number of messages that the last pass took from the inbox
+     * @param arrivals see {@link Dispatcher#arrivals}
      */
     void letAccumulate(int arrivals) {
-        if (arrivals == 0 || arrivals > MANY) {
-            spins = 0;
-        } else if (arrivals < ENOUGH) {
-            spins = Math.clamp(2L * spins, 1, MOST_SPINS);
-        }
+        spins = spinsAfter(spins, arrivals);
         for (int spin = 0; spin < spins; spin++) {
             Thread.onSpinWait();
         }
+    }
+
+    /** The length of the next wait, from that of the last one and the messages that arrived in it. */
+    static int spinsAfter(int spins, int arrivals) {
+        if (arrivals == 0 || arrivals > MANY) {
+            return 0;
+        }
+        return arrivals < ENOUGH ? Math.clamp(2L * spins, 1, MOST_SPINS) : spins;
     }
 
     /** Sleeps until it is woken or a timer is due, at most {@value #LONGEST_SLEEP_NANOS} ns; may return early. */

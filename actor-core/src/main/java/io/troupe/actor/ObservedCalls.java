@@ -5,6 +5,7 @@ import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
+import java.time.Duration;
 import java.util.Arrays;
 import java.util.Collections;
 import java.util.List;
@@ -74,7 +75,7 @@ final class ObservedCalls {
         try {
             CallObserver.Turn turn = observer.turnBegun(party(owner), space.settings.stallLimit());
             return turn == CallObserver.Turn.NONE ? turn : () -> guard(space, turn::end);
-        } catch (RuntimeException thrown) {
+        } catch (Throwable thrown) {
             report(space, thrown);
             return CallObserver.Turn.NONE;
         }
@@ -83,13 +84,68 @@ final class ObservedCalls {
     private static void guard(SpaceHome space, Runnable event) {
         try {
             event.run();
-        } catch (RuntimeException thrown) {
+        } catch (Throwable thrown) {
             report(space, thrown);
         }
     }
 
-    private static void report(SpaceHome space, RuntimeException thrown) {
+    private static void report(SpaceHome space, Throwable thrown) {
         space.reports().error("the call observer of", space, thrown, null);
+    }
+
+    /** See {@link CallObserver#and}. Each is notified whatever the other one throws. */
+    record Both(CallObserver first, CallObserver second) implements CallObserver {
+        @Override
+        public void called(Party from, Party to, Call call) {
+            both(() -> first.called(from, to, call), () -> second.called(from, to, call));
+        }
+
+        @Override
+        public void begun(Party actor, Call call) {
+            both(() -> first.begun(actor, call), () -> second.begun(actor, call));
+        }
+
+        @Override
+        public void dropped(Party actor, Call call) {
+            both(() -> first.dropped(actor, call), () -> second.dropped(actor, call));
+        }
+
+        @Override
+        public void returned(Party from, Party to) {
+            both(() -> first.returned(from, to), () -> second.returned(from, to));
+        }
+
+        @Override
+        public Turn turnBegun(Party party, Duration stallLimit) {
+            Turn one = turn(first, party, stallLimit);
+            Turn two = turn(second, party, stallLimit);
+            return () -> both(one::end, two::end);
+        }
+
+        /** Begins a turn; what the observer throws is thrown at the end of it. */
+        private static Turn turn(CallObserver observer, Party party, Duration stallLimit) {
+            try {
+                return observer.turnBegun(party, stallLimit);
+            } catch (RuntimeException | Error thrown) {
+                return () -> {
+                    throw thrown;
+                };
+            }
+        }
+
+        private static void both(Runnable one, Runnable two) {
+            try {
+                one.run();
+            } catch (Throwable thrown) {
+                try {
+                    two.run();
+                } catch (Throwable also) {
+                    thrown.addSuppressed(also);
+                }
+                throw thrown;
+            }
+            two.run();
+        }
     }
 
     private static CallObserver.Party party(Owner owner) {

@@ -110,31 +110,82 @@ class CallObserverTest {
         assertThat(log).containsExactly("outside calls store.put[late]", "store drops put", "dead letter");
     }
 
+    /** Throws from every method; an assertion that fails is an Error. */
+    private static final class Broken implements CallObserver {
+        @Override
+        public void called(Party from, Party to, Call call) {
+            throw new AssertionError("called " + call.method());
+        }
+
+        @Override
+        public void begun(Party actor, Call call) {
+            throw new AssertionError("begun " + call.method());
+        }
+
+        @Override
+        public Turn turnBegun(Party party, Duration stallLimit) {
+            throw new AssertionError("turn of " + party.name());
+        }
+    }
+
     @Test
-    void twoObservers_areBothNotified_andTheirExceptionsAreReported() {
+    void whatAnObserverThrows_isReported_andTheCallIsMade() {
+        space.close();
+        log.clear();
+        space = space(new Broken());
+        Promise<Integer> count =
+                store(Promise.of(1), ActorSettings.named("store")).count("pens");
+        space.crank();
+        assertThat(count.getNow()).isEqualTo(1);
+        assertThat(log)
+                .contains(
+                        "the call observer of shop: called count",
+                        "the call observer of shop: begun count",
+                        "the call observer of shop: turn of store");
+    }
+
+    private final class Turns implements CallObserver {
+        @Override
+        public Turn turnBegun(Party party, Duration stallLimit) {
+            log.add(party.name() + " begins a turn");
+            return () -> log.add("a turn ends");
+        }
+    }
+
+    @Test
+    void twoObservers_areBothNotified_whateverOneOfThemThrows() {
+        for (var observer : List.of(
+                new Broken().and(new Observer("")).and(new Turns()),
+                new Observer("").and(new Turns()).and(new Broken()))) {
+            space.close();
+            log.clear();
+            space = space(observer);
+            Promise<Integer> count =
+                    store(Promise.of(1), ActorSettings.named("store")).count("pens");
+            space.crank();
+            assertThat(count.getNow()).isEqualTo(1);
+            assertThat(log)
+                    .containsExactlyInAnyOrder(
+                            "outside calls store.count[pens]",
+                            "the call observer of shop: called count",
+                            "store begins a turn", // of its start
+                            "a turn ends",
+                            "the call observer of shop: turn of store",
+                            "store begins a turn",
+                            "store begins count",
+                            "the call observer of shop: begun count",
+                            "count is settled: null",
+                            "a turn ends",
+                            "the call observer of shop: turn of store");
+        }
+    }
+
+    @Test
+    void twoObservers_areNotifiedInTheirOrder() {
         space.close();
         log.clear();
         space = space(new Observer("1 ").and(new Observer("2 ")));
         store(Promise.of(1), ActorSettings.named("store")).put("pen");
         assertThat(log).containsExactly("1 outside calls store.put[pen]", "2 outside calls store.put[pen]");
-
-        log.clear();
-        space.close();
-        space = space(new CallObserver() {
-            @Override
-            public void called(Party from, Party to, Call call) {
-                throw new IllegalStateException("broken");
-            }
-
-            @Override
-            public Turn turnBegun(Party party, Duration stallLimit) {
-                throw new IllegalStateException("broken turn");
-            }
-        });
-        Store store = store(Promise.of(1), ActorSettings.named("store"));
-        Promise<Integer> count = store.count("pens");
-        space.crank();
-        assertThat(count.getNow()).isEqualTo(1);
-        assertThat(log).contains("the call observer of shop: broken", "the call observer of shop: broken turn");
     }
 }
