@@ -32,7 +32,7 @@ class MonitorOptionTest extends CommandLineBench {
     @Test
     void application_isFollowed() {
         assertThat(printed("app --world worlds/paper-arena.cfg --seconds 1 --monitor applications/two-robots.app"))
-                .containsPattern("monitor: [1-9]\\d* events of providers, components and requests, all as declared");
+                .containsPattern("monitor: [1-9]\\d* events of providers, components and messages, all as declared");
     }
 
     @Test

@@ -142,6 +142,68 @@ public final class RecordedRun {
 
         /** The services are going to be stopped, because the run ends. */
         default void closing() {}
+
+        /** The same after a failure, with which the run ends. */
+        default void failed() {}
+
+        /** A listener that passes everything on to another one; base of those that change some of it. */
+        abstract class Forwarding implements Listener {
+            private final Listener inner;
+
+            protected Forwarding(Listener inner) {
+                this.inner = inner;
+            }
+
+            @Override
+            public void stateStarted(String line) {
+                inner.stateStarted(line);
+            }
+
+            @Override
+            public void beforeTick(Simulation simulation, RunRecorder recorder) throws InterruptedException {
+                inner.beforeTick(simulation, recorder);
+            }
+
+            @Override
+            public void recorded(Snapshot snapshot, RunRecorder recorder) {
+                inner.recorded(snapshot, recorder);
+            }
+
+            @Override
+            public void ticked(long timeMicros) {
+                inner.ticked(timeMicros);
+            }
+
+            @Override
+            public boolean isStopRequested() {
+                return inner.isStopRequested();
+            }
+
+            @Override
+            public @Nullable CallObserver callObserver() {
+                return inner.callObserver();
+            }
+
+            @Override
+            public ServiceObserver services(ServiceObserver recorder) {
+                return inner.services(recorder);
+            }
+
+            @Override
+            public Arbitrator.StateListener states(Arbitrator.StateListener recorder) {
+                return inner.states(recorder);
+            }
+
+            @Override
+            public void closing() {
+                inner.closing();
+            }
+
+            @Override
+            public void failed() {
+                inner.failed();
+            }
+        }
     }
 
     /**
@@ -235,7 +297,8 @@ public final class RecordedRun {
                     .withReconnection(settings.reconnects())
                     .withRound(settings.round())
                     .withCallObserver(listener.callObserver());
-            try (var running = SubsumptionRun.start(services)) {
+            try (var running = SubsumptionRun.start(services);
+                    var ending = new Ending(listener)) {
                 recorder.start(simulation.latest());
                 listener.recorded(simulation.latest(), recorder);
                 var pacer = new WallClockPacer();
@@ -250,11 +313,29 @@ public final class RecordedRun {
                         pacer.await(snapshot.timeMicros());
                     }
                 }
+                ending.isDone = true;
                 listener.closing();
                 return recorder.finish(simulation.timeMicros() < endMicros);
             } catch (RuntimeException | Error failure) {
                 recorder.fail();
                 throw failure;
+            }
+        }
+    }
+
+    /** Notifies the listener of a failure before the services are stopped. */
+    private static final class Ending implements AutoCloseable {
+        private final Listener listener;
+        private boolean isDone;
+
+        Ending(Listener listener) {
+            this.listener = listener;
+        }
+
+        @Override
+        public void close() {
+            if (!isDone) {
+                listener.failed();
             }
         }
     }

@@ -86,7 +86,7 @@ public final class AppCommand implements Callable<Integer> {
     @Option(
             names = "--monitor",
             description =
-                    "follow the declared protocols of providers, components and requests, and end with the story if something is not allowed")
+                    "follow the declared protocols of providers, components and messages, and end with the story if something is not allowed")
     private boolean monitored;
 
     @Override

@@ -1,5 +1,7 @@
 package io.troupe.demo.monitor;
 
+import static java.util.Objects.requireNonNull;
+
 import io.troupe.broker.BrokerEvent;
 import io.troupe.broker.ServiceRecord;
 import io.troupe.bus.Address;
@@ -13,14 +15,15 @@ import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.ComponentState;
 import java.util.ArrayList;
+import java.util.EnumMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
 
 /**
- * Follows an application: its providers at the broker, its components, and each request on its bus, each through its
- * {@link LifecycleWirings declaration}.
+ * Follows an application: its providers at the broker, its components and what they publish, and each request on its
+ * bus, each through its {@link LifecycleWirings declaration}.
  *
  * <p><b>Threads.</b> Any thread; one lock guards it.
  *
@@ -33,6 +36,7 @@ public final class AppMonitor {
     private record Subject(LifecycleWirings kind, String name) {}
 
     private final boolean keepsEvents;
+    private final Map<LifecycleWirings, WiringMonitor> starts = new EnumMap<>(LifecycleWirings.class);
     private final Map<Subject, WiringMonitor> subjects = new LinkedHashMap<>(); // guarded by this, as is the rest
     private final Map<LifecycleWirings, List<List<ProtocolEvent>>> over = new LinkedHashMap<>();
     private Optional<String> problem = Optional.empty();
@@ -45,11 +49,15 @@ public final class AppMonitor {
     /** @param keepsEvents whether {@link #runs} is called */
     AppMonitor(boolean keepsEvents) {
         this.keepsEvents = keepsEvents;
+        for (var kind : LifecycleWirings.values()) {
+            var start = WiringMonitor.of(kind.wiring()).observing(kind.steps());
+            starts.put(kind, keepsEvents ? start.keepingEvents() : start);
+        }
     }
 
     /** One line that reports an application in which all was allowed. */
     public synchronized String summary() {
-        return "monitor: " + count + " events of providers, components and requests, all as declared";
+        return "monitor: " + count + " events of providers, components and messages, all as declared";
     }
 
     /** @throws IllegalStateException if there was a violation; the message is its story */
@@ -83,13 +91,20 @@ public final class AppMonitor {
         if (problem.isPresent()) {
             return;
         }
-        var monitor = subjects.computeIfAbsent(new Subject(kind, name), each -> {
-            var made = WiringMonitor.of(kind.wiring()).observing(kind.steps());
-            return keepsEvents ? made.keepingEvents() : made;
-        });
+        var monitor = subjects.computeIfAbsent(
+                new Subject(kind, name),
+                each -> requireNonNull(starts.get(kind)).again());
         monitor.did(kind.component(), step);
         count++;
         problem = monitor.violation().map(violation -> kind.component() + " " + name + ": " + violation);
+    }
+
+    /** A message to all or to one, that is not answered; of a component, it is part of its life. */
+    private synchronized void sent(BusMessage message) {
+        if (subjects.containsKey(
+                new Subject(LifecycleWirings.COMPONENT, message.from().toString()))) {
+            did(LifecycleWirings.COMPONENT, message.from().toString(), "sends");
+        }
     }
 
     private synchronized void forget(String request) {
@@ -162,7 +177,7 @@ public final class AppMonitor {
         };
     }
 
-    /** Observes the requests on a bus, and passes everything on. */
+    /** Observes the messages on a bus, and passes everything on. */
     public BusObserver bus(BusObserver inner) {
         return new BusObserver() {
             @Override
@@ -177,12 +192,8 @@ public final class AppMonitor {
                         answered(reply.request() + " of " + reply.to() + " for " + reply.operation(), "is answered");
                     case Purpose.Rejection no ->
                         answered(no.request() + " of " + no.to() + " for " + no.operation(), "is rejected");
-                    case Purpose.Publication publication -> {
-                        // may come at any time
-                    }
-                    case Purpose.Notice notice -> {
-                        // may come at any time
-                    }
+                    case Purpose.Publication publication -> sent(message);
+                    case Purpose.Notice notice -> sent(message);
                 }
                 inner.passed(message);
             }

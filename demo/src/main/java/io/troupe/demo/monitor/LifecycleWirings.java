@@ -66,7 +66,7 @@ enum LifecycleWirings {
                             does("is registered").then("idle"))
                     .build()),
 
-    /** The states of a component. */
+    /** The states of a component, which sends no values or notices unless it has been invoked. */
     COMPONENT(
             "component",
             Protocol.of("component")
@@ -74,15 +74,18 @@ enum LifecycleWirings {
                     .in(
                             "invoking",
                             does("runs").then("running"),
+                            does("sends").then("invoking"),
                             does("fails").then("failed"),
                             does("is being terminated").then("terminating"))
                     .in(
                             "running",
+                            does("sends").then("running"),
                             does("fails").then("failed"),
                             does("is being terminated").then("terminating"))
                     .in(
                             "terminating",
                             does("has been terminated").then("terminated"),
+                            does("sends").then("terminating"),
                             does("fails").then("failed"))
                     .in("terminated", does("is being invoked").then("invoking"))
                     .in(
@@ -135,7 +138,8 @@ enum LifecycleWirings {
                         "has stopped",
                         "could not be stopped",
                         "leaves");
-            case COMPONENT -> Set.of("is being invoked", "runs", "fails", "is being terminated", "has been terminated");
+            case COMPONENT ->
+                Set.of("is being invoked", "runs", "sends", "fails", "is being terminated", "has been terminated");
             case REQUEST -> Set.of("is sent", "is answered", "is rejected", "is forgotten");
         };
     }

@@ -1,6 +1,7 @@
 package io.troupe.demo.monitor;
 
 import io.troupe.actor.CallObserver;
+import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import io.troupe.petri.wiring.WiringMonitor;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Arbitrator;
@@ -10,7 +11,6 @@ import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
 import io.troupe.sim.Simulation;
-import io.troupe.sim.Snapshot;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunRecorder;
 import java.util.HashSet;
@@ -27,6 +27,8 @@ import org.jspecify.annotations.Nullable;
  *     asks the service</td></tr>
  * <tr><td>the services begin {@code drive}</td><td>{@code service.begin}</td></tr>
  * <tr><td>the promise of {@code stop} is settled</td><td>the answer of {@code service.stop}</td></tr>
+ * <tr><td>a service ends that nothing has stopped, or a call of it is settled with an error</td><td>its
+ *     failure</td></tr>
  * <tr><td>the arbitrator is sent {@code live} again</td><td>{@code stopper.done} of each robot</td></tr>
  * <tr><td>a service sends a colour, the arbitrator receives one</td><td>{@code promise.fulfil},
  *     {@code inbox.colour}</td></tr>
@@ -44,11 +46,14 @@ public final class RunMonitor {
     private final WiringMonitor monitor;
     private final Set<Integer> sent = new HashSet<>(); // robots; in this tick
     private final Set<Integer> received = new HashSet<>();
+    private final Set<Integer> stopping = new HashSet<>();
+    private final Set<Integer> failed = new HashSet<>();
+    private @Nullable Integer inCycle; // in sync mode
     private boolean isAlive;
     private boolean isSwitching;
 
     public RunMonitor(Mode mode, int robots) {
-        this(mode, robots, WiringMonitor.of(RunWirings.of(mode, robots)));
+        this(mode, robots, WiringMonitor.of(RunWirings.withFailures(mode, robots)));
     }
 
     /** @param monitor of the wiring for this mode and number of robots */
@@ -66,53 +71,39 @@ public final class RunMonitor {
 
     /** The listener of a run that is followed. */
     public RecordedRun.Listener listener(RecordedRun.Listener inner) {
-        return new RecordedRun.Listener() {
-            @Override
-            public void stateStarted(String line) {
-                inner.stateStarted(line);
-            }
-
+        return new RecordedRun.Listener.Forwarding(inner) {
             @Override
             public void beforeTick(Simulation simulation, RunRecorder recorder) throws InterruptedException {
-                inner.beforeTick(simulation, recorder);
+                super.beforeTick(simulation, recorder);
                 tick();
             }
 
             @Override
-            public void recorded(Snapshot snapshot, RunRecorder recorder) {
-                inner.recorded(snapshot, recorder);
-            }
-
-            @Override
-            public void ticked(long timeMicros) {
-                inner.ticked(timeMicros);
-            }
-
-            @Override
-            public boolean isStopRequested() {
-                return inner.isStopRequested();
-            }
-
-            @Override
             public @Nullable CallObserver callObserver() {
-                CallObserver other = inner.callObserver();
+                CallObserver other = super.callObserver();
                 return other == null ? calls() : calls().and(other);
             }
 
             @Override
             public ServiceObserver services(ServiceObserver recorder) {
-                return RunMonitor.this.services(inner.services(recorder));
+                return RunMonitor.this.services(super.services(recorder));
             }
 
             @Override
             public Arbitrator.StateListener states(Arbitrator.StateListener recorder) {
-                return RunMonitor.this.states(inner.states(recorder));
+                return RunMonitor.this.states(super.states(recorder));
             }
 
             @Override
             public void closing() {
-                inner.closing();
+                super.closing();
                 close();
+            }
+
+            @Override
+            public void failed() {
+                monitor.end();
+                super.failed();
             }
         };
     }
@@ -178,6 +169,7 @@ public final class RunMonitor {
     private synchronized void called(CallObserver.Call call) {
         String robot = robot(call);
         if (!isStop(call)) {
+            stopping.remove((Integer) call.arguments().getFirst());
             monitor.called("arbitrator", "starter" + robot + ".send");
             monitor.asked("starter" + robot, "service" + robot + ".begin");
             return;
@@ -188,16 +180,44 @@ public final class RunMonitor {
         }
         monitor.called("arbitrator", "stopper" + robot + ".send");
         monitor.asked("stopper" + robot, "service" + robot + ".stop");
-        call.whenSettled(error -> monitor.answered("stopper" + robot, "service" + robot + ".stop"));
+        call.whenSettled(error -> {
+            if (error == null) {
+                monitor.answered("stopper" + robot, "service" + robot + ".stop");
+            } else {
+                failed(Integer.parseInt(robot) - 1);
+            }
+        });
     }
 
     private void begun(CallObserver.Call call) {
         String robot = robot(call);
         if (isStop(call)) {
+            synchronized (this) {
+                stopping.add((Integer) call.arguments().getFirst());
+            }
             monitor.taken("stopper" + robot, "service" + robot + ".stop");
         } else {
             monitor.taken("starter" + robot, "service" + robot + ".begin");
             monitor.answered("starter" + robot, "service" + robot + ".begin");
+            call.whenSettled(error -> {
+                if (error != null) {
+                    failed(Integer.parseInt(robot) - 1);
+                }
+            });
+        }
+    }
+
+    /** A service has failed; several signs of that are one event. */
+    private synchronized void failed(int robot) {
+        if (failed.add(robot)) {
+            monitor.on(Kind.FAILED, "service" + (robot + 1), "");
+        }
+    }
+
+    /** Without a stop, a service ends by its own colour in promise mode only; else it has failed. */
+    private synchronized void ended(int robot) {
+        if (!stopping.contains(robot) && !(mode == Mode.PROMISE && sent.contains(robot))) {
+            failed(robot);
         }
     }
 
@@ -228,6 +248,7 @@ public final class RunMonitor {
             @Override
             public void cycleStarted(int robot, Service service) {
                 if (mode == Mode.SYNC) {
+                    inCycle = robot;
                     monitor.asked("loop", "service" + (robot + 1) + ".cycle");
                     monitor.taken("loop", "service" + (robot + 1) + ".cycle");
                 }
@@ -242,6 +263,7 @@ public final class RunMonitor {
             @Override
             public void cycleEnded(int robot, Service service) {
                 if (mode == Mode.SYNC) {
+                    inCycle = null;
                     monitor.answered("loop", "service" + (robot + 1) + ".cycle");
                 }
                 inner.cycleEnded(robot, service);
@@ -250,7 +272,13 @@ public final class RunMonitor {
             @Override
             public void serviceEnded(int robot, Service service) {
                 if (mode == Mode.SYNC) {
+                    if (inCycle != null) {
+                        failed(inCycle);
+                        inCycle = null;
+                    }
                     monitor.called("loop", "service" + (robot + 1) + ".end");
+                } else {
+                    ended(robot);
                 }
                 inner.serviceEnded(robot, service);
             }

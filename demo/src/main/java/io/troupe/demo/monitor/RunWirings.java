@@ -2,8 +2,10 @@ package io.troupe.demo.monitor;
 
 import static io.troupe.petri.wiring.Protocol.does;
 import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.rejects;
 import static io.troupe.petri.wiring.Protocol.requests;
 
+import io.troupe.petri.wiring.Branch;
 import io.troupe.petri.wiring.Protocol;
 import io.troupe.petri.wiring.ProtocolBuilder;
 import io.troupe.petri.wiring.Wiring;
@@ -21,18 +23,40 @@ import java.util.function.IntFunction;
  *
  * <p>A service that has ended looks like one that waits for readings: a request to stop it is answered at once. Closing
  * a run is not part of the declarations.
+ *
+ * <p>With failures a service may fail at any time, also while it stops. In one process this ends the run: the world
+ * asks it no more, and the others wait. Before that, they may go on with the reading.
  */
 final class RunWirings {
-    private RunWirings() {}
+    private static final String OVER = "over";
 
-    static Wiring of(Mode mode, int robots) {
-        return mode == Mode.SYNC ? inTurns(robots) : withMessages(mode, robots);
+    private final Mode mode;
+    private final int robots;
+    private final boolean mayFail;
+
+    private RunWirings(Mode mode, int robots, boolean mayFail) {
+        this.mode = mode;
+        this.robots = robots;
+        this.mayFail = mayFail;
     }
 
-    private static Wiring withMessages(Mode mode, int robots) {
+    /** Without failures. */
+    static Wiring of(Mode mode, int robots) {
+        return new RunWirings(mode, robots, false).wiring();
+    }
+
+    static Wiring withFailures(Mode mode, int robots) {
+        return new RunWirings(mode, robots, true).wiring();
+    }
+
+    private Wiring wiring() {
+        return mode == Mode.SYNC ? inTurns() : withMessages();
+    }
+
+    private Wiring withMessages() {
         var wiring = Wiring.of(robots + " robots in " + mode + " mode")
-                .component(world(robots))
-                .component(arbitrator(robots))
+                .component(world())
+                .component(arbitrator())
                 .component(inbox())
                 .components("service", robots, service())
                 .components("promise", robots, promise())
@@ -50,25 +74,28 @@ final class RunWirings {
      * At each tick all have answered, in the order of the way of a colour, so that none is on its way; then each
      * service gets its reading.
      */
-    private static Protocol world(int robots) {
+    private Protocol world() {
         var world = Protocol.of("world");
-        chain(world, "answered ", robots, i -> "service" + i + ".answered", "promised 1");
-        chain(world, "promised ", robots, i -> "promise" + i + ".idle", "judged");
+        chain(world, "answered ", i -> "service" + i + ".answered", "promised 1");
+        chain(world, "promised ", i -> "promise" + i + ".idle", "judged");
         world.in("judged", requests("inbox.idle").then("settled"));
         world.in("settled", requests("arbitrator.idle").then("reading 1"));
-        chain(world, "reading ", robots, i -> "service" + i + ".data", "answered 1");
+        chain(world, "reading ", i -> "service" + i + ".data", "answered 1");
+        if (mayFail) {
+            world.in(OVER, does("end the run").then(OVER));
+        }
         return world.build();
     }
 
-    private static Protocol arbitrator(int robots) {
+    private Protocol arbitrator() {
         var arbitrator = Protocol.of("arbitrator").in("new", does("live").then("starting 1"));
-        chain(arbitrator, "starting ", robots, i -> "starter" + i + ".send", "watching");
+        chain(arbitrator, "starting ", i -> "starter" + i + ".send", "watching");
         arbitrator.in(
                 "watching",
                 provides("change").then("stopping 1"),
                 provides("idle").then("watching"));
-        chain(arbitrator, "stopping ", robots, i -> "stopper" + i + ".send", "awaiting 1");
-        chain(arbitrator, "awaiting ", robots, i -> "stopper" + i + ".done", "starting 1");
+        chain(arbitrator, "stopping ", i -> "stopper" + i + ".send", "awaiting 1");
+        chain(arbitrator, "awaiting ", i -> "stopper" + i + ".done", "starting 1");
         return arbitrator.build();
     }
 
@@ -85,8 +112,8 @@ final class RunWirings {
                 .build();
     }
 
-    private static Protocol service() {
-        return Protocol.of("service")
+    private Protocol service() {
+        var service = Protocol.of("service")
                 .in("free", provides("begin").then("in charge"))
                 .in(
                         "in charge",
@@ -97,8 +124,17 @@ final class RunWirings {
                         "deciding",
                         does("drive on").then("in charge"),
                         does("see a colour").then("reporting"))
-                .in("reporting", requests("promise.fulfil").then("in charge"))
-                .build();
+                .in("reporting", requests("promise.fulfil").then("in charge"));
+        if (mayFail) {
+            service.in(
+                            "failed",
+                            provides("begin").then("in charge"),
+                            provides("stop").then("failed"),
+                            rejects("data").then("failed"),
+                            rejects("answered").then("failed"))
+                    .failsTo("failed");
+        }
+        return service.build();
     }
 
     private static Protocol promise() {
@@ -111,53 +147,74 @@ final class RunWirings {
                 .build();
     }
 
-    private static Protocol starter() {
+    private Protocol starter() {
         return Protocol.of("starter")
                 .in("free", provides("send").then("sent"))
-                .in("sent", requests("service.begin").then("free"))
+                .in("sent", orRejected(requests("service.begin").then("free"), "free"))
                 .build();
     }
 
-    private static Protocol stopper() {
-        return Protocol.of("stopper")
+    /** A stop that fails is not answered to the arbitrator, which waits until the run ends. */
+    private Protocol stopper() {
+        var stopper = Protocol.of("stopper")
                 .in("free", provides("send").then("sent"))
-                .in("sent", requests("service.stop").then("stopped"))
-                .in("stopped", provides("done").then("free"))
-                .build();
+                .in("sent", orRejected(requests("service.stop").then("stopped"), OVER))
+                .in("stopped", provides("done").then("free"));
+        if (mayFail) {
+            stopper.in(OVER, does("wait for the end of the run").then(OVER));
+        }
+        return stopper.build();
+    }
+
+    private Branch orRejected(Branch request, String state) {
+        return mayFail ? request.orRejected(state) : request;
     }
 
     /** One loop, which gives each service a cycle in its turn. */
-    private static Wiring inTurns(int robots) {
+    private Wiring inTurns() {
         var loop = Protocol.of("loop");
-        chain(loop, "starting ", robots, i -> "service" + i + ".start", "turn 1");
+        chain(loop, "starting ", i -> "service" + i + ".start", "turn 1");
         for (int i = 1; i <= robots; i++) {
-            loop.in("turn " + i, requests("service" + i + ".cycle").then("after " + i));
+            var cycle = orRejected(requests("service" + i + ".cycle").then("after " + i), "closing 1");
+            if (mayFail) {
+                loop.in("turn " + i, cycle, does("lose the connection").then("closing 1"));
+            } else {
+                loop.in("turn " + i, cycle);
+            }
             loop.in(
                     "after " + i,
                     does("see nothing new").then("turn " + (i % robots + 1)),
                     does("change the state").then("ending 1"));
         }
-        chain(loop, "ending ", robots, i -> "service" + i + ".end", "starting 1");
+        chain(loop, "ending ", i -> "service" + i + ".end", "starting 1");
+        var service = Protocol.of("service")
+                .in("free", provides("start").then("in charge"))
+                .in(
+                        "in charge",
+                        provides("cycle").then("in charge"),
+                        provides("end").then("free"));
+        if (mayFail) {
+            chain(loop, "closing ", i -> "service" + i + ".end", OVER);
+            loop.in(OVER, does("end the run").then(OVER));
+            service.in(
+                            "failed",
+                            provides("end").then("free"),
+                            rejects("start").then("failed"),
+                            rejects("cycle").then("failed"))
+                    .failsTo("failed");
+        }
         return Wiring.of(robots + " robots in sync mode")
                 .component(loop.build())
-                .components(
-                        "service",
-                        robots,
-                        Protocol.of("service")
-                                .in("free", provides("start").then("in charge"))
-                                .in(
-                                        "in charge",
-                                        provides("cycle").then("in charge"),
-                                        provides("end").then("free"))
-                                .build())
+                .components("service", robots, service.build())
                 .build();
     }
 
     /** One request after the other, to the component of each robot. */
-    private static void chain(
-            ProtocolBuilder protocol, String state, int robots, IntFunction<String> request, String last) {
+    private void chain(ProtocolBuilder protocol, String state, IntFunction<String> request, String last) {
         for (int i = 1; i <= robots; i++) {
-            protocol.in(state + i, requests(request.apply(i)).then(i < robots ? state + (i + 1) : last));
+            var target = request.apply(i);
+            var step = requests(target).then(i < robots ? state + (i + 1) : last);
+            protocol.in(state + i, target.startsWith("service") ? orRejected(step, OVER) : step);
         }
     }
 }

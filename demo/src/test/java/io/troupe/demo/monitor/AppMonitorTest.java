@@ -15,12 +15,23 @@ import io.troupe.broker.Need;
 import io.troupe.broker.Provider;
 import io.troupe.broker.ServiceRecord;
 import io.troupe.bus.Address;
+import io.troupe.bus.Bus;
 import io.troupe.bus.BusMessage;
 import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.BusObserver;
+import io.troupe.bus.BusPort;
+import io.troupe.bus.BusSettings;
+import io.troupe.bus.BusTopic;
+import io.troupe.bus.Operation;
 import io.troupe.petri.wiring.Conformance;
+import io.troupe.services.component.ApplicationData;
+import io.troupe.services.component.Buffering;
+import io.troupe.services.component.Component;
+import io.troupe.services.component.ComponentCommunication;
+import io.troupe.services.component.ComponentInterface;
 import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.ComponentState;
+import io.troupe.services.component.Conversion;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -126,6 +137,153 @@ class AppMonitorTest {
         test.run(() -> ignore(broker.register("clock", List.of(), new Address("test", "clock" + which), provider)));
     }
 
+    /** A value that a component publishes, and a question with its answer. */
+    private record Tick(int number) {}
+
+    private static final BusTopic<Tick> TICKS = new BusTopic<>("ticks", Tick.class);
+    private static final Operation<Tick, Tick> NEXT =
+            new Operation<>("next", Tick.class, Tick.class, Operation.Kind.DATA);
+
+    /** Is invoked and terminated well, badly, or after a while; publishes and fails at any time. */
+    private static final class FlakyComponent implements ComponentCommunication<Tick, Tick> {
+        private final Random random;
+        private final List<Deferred<@Nullable Void>> open = new ArrayList<>();
+        private @Nullable Signals<? super Tick> signals;
+
+        FlakyComponent(Random random) {
+            this.random = random;
+        }
+
+        private Promise<@Nullable Void> outcome() {
+            var later = new Deferred<@Nullable Void>();
+            switch (random.nextInt(5)) {
+                case 0 -> later.reject(new IllegalStateException("flaky"));
+                case 1, 2 -> open.add(later);
+                default -> later.resolve(null);
+            }
+            return later;
+        }
+
+        @Override
+        public Promise<@Nullable Void> invoke(Signals<? super Tick> newSignals) {
+            signals = newSignals;
+            return outcome();
+        }
+
+        @Override
+        public Promise<@Nullable Void> terminate() {
+            return outcome();
+        }
+
+        @Override
+        public Promise<@Nullable Void> health() {
+            return Promise.done();
+        }
+
+        @Override
+        public void data(Tick input) {}
+
+        void act() {
+            var to = signals;
+            switch (random.nextInt(4)) {
+                case 0 -> open.forEach(each -> each.resolve(null));
+                case 1 -> {
+                    if (to != null) {
+                        to.failed(new IllegalStateException("gone"));
+                    }
+                }
+                default -> {
+                    if (to != null) {
+                        to.data(new Tick(random.nextInt(100)));
+                    }
+                }
+            }
+        }
+    }
+
+    private static final class Ticks implements Conversion<Tick, Tick> {
+        @Override
+        public List<ApplicationData<?>> toApplication(Tick output) {
+            return List.of(new ApplicationData<>(TICKS, output));
+        }
+
+        @Override
+        public Tick toComponent(ApplicationData<?> input) {
+            return (Tick) input.value();
+        }
+    }
+
+    private static AppMonitor flakyComponent(int seed) {
+        var random = new Random(seed);
+        var monitor = new AppMonitor(true);
+        try (var test = new TestSpace()) {
+            var bus = Bus.inProcess("test", BusSettings.on(test.space()).withObserver(monitor.bus(loss -> {})));
+            var communication = new FlakyComponent(random);
+            var component = new Component<>(
+                    "ticker",
+                    List.of(),
+                    List.of(),
+                    List.of(TICKS),
+                    () -> communication,
+                    new Ticks(),
+                    Buffering.STREAM,
+                    Buffering.STREAM);
+            var quiet = monitor.components(new ComponentObserver() {
+                @Override
+                public void dropped(Address from, ApplicationData<?> lost, long total) {}
+
+                @Override
+                public void problem(Address from, String what, Throwable why) {}
+
+                @Override
+                public void info(Address from, String what) {}
+            });
+            var opened = new ArrayList<ComponentInterface<Tick, Tick>>();
+            var user = new ArrayList<BusPort>();
+            test.run(() -> {
+                opened.add(ComponentInterface.open(bus, "ticker", component, quiet));
+                opened.getFirst().answer(NEXT, tick -> Promise.of(new Tick(tick.number() + 1)));
+                user.add(bus.attach("user"));
+            });
+            var ticker = opened.getFirst();
+            for (int step = 0; step < 60; step++) {
+                switch (random.nextInt(5)) {
+                    case 0 -> test.run(() -> ignore(ticker.start()));
+                    case 1 -> test.run(() -> ignore(ticker.stop()));
+                    case 2 ->
+                        test.run(() -> ignore(
+                                user.getFirst().ask(ticker.address(), NEXT, new Tick(1), Duration.ofSeconds(1))));
+                    default -> test.run(communication::act);
+                }
+            }
+            test.run(ticker::close);
+            test.run(bus::close);
+            test.takeProblems();
+            test.takeDeadLetters();
+        }
+        return monitor;
+    }
+
+    @Test
+    void flakyComponents_andTheirRequests_conform_andEachStepWouldBeMissed() {
+        var components = new Conformance(LifecycleWirings.COMPONENT.wiring(), LifecycleWirings.COMPONENT.steps());
+        var requests = new Conformance(LifecycleWirings.REQUEST.wiring(), LifecycleWirings.REQUEST.steps());
+        for (int seed = 1; seed <= SEEDS; seed++) {
+            var monitor = flakyComponent(seed);
+            monitor.check();
+            monitor.runs(LifecycleWirings.COMPONENT).forEach(components::add);
+            monitor.runs(LifecycleWirings.REQUEST).forEach(requests::add);
+        }
+        for (var runs : List.of(components, requests)) {
+            assertThat(runs.problems()).isEmpty();
+            assertThat(runs.unused()).as("steps that no run takes").isEmpty();
+            assertThat(runs.used())
+                    .allSatisfy(step -> assertThat(runs.without(step))
+                            .as("the declaration without " + step)
+                            .isPresent());
+        }
+    }
+
     private static void ignore(Promise<?> promise) {
         promise.handle((done, error) -> null);
     }
@@ -179,6 +337,29 @@ class AppMonitorTest {
         assertThatThrownBy(monitor::check)
                 .hasMessageContaining("component test/lamp: component: runs is not allowed: component is in"
                         + " \"not invoked\", where it may do \"is being invoked\"");
+    }
+
+    @Test
+    void valueOfAComponentThatWasTerminated_isFound() {
+        var monitor = new AppMonitor();
+        var components = monitor.components(ComponentObserver.LOG);
+        var bus = monitor.bus(BusObserver.logging());
+        var hall = new Address("test", "hall");
+        for (var state : List.of(
+                ComponentState.INVOKING,
+                ComponentState.RUNNING,
+                ComponentState.TERMINATING,
+                ComponentState.TERMINATED)) {
+            monitor.check();
+            components.changed(hall, state);
+        }
+        bus.passed(
+                new BusMessage.Data(new Address("test", "other"), new Purpose.Publication("lamps"), 1, new Nothing()));
+        monitor.check();
+        bus.passed(new BusMessage.Data(hall, new Purpose.Publication("lamps"), 2, new Nothing()));
+        assertThatThrownBy(monitor::check)
+                .hasMessageContaining("component test/hall: component: sends is not allowed: component is in"
+                        + " \"terminated\", where it may do \"is being invoked\"");
     }
 
     @Test

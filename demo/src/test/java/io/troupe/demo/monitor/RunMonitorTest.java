@@ -2,6 +2,7 @@ package io.troupe.demo.monitor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
@@ -14,11 +15,13 @@ import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringMonitor;
 import io.troupe.petri.wiring.WiringMonitor.ViolationException;
 import io.troupe.petri.wiring.WiringResult;
+import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.ColourReport;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.RobotServices;
 import io.troupe.services.subsumption.RobotServicesActor;
+import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -28,9 +31,13 @@ import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.ScenarioReader;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
+import io.troupe.view.RunRecorder;
 import java.io.IOException;
 import java.nio.file.Path;
+import java.util.EnumMap;
+import java.util.EnumSet;
 import java.util.List;
+import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.CountDownLatch;
 import java.util.function.UnaryOperator;
@@ -64,6 +71,18 @@ class RunMonitorTest {
         assertThat(WiringCheck.check(RunWirings.of(mode, ROBOTS))).isInstanceOf(WiringResult.Proved.class);
     }
 
+    /** A failure ends the run, so it blocks the others; without it nothing does. */
+    @ParameterizedTest
+    @EnumSource
+    void declarationWithFailures_hasNoDeadlock_andOnlyAFailureBlocks(Mode mode) {
+        var result = WiringCheck.check(RunWirings.withFailures(mode, ROBOTS));
+        assertThat(result)
+                .isInstanceOfSatisfying(
+                        WiringResult.Blocked.class,
+                        blocked -> assertThat(blocked.counterexample().firings())
+                                .anyMatch(step -> step.contains(" fails") || step.contains("lose the connection")));
+    }
+
     @ParameterizedTest
     @EnumSource
     void runs_conform_andEachStepThatTheyNeedWouldBeMissed(Mode mode) throws IOException, InterruptedException {
@@ -84,6 +103,140 @@ class RunMonitorTest {
                 .allSatisfy(step -> assertThat(runs.without(step))
                         .as("the declaration without " + step)
                         .hasValueSatisfying(story -> assertThat(story).startsWith(step.component() + " ")));
+    }
+
+    // ---- runs with a fault
+
+    /** What goes wrong in a run, once, at the first opportunity after a random time. */
+    private enum Fault {
+        CYCLE_FAILS,
+        COMMAND_FAILS,
+        REPORT_FAILS,
+        STOP_FAILS,
+        CONNECTION_IS_LOST
+    }
+
+    private static final class FaultException extends IllegalStateException {
+        private static final long serialVersionUID = 1;
+
+        FaultException(Fault fault) {
+            super(fault + " by intent");
+        }
+    }
+
+    /** Makes a service of a random robot fail, or closes the world under all of them. */
+    private static final class Faulty implements RecordedRun.Listener {
+        private final Fault fault;
+        private final int robot;
+        private final long afterMicros;
+        private volatile long nowMicros;
+        private volatile boolean happened;
+
+        Faulty(Fault fault, Random random) {
+            this.fault = fault;
+            this.robot = random.nextInt(ROBOTS);
+            this.afterMicros = 1_000_000 + random.nextInt(8_000_000);
+        }
+
+        private void at(Fault here, int itsRobot) {
+            if (!happened && fault == here && itsRobot == robot && nowMicros >= afterMicros) {
+                happened = true;
+                throw new FaultException(fault);
+            }
+        }
+
+        @Override
+        public void ticked(long timeMicros) {
+            nowMicros = timeMicros;
+        }
+
+        @Override
+        public void beforeTick(Simulation simulation, RunRecorder recorder) {
+            if (!happened && fault == Fault.CONNECTION_IS_LOST && nowMicros >= afterMicros) {
+                happened = true;
+                simulation.close();
+            }
+        }
+
+        @Override
+        public ServiceObserver services(ServiceObserver recorder) {
+            return new ServiceObserver() {
+                @Override
+                public void serviceStarted(int its, Service service) {
+                    recorder.serviceStarted(its, service);
+                }
+
+                @Override
+                public void cycleStarted(int its, Service service) {
+                    at(Fault.CYCLE_FAILS, its);
+                    recorder.cycleStarted(its, service);
+                }
+
+                @Override
+                public void commanded(int its, Service service, Velocity velocity) {
+                    at(Fault.COMMAND_FAILS, its);
+                    recorder.commanded(its, service, velocity);
+                }
+
+                @Override
+                public void cycleEnded(int its, Service service) {
+                    recorder.cycleEnded(its, service);
+                }
+
+                @Override
+                public void serviceEnded(int its, Service service) {
+                    recorder.serviceEnded(its, service);
+                    at(Fault.STOP_FAILS, its);
+                }
+
+                @Override
+                public void colourSent(int its, int colour) {
+                    recorder.colourSent(its, colour);
+                    at(Fault.REPORT_FAILS, its);
+                }
+            };
+        }
+    }
+
+    @ParameterizedTest
+    @EnumSource
+    void runsWithFaults_conform_andEndWithTheFault(Mode mode) throws IOException {
+        var runs = new Conformance(RunWirings.withFailures(mode, ROBOTS), Set.of());
+        var happened = new EnumMap<Fault, Integer>(Fault.class);
+        int seeds = Math.max(SEEDS, Fault.values().length);
+        for (int seed = 1; seed <= seeds; seed++) {
+            var fault = Fault.values()[seed % Fault.values().length];
+            var faulty = new Faulty(fault, new Random(seed));
+            var monitor =
+                    WiringMonitor.of(RunWirings.withFailures(mode, ROBOTS)).keepingEvents();
+            var settings = RecordedRun.Settings.DEFAULT
+                    .withMode(mode)
+                    .withSeed(seed)
+                    .withSeconds(fault == Fault.STOP_FAILS || fault == Fault.REPORT_FAILS ? LONG_SECONDS : 10);
+            var run = new RecordedRun(SCENARIO, SubsumptionTable.ofThePaper(), settings);
+            try (var log = new RunLog(directory.resolve("run.jsonl"))) {
+                var failure =
+                        catchThrowable(() -> run.run(log, new RunMonitor(mode, ROBOTS, monitor).listener(faulty)));
+                assertThat(monitor.violation())
+                        .as("%s mode, seed %s, %s", mode, seed, fault)
+                        .isEmpty();
+                assertThat(failure)
+                        .as("%s mode, seed %s, %s", mode, seed, fault)
+                        .satisfies(why -> assertThat(why != null).isEqualTo(faulty.happened));
+            }
+            if (faulty.happened) {
+                happened.merge(fault, 1, Integer::sum);
+            }
+            runs.add(monitor.events());
+        }
+        assertThat(runs.problems()).isEmpty();
+        assertThat(happened.keySet())
+                .as("faults that happened")
+                .containsAll(EnumSet.of(Fault.CYCLE_FAILS, Fault.CONNECTION_IS_LOST));
+        assertThat(runs.used())
+                .allSatisfy(step -> assertThat(runs.without(step))
+                        .as("the declaration without " + step)
+                        .isPresent());
     }
 
     private List<ProtocolEvent> follow(Mode mode, int seed, double seconds, boolean reconnects)

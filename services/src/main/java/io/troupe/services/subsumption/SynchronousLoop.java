@@ -43,6 +43,7 @@ final class SynchronousLoop implements AutoCloseable {
     private State state;
     private OptionalInt seen = OptionalInt.empty();
     private int turn;
+    private int ended; // of the cycles: so many have been reported as ended
     private double lastCycleSeconds = Double.NEGATIVE_INFINITY;
 
     private SynchronousLoop(SubsumptionRun.Settings settings, Consumer<Throwable> failed) {
@@ -189,10 +190,12 @@ final class SynchronousLoop implements AutoCloseable {
     }
 
     private void notifyServicesEnded() {
-        for (int robot = 0; robot < cycles.size(); robot++) {
+        while (ended < cycles.size()) { // after an observer that fails, each of the others is notified once
+            int robot = ended++;
             settings.observer().serviceEnded(robot, cycles.get(robot).service());
         }
         cycles.clear();
+        ended = 0;
     }
 
     private void halt() {

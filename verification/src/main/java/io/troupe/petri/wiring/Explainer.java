@@ -54,6 +54,7 @@ final class Explainer {
                     case WiringNet.ComponentState.Holding(var component, var messages) ->
                         scene.mailboxes.put(component, messages);
                     case WiringNet.ComponentState.Unanswered unanswered -> {}
+                    case WiringNet.ComponentState.Serving serving -> {}
                     case WiringNet.ComponentState.Other other -> {}
                 }
             }

@@ -1,5 +1,6 @@
 package io.troupe.petri.wiring;
 
+import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import io.troupe.petri.wiring.WiringNet.Event;
 import java.util.ArrayList;
 import java.util.List;
@@ -57,7 +58,7 @@ final class Mailboxes {
                 net.draft()
                         .step(
                                 net.labels().label(component, protocol, step) + " of " + content,
-                                component,
+                                Event.of(component).begins(component, step).seen(Kind.RECEIVED, component, step.call()),
                                 List.of(WiringNet.at(component, step.from()), place(component, content)),
                                 List.of(WiringNet.at(component, step.to()), place(component, rest)));
             }
@@ -75,7 +76,7 @@ final class Mailboxes {
                 net.draft()
                         .step(
                                 "a sender outside sends " + receiver + "." + message + " to " + content,
-                                new Event(Set.of(), Set.of()),
+                                Event.of().seen(Kind.ARRIVED, receiver, message),
                                 List.of(place(receiver, content)),
                                 List.of(place(receiver, after(content, message, mailbox))));
             }
@@ -108,7 +109,9 @@ final class Mailboxes {
             net.draft()
                     .step(
                             label + " to " + content + ending,
-                            sender,
+                            Event.of(sender)
+                                    .begins(sender, step)
+                                    .seen(isRejected ? Kind.REFUSED : Kind.SENT, sender, receiver + "." + step.call()),
                             List.of(from, place(receiver, content)),
                             List.of(
                                     state,

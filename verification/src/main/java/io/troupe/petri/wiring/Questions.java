@@ -1,5 +1,6 @@
 package io.troupe.petri.wiring;
 
+import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import io.troupe.petri.wiring.Step.Takes.Outcome;
 import io.troupe.petri.wiring.WiringNet.Event;
 import java.util.ArrayList;
@@ -182,10 +183,10 @@ final class Questions {
         for (var i = 0; i < closing.size(); i++) {
             var here = closing(component, i);
             var next = closing(component, i + 1);
-            draft.place(here, 0);
+            draft.local(component, here, 0, new WiringNet.ComponentState.Other());
             var question = questions.get(closing.get(i));
             if (question != null) {
-                cancel(question, here, component, List.of(here), List.of(next));
+                cancel(question, here, Event.of(component), List.of(here), List.of(next));
                 continue;
             }
             var call = closing.get(i).substring(component.length() + 1);
@@ -207,20 +208,21 @@ final class Questions {
     /** The steps of the provider that take a question and answer it. */
     private void served(Question question) {
         var provider = question.provider();
+        var target = question.target();
         var from = ", asked by " + question.caller();
         var protocol = wiring.protocol(provider);
         for (var service : net.services(provider, question.call())) {
             var call = question.call() + service.where();
             draft.step(
                     provider + " takes " + call + from,
-                    provider,
+                    Event.of(provider).begins(provider, service.offer()).seen(Kind.TAKEN, question.caller(), target),
                     List.of(
                             question.asked(),
                             WiringNet.at(provider, service.offer().from())),
                     List.of(question.open(), service.before()));
             draft.step(
                     provider + " answers " + call + from,
-                    provider,
+                    Event.of(provider).seen(Kind.ANSWERED, question.caller(), target),
                     List.of(question.open(), service.after()),
                     List.of(
                             question.settled(),
@@ -236,14 +238,14 @@ final class Questions {
                 .filter(step -> step.call().equals(question.call()))
                 .forEach(step -> draft.step(
                         net.labels().label(provider, protocol, step) + " to " + question.caller(),
-                        provider,
+                        Event.of(provider).begins(provider, step).seen(Kind.TAKEN, question.caller(), target),
                         List.of(question.asked(), idle(provider, question.call()), WiringNet.at(provider, step.from())),
                         List.of(question.open(), WiringNet.at(provider, step.to()))));
         protocol.steps(Step.Rejects.class)
                 .filter(step -> step.call().equals(question.call()))
                 .forEach(step -> draft.step(
                         provider + " rejects " + question.call() + from + ", in " + step.from(),
-                        provider,
+                        Event.of(provider).begins(provider, step).seen(Kind.REJECTED, question.caller(), target),
                         List.of(question.asked(), WiringNet.at(provider, step.from())),
                         List.of(question.rejected(), WiringNet.at(provider, step.to()))));
     }
@@ -284,41 +286,52 @@ final class Questions {
         if (question == null) {
             throw new IllegalStateException(component + " never asks " + step.target());
         }
+        var begins = Event.of(component).begins(component, step);
         var label = net.labels().label(component, wiring.protocol(component), step);
         var from = WiringNet.at(component, step.from());
         var to = WiringNet.at(component, step.to());
         switch (step) {
             case Step.Asks asks ->
-                draft.step(label, component, List.of(from, question.none()), List.of(to, question.asked()));
-            case Step.Cancels cancels -> cancel(question, label, component, List.of(from), List.of(to));
+                draft.step(
+                        label,
+                        begins.seen(Kind.ASKED, component, question.target()),
+                        List.of(from, question.none()),
+                        List.of(to, question.asked()));
+            case Step.Cancels cancels -> {
+                var event = begins.seen(Kind.GAVE_UP, component, question.target());
+                cancel(question, label, event, List.of(from), List.of(to));
+            }
             case Step.Takes takes
             when takes.outcome() == Outcome.ANSWER ->
                 draft.step(
                         label,
-                        component,
+                        begins.seen(Kind.GOT_ANSWER, component, question.target()),
                         List.of(from, question.isStream() ? question.item() : question.settled()),
                         List.of(to, question.isStream() ? question.room() : question.none()));
             case Step.Takes takes -> {
-                var settled = takes.outcome() == Outcome.END ? question.settled() : question.rejected();
+                var isEnd = takes.outcome() == Outcome.END;
                 draft.step(
-                        label, component, question.holding(0, from, settled), question.holding(0, to, question.none()));
+                        label,
+                        begins.seen(isEnd ? Kind.GOT_END : Kind.GOT_REJECTION, component, question.target()),
+                        question.holding(0, from, isEnd ? question.settled() : question.rejected()),
+                        question.holding(0, to, question.none()));
             }
             default -> {}
         }
     }
 
     /** The transitions that close a question, one for each way in which it may be open. */
-    private void cancel(Question question, String label, String component, List<String> in, List<String> out) {
-        cancel(question, label + ": not open", component, in, question.none(), out, List.of());
-        cancel(question, label + ": not taken", component, in, question.asked(), out, List.of());
+    private void cancel(Question question, String label, Event event, List<String> in, List<String> out) {
+        cancel(question, label + ": not open", event, in, question.none(), out, List.of());
+        cancel(question, label + ": not taken", event, in, question.asked(), out, List.of());
         if (!question.isStream()) {
             var given = net.chosen().contains(question.provider())
                     ? List.of(net.abandoned(question.caller(), question.provider(), question.call()))
                     : List.<String>of();
-            cancel(question, label + ": being served", component, in, question.open(), out, given);
-            cancel(question, label + ": answered", component, in, question.settled(), out, List.of());
+            cancel(question, label + ": being served", event, in, question.open(), out, given);
+            cancel(question, label + ": answered", event, in, question.settled(), out, List.of());
             if (question.mayBeRejected()) {
-                cancel(question, label + ": rejected", component, in, question.rejected(), out, List.of());
+                cancel(question, label + ": rejected", event, in, question.rejected(), out, List.of());
             }
             return;
         }
@@ -327,10 +340,10 @@ final class Questions {
                 : List.<String>of();
         for (var items = 0; items <= question.window(); items++) {
             var with = " with " + items + " items";
-            flush(question, label + ": a stream" + with, component, in, question.open(), out, idle, items);
-            flush(question, label + ": finished" + with, component, in, question.settled(), out, List.of(), items);
+            flush(question, label + ": a stream" + with, event, in, question.open(), out, idle, items);
+            flush(question, label + ": finished" + with, event, in, question.settled(), out, List.of(), items);
             if (question.mayBeRejected()) {
-                flush(question, label + ": rejected" + with, component, in, question.rejected(), out, List.of(), items);
+                flush(question, label + ": rejected" + with, event, in, question.rejected(), out, List.of(), items);
             }
         }
     }
@@ -338,18 +351,18 @@ final class Questions {
     private void cancel(
             Question question,
             String label,
-            String component,
+            Event event,
             List<String> in,
             String phase,
             List<String> out,
             List<String> more) {
-        draft.step(label, component, joined(in, List.of(phase)), joined(joined(out, List.of(question.none())), more));
+        draft.step(label, event, joined(in, List.of(phase)), joined(joined(out, List.of(question.none())), more));
     }
 
     private void flush(
             Question question,
             String label,
-            String component,
+            Event event,
             List<String> in,
             String phase,
             List<String> out,
@@ -357,7 +370,7 @@ final class Questions {
             int items) {
         draft.step(
                 label,
-                component,
+                event,
                 joined(in, question.holding(items, phase)),
                 joined(joined(out, question.holding(0, question.none())), more));
     }
@@ -381,24 +394,27 @@ final class Questions {
         var label = net.labels().label(provider, wiring.protocol(provider), step);
         var from = WiringNet.at(provider, step.from());
         var to = WiringNet.at(provider, step.to());
+        var event = Event.of(provider)
+                .begins(provider, step)
+                .seen(step instanceof Step.Emits ? Kind.EMITTED : Kind.FINISHED, provider, call);
         var asking = asking(provider, call);
         if (asking.isEmpty()) {
-            draft.step(label, provider, List.of(from), List.of(to));
+            draft.step(label, event, List.of(from), List.of(to));
             return;
         }
         var idle = idle(provider, call);
-        draft.step(label + " without a stream", provider, List.of(from, idle), List.of(to, idle));
+        draft.step(label + " without a stream", event, List.of(from, idle), List.of(to, idle));
         for (var question : asking) {
             if (step instanceof Step.Emits) {
                 draft.step(
                         label + " to " + question.caller(),
-                        provider,
+                        event,
                         List.of(from, question.open(), question.room()),
                         List.of(to, question.open(), question.item()));
             } else {
                 draft.step(
                         label + " to " + question.caller(),
-                        provider,
+                        event,
                         List.of(from, question.open()),
                         List.of(to, question.settled(), idle));
             }

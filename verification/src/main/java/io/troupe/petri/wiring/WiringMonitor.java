@@ -1,15 +1,10 @@
 package io.troupe.petri.wiring;
 
-import static java.util.Objects.requireNonNull;
-
 import io.troupe.common.text.Suggestions;
-import io.troupe.petri.wiring.PossibleStates.Move;
-import io.troupe.petri.wiring.PossibleStates.Part;
-import io.troupe.petri.wiring.PossibleStates.Situation;
+import io.troupe.petri.wiring.PossibleMarkings.World;
 import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
-import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
@@ -30,19 +25,23 @@ import java.util.stream.Collectors;
  * monitor.check();
  * }
  *
- * <p>For each component the monitor has the set of states that are still possible. An event after which none is
- * possible is a violation. As long as there is none, the run is a firing sequence of the net that {@link WiringCheck}
- * searches, so a proof for the wiring holds for what the program does. {@link #idle} finds a call that will never be
- * answered, and {@link #never} adds combinations of states that must not occur.
+ * <p>The monitor fires the transitions of the net that {@link WiringCheck} searches, and knows in which of its markings
+ * the program can be. So it is always in a marking that the search has found, too, and a proof for the wiring holds for
+ * what the program does. An event that no marking allows is a violation, and so is one after which every marking is
+ * dead. {@link #idle} finds a call that will never be answered, and {@link #never} adds combinations of states that
+ * must not occur.
  *
- * <p><b>Role.</b> The program, or its observers, report the events. Private steps are not observed, and may happen at
- * any time, unless {@link #observing} names them.
+ * <p><b>Role.</b> The program, or its observers, report the events, of all steps that a {@link Protocol} can have.
+ * Private steps and stops are not reported, and may happen at any time, unless {@link #observing} names them. The
+ * answer to a call that its caller has given up may be reported or not. A failure is one event, in which the calls that
+ * the component serves are rejected.
  *
  * <p><b>Threads.</b> Any thread. One lock guards the monitor, so events of several threads have the order in which they
  * are reported; a queue in between would report them later than they happen.
  *
- * <p><b>Cost.</b> A call is three events, each some hash look-ups once its states are known. Memory for each set of
- * states that occurs, and for the last 60 events, or all if they are {@link #keepingEvents kept}.
+ * <p><b>Cost.</b> A call is three events, each some hash look-ups and a copy of one reference for each component.
+ * Memory for the net, and for the last 60 events, or all if they are {@link #keepingEvents kept}. A wiring that is
+ * followed often is made into a net once: {@link #again}.
  *
  * <p><b>Errors.</b> Events never throw because of a violation: the first is kept, and what follows is ignored. An
  * unknown component is an {@link IllegalArgumentException}.
@@ -103,63 +102,49 @@ public final class WiringMonitor {
     private final Wiring wiring;
     private final Set<String> observed;
     private final boolean keepsAll;
-    private final Map<String, Situation> now = new LinkedHashMap<>(); // guarded by this, as is all that follows
+    private final PossibleMarkings markings;
+    private List<World> now; // guarded by this, as is all that follows
     private final List<Never> never = new ArrayList<>();
     private final ArrayDeque<ProtocolEvent> events = new ArrayDeque<>();
     private long count;
     private boolean ended;
     private Optional<Violation> violation = Optional.empty();
 
-    private WiringMonitor(Wiring wiring, Set<String> observed, boolean keepsAll) {
+    private WiringMonitor(Wiring wiring, Set<String> observed, boolean keepsAll, PossibleMarkings markings) {
         this.wiring = wiring;
         this.observed = observed;
         this.keepsAll = keepsAll;
-        for (var component : wiring.components()) {
-            now.put(component, statesOf(wiring, component, observed).first());
-        }
-    }
-
-    static PossibleStates statesOf(Wiring wiring, String component, Set<String> observed) {
-        var protocol = wiring.protocol(component);
-        for (var step : protocol.steps()) {
-            if (!canFollow(step)) {
-                throw new IllegalArgumentException("wiring " + wiring.name() + ": " + component + " has the step "
-                        + step + ", which a monitor cannot follow;"
-                        + " expected does, requests without time-out or rejection, provides and stops only");
-            }
-        }
-        if (protocol.failure().isPresent()) {
-            throw new IllegalArgumentException("wiring " + wiring.name() + ": " + component + " may fail (state "
-                    + protocol.failure().get() + "), which a monitor cannot follow; expected no failure");
-        }
-        return new PossibleStates(
-                protocol.states().get(0), protocol.steps(), request -> wiring.provider(component, request), observed);
-    }
-
-    private static boolean canFollow(Step step) {
-        return switch (step) {
-            case Step.Requests request ->
-                request.onTimeout().isEmpty() && request.onRejection().isEmpty();
-            case Step.Does does -> true;
-            case Step.Provides provides -> true;
-            case Step.Stops stops -> true;
-            default -> false;
-        };
+        this.markings = markings;
+        this.now = markings.first();
     }
 
     /** Starts with each component in its first state. */
     public static WiringMonitor of(Wiring wiring) {
-        return new WiringMonitor(wiring, Set.of(), false);
+        return of(wiring, Set.of());
     }
 
-    /** A new monitor to which each private step with one of these labels is reported, by {@link #did}. */
+    private static WiringMonitor of(Wiring wiring, Set<String> observed) {
+        var net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
+        return new WiringMonitor(wiring, observed, false, new PossibleMarkings(net, observed, null));
+    }
+
+    /**
+     * A new monitor to which each private step with one of these labels is reported, by {@link #did}; of an open call
+     * the name of the call is its label.
+     */
     public WiringMonitor observing(Set<String> labels) {
-        return new WiringMonitor(wiring, Set.copyOf(labels), keepsAll);
+        var other = of(wiring, Set.copyOf(labels));
+        return keepsAll ? other.keepingEvents() : other;
     }
 
     /** A new monitor that keeps all events, for {@link Conformance}. */
     public WiringMonitor keepingEvents() {
-        return new WiringMonitor(wiring, observed, true);
+        return new WiringMonitor(wiring, observed, true, markings);
+    }
+
+    /** A new monitor like this one, that starts again; it has no combinations that {@link #never} occur. */
+    public WiringMonitor again() {
+        return new WiringMonitor(wiring, observed, keepsAll, markings);
     }
 
     /**
@@ -209,71 +194,56 @@ public final class WiringMonitor {
         on(new ProtocolEvent(Kind.DID, component, step));
     }
 
+    /** Follows an event of one of the kinds that have no method here. */
+    public void on(Kind kind, String component, String what) {
+        on(new ProtocolEvent(kind, component, what));
+    }
+
     /** Follows an event. */
     public synchronized void on(ProtocolEvent event) {
         if (ended || violation.isPresent()) {
             return;
         }
-        if (event.kind() == Kind.DID) {
-            if (!observed.contains(event.what())) {
-                throw new IllegalArgumentException("the private step \"" + event.what()
-                        + "\" is reported, and not among those that are" + " observed: " + observed);
-            }
-            move(event, event.component(), new Move(Part.DOES, event.what()));
-        } else {
-            if (event.what().indexOf('.') < 1) {
-                throw new IllegalArgumentException("the call is \"" + event.what() + "\", expected component.call");
-            }
-            if (!now.containsKey(event.provider())) {
-                wiring.protocol(event.provider()); // throws, with the nearest name
-            }
-            var isMoved = move(event, event.component(), new Move(Part.ofCaller(event.kind()), event.what()));
-            if (isMoved && event.kind() != Kind.ASKED) {
-                move(
-                        event,
-                        event.provider(),
-                        new Move(
-                                event.kind() == Kind.TAKEN ? Part.TAKES : Part.ANSWERS,
-                                event.component() + "." + event.call()));
-            }
+        if (event.kind() == Kind.DID && !observed.contains(event.what())) {
+            throw new IllegalArgumentException("the private step \"" + event.what()
+                    + "\" is reported, and not among those that are observed: " + observed);
+        }
+        if (event.hasTarget() && event.what().indexOf('.') < 1) {
+            throw new IllegalArgumentException("the call is \"" + event.what() + "\", expected component.call");
+        }
+        wiring.protocol(event.component()); // throws, with the nearest name
+        wiring.protocol(event.provider());
+        var next = markings.after(now, event);
+        if (next.isEmpty()) {
+            var why = markings.whyNot(now, event);
+            violated(Optional.of(event), why.getKey(), event + " is not allowed: " + why.getValue());
+            return;
+        }
+        now = next;
+        checkNever(event);
+        if (violation.isEmpty() && !markings.canGoOn(now)) {
+            violated(Optional.of(event), event.component(), "after this nothing is possible any more: " + situation());
         }
         if (violation.isEmpty()) {
-            checkNever(event);
             keep(event);
         }
     }
 
-    private boolean move(ProtocolEvent event, String component, Move move) {
-        var before = now.get(component);
-        if (before == null) {
-            wiring.protocol(component); // throws, with the nearest name
-            return false;
-        }
-        var after = before.after(move);
-        if (after.isImpossible()) {
-            var allowed = before.allowed();
-            violated(
-                    Optional.of(event),
-                    component,
-                    event + " is not allowed: " + component + " " + before + ", where it may "
-                            + (allowed.isEmpty() ? "do nothing" : String.join(", or ", allowed)));
-            return false;
-        }
-        now.put(component, after);
-        return true;
+    private String situation() {
+        return wiring.components().stream().map(this::describe).collect(Collectors.joining(", "));
     }
 
     private void checkNever(ProtocolEvent event) {
         for (var each : never) {
             if (each.states().entrySet().stream()
-                    .allMatch(entry -> requireNonNull(now.get(entry.getKey())).isWithin(entry.getValue()))) {
+                    .allMatch(entry -> markings.isWithin(now, entry.getKey(), entry.getValue()))) {
                 violated(
                         Optional.of(event),
                         event.component(),
                         each.what() + ": "
                                 + each.states().keySet().stream()
                                         .sorted()
-                                        .map(component -> component + " " + now.get(component))
+                                        .map(this::describe)
                                         .collect(Collectors.joining(", ")));
                 return;
             }
@@ -290,37 +260,25 @@ public final class WiringMonitor {
 
     /**
      * The program does nothing any more until something from outside arrives: a call that is under way now will never
-     * be answered.
+     * be answered, and a message in a mailbox never be received.
      */
     public synchronized void idle() {
         if (ended || violation.isPresent()) {
             return;
         }
-        for (var entry : now.entrySet()) {
-            if (!entry.getValue().mayRest()) {
-                violated(
-                        Optional.empty(),
-                        entry.getKey(),
-                        entry.getKey() + " " + entry.getValue() + ", and nothing happens any more");
-                return;
-            }
-        }
+        markings.underWay(now)
+                .ifPresent(left ->
+                        violated(Optional.empty(), left.getKey(), left.getValue() + ", and nothing happens any more"));
     }
 
     private void violated(Optional<ProtocolEvent> event, String component, String problem) {
         var last = List.copyOf(events);
-        var waits = new LinkedHashSet<String>();
-        now.forEach((other, situation) -> {
-            if (!situation.mayRest() && !other.equals(component)) {
-                waits.add(other + " " + situation);
-            }
-        });
+        var waits = wiring.components().stream()
+                .filter(other -> !other.equals(component) && !markings.mayRest(now, other))
+                .map(this::describe)
+                .toList();
         violation = Optional.of(new Violation(
-                event,
-                component,
-                problem,
-                last.subList(Math.max(0, last.size() - STORY_EVENTS), last.size()),
-                List.copyOf(waits)));
+                event, component, problem, last.subList(Math.max(0, last.size() - STORY_EVENTS), last.size()), waits));
     }
 
     /** Ignores all events from now on, because the program is being closed, which is no part of the wiring. */
@@ -356,6 +314,6 @@ public final class WiringMonitor {
     /** In which states a component may be, in words. */
     public synchronized String describe(String component) {
         wiring.protocol(component);
-        return component + " " + now.get(component);
+        return component + " " + markings.describe(now, component);
     }
 }

@@ -6,6 +6,7 @@ import io.troupe.petri.Arc;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
+import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -26,8 +27,48 @@ import java.util.stream.Stream;
  * {@link Mailboxes} are in their files.
  */
 final class WiringNet {
-    /** The components that take part in a transition, and those that stop in it. */
-    record Event(Set<String> who, Set<String> stopping) {}
+    /** A step of the protocol of a component. */
+    record Entry(String component, Step step) {}
+
+    /**
+     * What a transition means.
+     *
+     * @param who the components that take part
+     * @param stopping those that stop
+     * @param entry the step of a protocol that begins with it; empty if it continues one, or is a failure
+     * @param seen what is reported to a {@link WiringMonitor}; empty if nothing is
+     * @param mayBeUnseen whether it may happen without a report
+     */
+    record Event(
+            Set<String> who,
+            Set<String> stopping,
+            Optional<Entry> entry,
+            Optional<ProtocolEvent> seen,
+            boolean mayBeUnseen) {
+        Event(Set<String> who, Set<String> stopping) {
+            this(who, stopping, Optional.empty(), Optional.empty(), true);
+        }
+
+        static Event of(String... who) {
+            return new Event(new LinkedHashSet<>(List.of(who)), Set.of());
+        }
+
+        static Event stop(String component) {
+            return new Event(Set.of(component), Set.of(component));
+        }
+
+        Event begins(String component, Step step) {
+            return new Event(who, stopping, Optional.of(new Entry(component, step)), seen, mayBeUnseen);
+        }
+
+        Event seen(Kind kind, String component, String what) {
+            return new Event(who, stopping, entry, Optional.of(new ProtocolEvent(kind, component, what)), false);
+        }
+
+        Event orUnseen() {
+            return new Event(who, stopping, entry, seen, true);
+        }
+    }
 
     /** What a token on a place means. */
     sealed interface ComponentState {
@@ -37,6 +78,9 @@ final class WiringNet {
 
         /** A call of a component that is being served, or that it asked and went on. */
         record Unanswered(String component, String target) implements ComponentState {}
+
+        /** A component serves a call. */
+        record Serving(String component, String call) implements ComponentState {}
 
         /** The contents of the mailbox of a component, oldest first. */
         record Holding(String component, List<String> messages) implements ComponentState {}
@@ -63,7 +107,8 @@ final class WiringNet {
         var components = wiring.components().stream().filter(chosen::contains).toList();
         components.forEach(component -> wiring.protocol(component)
                 .states()
-                .forEach(state -> draft.place(
+                .forEach(state -> draft.local(
+                        component,
                         at(component, state),
                         state.equals(first(component)) ? 1 : 0,
                         new ComponentState.At(component, state))));
@@ -114,6 +159,12 @@ final class WiringNet {
         return requireNonNull(draft.events.get(name(transition)));
     }
 
+    /** The component of which this place is a part; empty for a place between components. */
+    Optional<String> owner(Place place) {
+        return Optional.ofNullable(
+                draft.owners.get(net.places().get(place.index()).name()));
+    }
+
     ComponentState componentState(Place place) {
         return requireNonNull(draft.meanings.get(net.places().get(place.index()).name()));
     }
@@ -156,7 +207,10 @@ final class WiringNet {
             var from = at(component, step.from());
             var to = at(component, step.to());
             switch (step) {
-                case Step.Does does -> draft.step(label, component, List.of(from), List.of(to));
+                case Step.Does does -> {
+                    var event = Event.of(component).begins(component, step);
+                    draft.step(label, event.seen(Kind.DID, component, does.label()), List.of(from), List.of(to));
+                }
                 case Step.Requests request -> {
                     if (!chosen.contains(wiring.provider(component, request))) {
                         draft.step(label, component, List.of(from), List.of(to));
@@ -166,17 +220,29 @@ final class WiringNet {
                 }
                 case Step.Incoming offer -> {
                     if (!(offer instanceof Step.Receives) && !isCalled(component, offer.call())) {
-                        draft.step(label, component, List.of(from), List.of(to));
+                        var event = Event.of(component).begins(component, step);
+                        draft.step(label, event.seen(Kind.DID, component, offer.call()), List.of(from), List.of(to));
                     }
                 }
                 case Step.Acquires acquires ->
-                    draft.step(label, component, List.of(from, free(component, acquires.resource())), List.of(to));
+                    draft.step(
+                            label,
+                            Event.of(component)
+                                    .begins(component, step)
+                                    .seen(Kind.ACQUIRED, component, wiring.bound(component, acquires.resource())),
+                            List.of(from, free(component, acquires.resource())),
+                            List.of(to));
                 case Step.Releases releases ->
-                    draft.step(label, component, List.of(from), List.of(to, free(component, releases.resource())));
+                    draft.step(
+                            label,
+                            Event.of(component)
+                                    .begins(component, step)
+                                    .seen(Kind.RELEASED, component, wiring.bound(component, releases.resource())),
+                            List.of(from),
+                            List.of(to, free(component, releases.resource())));
                 case Step.Stops stops -> {
                     if (!wiring.stopsTogether()) {
-                        var who = Set.of(component);
-                        draft.step(label, new Event(who, who), List.of(from), List.of(to));
+                        draft.step(label, Event.stop(component).begins(component, step), List.of(from), List.of(to));
                     }
                 }
                 default -> {} // steps of questions and messages
@@ -212,7 +278,7 @@ final class WiringNet {
         var out = new ArrayList<>(more);
         out.add(questions.failed(component));
         wiring.protocol(component).held(state).forEach(role -> out.add(free(component, role)));
-        draft.step(label, component, in, out);
+        draft.step(label, Event.of(component).seen(Kind.FAILED, component, ""), in, out);
     }
 
     /** The places of a provider that has accepted a call, and that has served it. */
@@ -237,8 +303,9 @@ final class WiringNet {
                 where,
                 provider + " before " + offer.call() + where,
                 provider + " after " + offer.call() + where);
-        draft.place(service.before(), 0);
-        draft.place(service.after(), 0);
+        var serving = new ComponentState.Serving(provider, offer.call());
+        draft.local(provider, service.before(), 0, serving);
+        draft.local(provider, service.after(), 0, serving);
         draft.step(
                 provider + " does " + offer.call() + where,
                 provider,
@@ -275,7 +342,9 @@ final class WiringNet {
             for (var service : services(provider, call)) {
                 draft.step(
                         provider + " answers " + call + service.where() + " to " + caller + ", which has given up",
-                        provider,
+                        Event.of(provider)
+                                .seen(Kind.ANSWERED, caller, provider + "." + call)
+                                .orUnseen(),
                         List.of(service.after(), place),
                         List.of(at(provider, service.offer().to())));
                 failsServing(provider, service, caller + ", which has given up", place, List.of());
@@ -299,25 +368,25 @@ final class WiringNet {
         var caller = component + where;
         var waiting = component + " waits for " + target + where;
         var pending = component + " is served " + target + where;
-        draft.place(waiting, 0, new ComponentState.Asking(component, request));
-        draft.place(pending, 0, new ComponentState.Unanswered(component, target));
+        draft.local(component, waiting, 0, new ComponentState.Asking(component, request));
+        draft.local(component, pending, 0, new ComponentState.Unanswered(component, target));
         var services = services(provider, call);
         draft.step(
                 component + " asks " + target + where,
-                component,
+                Event.of(component).begins(component, request).seen(Kind.ASKED, component, target),
                 List.of(at(component, request.from())),
                 List.of(waiting));
-        var both = new Event(new LinkedHashSet<>(List.of(component, provider)), Set.of());
+        var both = Event.of(component, provider);
         for (var service : services) {
             var offer = service.offer();
             draft.step(
                     provider + " takes " + call + service.where() + " from " + caller,
-                    both,
+                    both.begins(provider, offer).seen(Kind.TAKEN, component, target),
                     List.of(waiting, at(provider, offer.from())),
                     List.of(pending, service.before()));
             draft.step(
                     provider + " answers " + call + service.where() + " to " + caller,
-                    both,
+                    both.seen(Kind.ANSWERED, component, target),
                     List.of(pending, service.after()),
                     List.of(at(component, request.to()), at(provider, offer.to())));
             request.onRejection()
@@ -330,16 +399,17 @@ final class WiringNet {
                         .filter(step -> step.call().equals(call))
                         .forEach(step -> draft.step(
                                 provider + " rejects " + call + " of " + caller + " in " + step.from(),
-                                both,
+                                both.begins(provider, step).seen(Kind.REJECTED, component, target),
                                 List.of(waiting, at(provider, step.from())),
                                 List.of(at(component, state), at(provider, step.to())))));
         request.onTimeout().ifPresent(state -> {
             var after = at(component, state);
             var event = caller + " times out: " + target;
-            draft.step(event + " was not taken", component, List.of(waiting), List.of(after));
+            var seen = Event.of(component).seen(Kind.TIMED_OUT, component, target);
+            draft.step(event + " was not taken", seen, List.of(waiting), List.of(after));
             draft.step(
                     event + " is served in vain",
-                    component,
+                    seen,
                     List.of(pending),
                     List.of(after, abandoned(component, provider, call)));
         });
@@ -363,6 +433,7 @@ final class WiringNet {
         private final Map<String, NewStep> steps = new LinkedHashMap<>();
         private final Map<String, Event> events = new HashMap<>();
         private final Map<String, ComponentState> meanings = new HashMap<>();
+        private final Map<String, String> owners = new HashMap<>();
 
         Draft(String name) {
             this.name = name;
@@ -377,8 +448,14 @@ final class WiringNet {
             meanings.put(place, meaning);
         }
 
+        /** A place of one component, which has a token on exactly one of its places. */
+        void local(String component, String place, int tokens, ComponentState meaning) {
+            place(place, tokens, meaning);
+            owners.put(place, component);
+        }
+
         void step(String step, String component, List<String> in, List<String> out) {
-            step(step, new Event(Set.of(component), Set.of()), in, out);
+            step(step, Event.of(component), in, out);
         }
 
         /** A place that is named several times is an arc of that weight. */

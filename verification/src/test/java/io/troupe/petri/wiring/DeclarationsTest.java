@@ -122,7 +122,7 @@ class DeclarationsTest {
         requireProved(ring(true));
     }
 
-    private static WiringBuilder late(boolean givesUp) {
+    static WiringBuilder late(boolean givesUp) {
         var forgetful = Protocol.of("client")
                 .in("idle", asks("planner.plan").then("waiting"))
                 .in(
@@ -152,7 +152,7 @@ class DeclarationsTest {
 
     // ---- one-way messages into bounded mailboxes
 
-    private static WiringBuilder mail(int capacity, Overflow overflow) {
+    static WiringBuilder mail(int capacity, Overflow overflow) {
         var node = Protocol.of("node")
                 .in("first", sends("other.note").then("second"))
                 .in("second", sends("other.note").then("reading"))
@@ -214,7 +214,7 @@ class DeclarationsTest {
 
     // ---- callbacks as streams
 
-    private static WiringBuilder frames(int window) {
+    static WiringBuilder frames(int window) {
         var camera = Protocol.of("camera")
                 .in("idle", streams("frames").then("one"), provides("adjust").then("idle"))
                 .in("one", emits("frames").then("two"))
@@ -263,7 +263,7 @@ class DeclarationsTest {
 
     // ---- holders of resources
 
-    private static WiringBuilder hands(String first, String second) {
+    static WiringBuilder hands(String first, String second) {
         var robot = Protocol.of("robot")
                 .in("idle", acquires("arm").then("armed"))
                 .in("armed", acquires("camera").then("working"))
@@ -290,7 +290,7 @@ class DeclarationsTest {
 
     // ---- equal components
 
-    private static WiringBuilder table(int seats, boolean isLastLeftHanded) {
+    static WiringBuilder table(int seats, boolean isLastLeftHanded) {
         var philosopher = Protocol.of("phil")
                 .in("thinking", acquires("left").then("hungry"))
                 .in("hungry", acquires("right").then("eating"))
@@ -315,7 +315,7 @@ class DeclarationsTest {
 
     // ---- failures and restarts
 
-    private static WiringBuilder work(boolean isPatient) {
+    static WiringBuilder work(boolean isPatient) {
         var boss = Protocol.of("boss").in("calm", sends("worker.go").then("waiting"));
         if (isPatient) {
             boss.in("waiting", receives("done").then("calm"));
@@ -344,7 +344,7 @@ class DeclarationsTest {
         requireProved(work(false));
     }
 
-    private static WiringBuilder plans(boolean takesRejection) {
+    static WiringBuilder plans(boolean takesRejection) {
         var planner = Protocol.of("planner")
                 .in("ready", acquires("map").then("reading"))
                 .in("reading", provides("plan").then("read"))

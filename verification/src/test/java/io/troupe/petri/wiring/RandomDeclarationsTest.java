@@ -485,7 +485,7 @@ class RandomDeclarationsTest {
     // ---- random wirings
 
     /** Plans what each component offers, then draws the states that offer and use it. */
-    private static final class RandomWiring {
+    static final class RandomWiring {
         private final Random random;
         private List<Plan> plans = List.of();
 

@@ -3,9 +3,7 @@ package io.troupe.view.live;
 import io.troupe.actor.CallGraph;
 import io.troupe.actor.CallObserver;
 import io.troupe.actor.time.Clock;
-import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Service;
-import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
@@ -101,40 +99,10 @@ public final class ViewedRun {
 
     /** Shows a recorded run, and lets viewers control it if it runs in this process. */
     public RecordedRun.Listener listener(RecordedRun.Listener inner) {
-        return new RecordedRun.Listener() {
-            @Override
-            public void stateStarted(String line) {
-                inner.stateStarted(line);
-            }
-
-            @Override
-            public void ticked(long timeMicros) {
-                inner.ticked(timeMicros);
-            }
-
-            @Override
-            public boolean isStopRequested() {
-                return inner.isStopRequested();
-            }
-
+        return new RecordedRun.Listener.Forwarding(inner) {
             @Override
             public @Nullable CallObserver callObserver() {
                 return withCallGraph(inner.callObserver());
-            }
-
-            @Override
-            public ServiceObserver services(ServiceObserver recorder) {
-                return inner.services(recorder);
-            }
-
-            @Override
-            public Arbitrator.StateListener states(Arbitrator.StateListener recorder) {
-                return inner.states(recorder);
-            }
-
-            @Override
-            public void closing() {
-                inner.closing();
             }
 
             @Override
