@@ -66,7 +66,10 @@ enum LifecycleWirings {
                             does("is registered").then("idle"))
                     .build()),
 
-    /** The states of a component, which sends no values or notices unless it has been invoked. */
+    /**
+     * The states of a component, which sends no values or notices unless it has been invoked. One whose start was late,
+     * after it had been given up, is terminated once more.
+     */
     COMPONENT(
             "component",
             Protocol.of("component")
@@ -87,7 +90,10 @@ enum LifecycleWirings {
                             does("has been terminated").then("terminated"),
                             does("sends").then("terminating"),
                             does("fails").then("failed"))
-                    .in("terminated", does("is being invoked").then("invoking"))
+                    .in(
+                            "terminated",
+                            does("is being invoked").then("invoking"),
+                            does("is being terminated").then("terminating"))
                     .in(
                             "failed",
                             does("is being invoked").then("invoking"),

@@ -51,6 +51,7 @@ public final class RunMonitor {
     private @Nullable Integer inCycle; // in sync mode
     private boolean isAlive;
     private boolean isSwitching;
+    private boolean isOver; // after a failure
 
     public RunMonitor(Mode mode, int robots) {
         this(mode, robots, WiringMonitor.of(RunWirings.withFailures(mode, robots)));
@@ -111,22 +112,32 @@ public final class RunMonitor {
     /** The world is about to tick: all have answered. */
     void tick() {
         if (mode != Mode.SYNC) {
-            synchronized (this) {
-                sent.clear();
-                received.clear();
-            }
-            worldCalls("service", ".answered");
-            worldCalls("promise", ".idle");
-            monitor.called("world", "inbox.idle");
-            monitor.called("world", "arbitrator.idle");
-            worldCalls("service", ".data");
+            reading();
         }
         monitor.check();
     }
 
+    private synchronized void reading() {
+        sent.clear();
+        received.clear();
+        worldCalls("service", ".answered");
+        worldCalls("promise", ".idle");
+        if (!isOver) {
+            monitor.called("world", "inbox.idle");
+            monitor.called("world", "arbitrator.idle");
+        }
+        worldCalls("service", ".data");
+    }
+
     private void worldCalls(String component, String call) {
-        for (int robot = 1; robot <= robots; robot++) {
-            monitor.called("world", component + robot + call);
+        for (int robot = 1; robot <= robots && !isOver; robot++) {
+            if (component.equals("service") && failed.contains(robot - 1)) {
+                isOver = true;
+                monitor.asked("world", component + robot + call);
+                monitor.on(Kind.REJECTED, "world", component + robot + call);
+            } else {
+                monitor.called("world", component + robot + call);
+            }
         }
     }
 

@@ -359,7 +359,7 @@ class AppMonitorTest {
         bus.passed(new BusMessage.Data(hall, new Purpose.Publication("lamps"), 2, new Nothing()));
         assertThatThrownBy(monitor::check)
                 .hasMessageContaining("component test/hall: component: sends is not allowed: component is in"
-                        + " \"terminated\", where it may do \"is being invoked\"");
+                        + " \"terminated\", where it may do \"is being invoked\", or do \"is being terminated\"");
     }
 
     @Test
