@@ -2,7 +2,9 @@ package io.troupe.demo.guide;
 
 import static io.troupe.petri.wiring.Protocol.does;
 import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.receives;
 import static io.troupe.petri.wiring.Protocol.requests;
+import static io.troupe.petri.wiring.Protocol.sends;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
@@ -24,8 +26,10 @@ import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.Verdict;
 import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.SiphonAnalysis;
+import io.troupe.petri.wiring.Overflow;
 import io.troupe.petri.wiring.PaperWiring;
 import io.troupe.petri.wiring.Protocol;
+import io.troupe.petri.wiring.ProtocolEvent.Kind;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringMonitor;
@@ -174,6 +178,31 @@ class GuideSamplesTest {
                 .startsWith("camera waits for the answer of store.keep, and nothing happens any more\n  after:\n")
                 .contains("    - camera asks store.keep\n    - store takes keep from camera\n  meanwhile:\n")
                 .endsWith("    * store answers keep to camera");
+    }
+
+    @Test
+    void followedMessages_areRejectedByAFullMailbox() {
+        var camera = Protocol.of("camera")
+                .in("on", sends("store.keep").then("on").orRejected("on"))
+                .build();
+        var store =
+                Protocol.of("store").in("open", receives("keep").then("open")).build();
+        var wiring = Wiring.of("pictures")
+                .component(camera)
+                .component(store)
+                .mailbox("store", 1, Overflow.REJECT)
+                .build();
+        var monitor = WiringMonitor.of(wiring);
+        monitor.on(Kind.SENT, "camera", "store.keep");
+        monitor.on(Kind.REFUSED, "camera", "store.keep");
+        monitor.on(Kind.RECEIVED, "store", "keep");
+        monitor.idle();
+        monitor.check();
+
+        monitor.on(Kind.SENT, "camera", "store.keep");
+        monitor.on(Kind.SENT, "camera", "store.keep");
+        assertThat(monitor.violation().orElseThrow().problem())
+                .isEqualTo("camera sends store.keep is not allowed: store's mailbox [keep]");
     }
 
     /** The wiring of the guide deadlocks; the guide shows the repaired one too. */

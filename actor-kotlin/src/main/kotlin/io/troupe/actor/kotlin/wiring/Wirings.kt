@@ -75,6 +75,11 @@ public class StatesScope internal constructor(private val builder: ProtocolBuild
         val branches = BranchesScope().apply(declare).branches
         builder.`in`(name, *branches.toTypedArray())
     }
+
+    /** Lets the component fail in every other state; this one follows. */
+    public fun failsTo(state: String) {
+        builder.failsTo(state)
+    }
 }
 
 /** The ways out of a state. */
@@ -87,14 +92,92 @@ public class BranchesScope internal constructor() {
         branches += Protocol.does(label).then(then)
     }
 
-    /** A call, written `component.call`; the component waits for its answer. */
-    public fun requests(call: String, then: String) {
-        branches += Protocol.requests(call).then(then)
+    /**
+     * A call, written `component.call`; the component waits for its answer.
+     *
+     * @param onTimeout the state after a time-out, which may come at any moment before the answer
+     * @param onRejection the state after a rejection
+     */
+    public fun requests(call: String, then: String, onTimeout: String? = null, onRejection: String? = null) {
+        var branch = Protocol.requests(call).then(then)
+        onTimeout?.let { branch = branch.orTimeout(it) }
+        onRejection?.let { branch = branch.orRejected(it) }
+        branches += branch
     }
 
     /** A call that other components may make while the component is in this state. */
     public fun provides(call: String, then: String) {
         branches += Protocol.provides(call).then(then)
+    }
+
+    /** A call that the component rejects while it is in this state. */
+    public fun rejects(call: String, then: String) {
+        branches += Protocol.rejects(call).then(then)
+    }
+
+    /** A call, written `component.call`, whose answer the component takes later, in a state that is [answered]. */
+    public fun asks(call: String, then: String) {
+        branches += Protocol.asks(call).then(then)
+    }
+
+    /** Takes the answer to a question; of a stream, its next item. */
+    public fun answered(call: String, then: String) {
+        branches += Protocol.answered(call).then(then)
+    }
+
+    /** Takes the rejection of a question. */
+    public fun rejected(call: String, then: String) {
+        branches += Protocol.rejected(call).then(then)
+    }
+
+    /** Gives up a question, and closes its stream. */
+    public fun cancels(call: String, then: String) {
+        branches += Protocol.cancels(call).then(then)
+    }
+
+    /** A call that stays open as a stream. */
+    public fun streams(call: String, then: String) {
+        branches += Protocol.streams(call).then(then)
+    }
+
+    /** Puts an item into the open stream of a call. */
+    public fun emits(call: String, then: String) {
+        branches += Protocol.emits(call).then(then)
+    }
+
+    /** Ends the open stream of a call. */
+    public fun finishes(call: String, then: String) {
+        branches += Protocol.finishes(call).then(then)
+    }
+
+    /** Takes the end of a stream, after all of its items. */
+    public fun finished(call: String, then: String) {
+        branches += Protocol.finished(call).then(then)
+    }
+
+    /**
+     * A one-way message, written `component.message`.
+     *
+     * @param onRejection the state after a message that a full mailbox rejects
+     */
+    public fun sends(message: String, then: String, onRejection: String? = null) {
+        val branch = Protocol.sends(message).then(then)
+        branches += if (onRejection == null) branch else branch.orRejected(onRejection)
+    }
+
+    /** Takes the oldest message of the mailbox if it is this one. */
+    public fun receives(message: String, then: String) {
+        branches += Protocol.receives(message).then(then)
+    }
+
+    /** Waits for a unit of a resource and holds it from then on. */
+    public fun acquires(resource: String, then: String) {
+        branches += Protocol.acquires(resource).then(then)
+    }
+
+    /** Gives a unit of a resource back. */
+    public fun releases(resource: String, then: String) {
+        branches += Protocol.releases(resource).then(then)
     }
 
     /** Allows the component to stop here: it goes back to its first state. */

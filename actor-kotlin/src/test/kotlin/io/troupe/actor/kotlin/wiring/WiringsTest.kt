@@ -1,10 +1,22 @@
 package io.troupe.actor.kotlin.wiring
 
+import io.troupe.petri.wiring.Overflow
 import io.troupe.petri.wiring.Protocol
+import io.troupe.petri.wiring.Protocol.acquires
+import io.troupe.petri.wiring.Protocol.answered
+import io.troupe.petri.wiring.Protocol.asks
+import io.troupe.petri.wiring.Protocol.cancels
 import io.troupe.petri.wiring.Protocol.does
+import io.troupe.petri.wiring.Protocol.emits
+import io.troupe.petri.wiring.Protocol.finished
+import io.troupe.petri.wiring.Protocol.finishes
 import io.troupe.petri.wiring.Protocol.provides
+import io.troupe.petri.wiring.Protocol.rejected
+import io.troupe.petri.wiring.Protocol.rejects
+import io.troupe.petri.wiring.Protocol.releases
 import io.troupe.petri.wiring.Protocol.requests
 import io.troupe.petri.wiring.Protocol.stops
+import io.troupe.petri.wiring.Protocol.streams
 import io.troupe.petri.wiring.Wiring
 import io.troupe.petri.wiring.WiringCheck
 import io.troupe.petri.wiring.WiringResult.Deadlock
@@ -67,6 +79,83 @@ class WiringsTest {
         assertThat(two.net().toString()).isEqualTo(built.net().toString())
         assertThat(two.net()).usingRecursiveComparison().isEqualTo(built.net())
         assertThat(WiringCheck.check(two)).isInstanceOf(Proved::class.java)
+    }
+
+    @Test
+    fun messagesFailuresAndRestarts_areProved() {
+        val work = wiring("work") {
+            component("boss") {
+                state("calm") { sends("worker.go", then = "waiting", onRejection = "calm") }
+                state("waiting") {
+                    receives("done", then = "calm")
+                    does("time out", then = "calm")
+                }
+            }
+            component("worker") {
+                state("idle") { receives("go", then = "working") }
+                state("working") { sends("boss.done", then = "idle") }
+                state("down") { does("restart", then = "idle") }
+                failsTo("down")
+            }
+            mailbox("boss", 1, Overflow.DROP_OLDEST)
+            mailbox("worker", 1, Overflow.REJECT)
+        }
+        assertThat(WiringCheck.check(work)).isInstanceOf(Proved::class.java)
+    }
+
+    /** Each function of the steps makes the step of that name. */
+    @Test
+    fun allSteps_areThoseOfTheBuilders() {
+        val camera = protocol("camera") {
+            state("idle") {
+                streams("frames", then = "on")
+                rejects("adjust", then = "idle")
+            }
+            state("on") {
+                emits("frames", then = "on")
+                finishes("frames", then = "idle")
+                provides("adjust", then = "on")
+            }
+        }
+        val viewer = protocol("viewer") {
+            state("dark") { asks("camera.frames", then = "watching") }
+            state("watching") {
+                answered("camera.frames", then = "adjusting")
+                finished("camera.frames", then = "dark")
+                cancels("camera.frames", then = "dark")
+                rejected("camera.frames", then = "dark")
+            }
+            state("adjusting") { requests("camera.adjust", then = "holding", "watching", onRejection = "watching") }
+            state("holding") { acquires("map", then = "reading") }
+            state("reading") { releases("map", then = "watching") }
+        }
+        val builtCamera = Protocol.of("camera")
+            .`in`("idle", streams("frames").then("on"), rejects("adjust").then("idle"))
+            .`in`(
+                "on",
+                emits("frames").then("on"),
+                finishes("frames").then("idle"),
+                provides("adjust").then("on"),
+            )
+            .build()
+        val builtViewer = Protocol.of("viewer")
+            .`in`("dark", asks("camera.frames").then("watching"))
+            .`in`(
+                "watching",
+                answered("camera.frames").then("adjusting"),
+                finished("camera.frames").then("dark"),
+                cancels("camera.frames").then("dark"),
+                rejected("camera.frames").then("dark"),
+            )
+            .`in`(
+                "adjusting",
+                requests("camera.adjust").then("holding").orTimeout("watching").orRejected("watching"),
+            )
+            .`in`("holding", acquires("map").then("reading"))
+            .`in`("reading", releases("map").then("watching"))
+            .build()
+        assertThat(camera).usingRecursiveComparison().isEqualTo(builtCamera)
+        assertThat(viewer).usingRecursiveComparison().isEqualTo(builtViewer)
     }
 
     @Test
