@@ -30,6 +30,8 @@ import org.jspecify.annotations.Nullable;
  * combination, and one marking of the places between components. Mostly there is one world, so that the cost of an
  * event does not grow with the number of combinations.
  *
+ * <p>Long, because it also words what is possible and why an event is not.
+ *
  * <p><b>Threads.</b> Thread-safe.
  */
 final class PossibleMarkings {

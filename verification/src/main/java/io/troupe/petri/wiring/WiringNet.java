@@ -25,6 +25,8 @@ import java.util.stream.Stream;
  *
  * <p>A request is melded as in the paper ({@link io.troupe.petri.Meld}). The parts for {@link Questions} and
  * {@link Mailboxes} are in their files.
+ *
+ * <p>Long, because each step is here with its places, its meaning and its name.
  */
 final class WiringNet {
     /** A step of the protocol of a component. */
