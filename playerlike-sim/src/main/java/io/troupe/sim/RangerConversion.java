@@ -42,14 +42,13 @@ final class RangerConversion {
 
     /**
      * True if a requested laser configuration equals the current one, but for intensities, which can be switched. Its
-     * range resolution does not matter. A frequency of 0 means none, as in messages of javaclient3, which have no such
-     * field.
+     * range resolution does not matter, nor its largest range: libplayerc has no value for it, and sends what happens
+     * to be in its memory. A frequency of 0 means none, as in messages of javaclient3, which have no such field.
      */
     static boolean isSame(LaserConfiguration asked, LaserConfiguration real) {
         return isNear(asked.minAngleRad(), real.minAngleRad())
                 && isNear(asked.maxAngleRad(), real.maxAngleRad())
                 && isNear(asked.resolutionRad(), real.resolutionRad())
-                && isNear(asked.maxRangeM(), real.maxRangeM())
                 && (asked.frequencyHz() == 0 || isNear(asked.frequencyHz(), real.frequencyHz()));
     }
 

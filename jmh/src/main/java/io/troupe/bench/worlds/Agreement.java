@@ -8,8 +8,7 @@ import java.util.stream.Stream;
 /**
  * The agreement of the contenders on one scene: they must sense the same after a second in which no robot drives.
  *
- * @param largestM the largest difference between a sonar reading of ours and one of another contender, without grazing
- *     rays
+ * @param largestM the largest difference between a range of ours and one of another contender, without grazing rays
  * @param grazing the number of rays that differ by more: they just touch a corner, which one contender hits and the
  *     other misses
  */
@@ -28,8 +27,8 @@ record Agreement(double largestM, int grazing) {
      * <p><b>Errors.</b> {@link IllegalStateException} if readings differ by more than {@link #TOLERANCE_M} in more than
      * one ray of 5,000, or two images by more than a column.
      */
-    static Agreement check(int robotCount) {
-        WorldSpec spec = TiledScene.of(robotCount);
+    static Agreement check(BuildScene scene, int robotCount) {
+        WorldSpec spec = scene.spec(robotCount);
         List<Readings> all = Stream.of(WorldKind.values())
                 .map(kind -> afterOneSecond(kind, spec))
                 .toList();
@@ -39,14 +38,15 @@ record Agreement(double largestM, int grazing) {
             for (int robot = 0; robot < robotCount; robot++) {
                 String where = WorldKind.values()[i].label() + ", robot " + robot + " of " + robotCount;
                 images(where, robot, all.getFirst(), all.get(i));
-                for (int k = 0; k < TiledScene.SONARS; k++) {
-                    double ours = all.getFirst().sonarM(robot, k);
-                    double theirs = all.get(i).sonarM(robot, k);
+                int rays = all.get(i).rays;
+                for (int k = 0; k < rays; k++) {
+                    double ours = all.getFirst().rangeM(robot, k);
+                    double theirs = all.get(i).rangeM(robot, k);
                     if (Math.abs(ours - theirs) <= TOLERANCE_M) {
                         largestM = Math.max(largestM, Math.abs(ours - theirs));
-                    } else if (++grazing > robotCount * TiledScene.SONARS / RAYS_PER_GRAZING) {
+                    } else if (++grazing > robotCount * rays / RAYS_PER_GRAZING) {
                         throw new IllegalStateException(
-                                where + ", sonar " + k + ": " + theirs + " m, expected " + ours + " m as in ours");
+                                where + ", ray " + k + ": " + theirs + " m, expected " + ours + " m as in ours");
                     }
                 }
             }

@@ -13,8 +13,11 @@ class BenchWorldTest {
 
     @Test
     void readings_agree_afterASecondWithoutDriving() {
-        assertThat(Agreement.check(2).largestM()).isLessThan(0.001);
-        assertThat(Agreement.check(70).grazing()).isZero();
+        assertThat(Agreement.check(BuildScene.FULL, 2).largestM()).isLessThan(0.001);
+        assertThat(Agreement.check(BuildScene.FULL, 70).grazing()).isZero();
+        for (BuildScene scene : BuildScene.values()) {
+            assertThat(Agreement.check(scene, 10).largestM()).as("%s", scene).isLessThan(0.002);
+        }
     }
 
     @ParameterizedTest
