@@ -11,6 +11,7 @@ import io.troupe.sim.model.RangeNoise;
 import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.SonarSpec;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -56,6 +57,10 @@ final class RangerConversion {
         return Math.abs(asked - real) <= ROUNDING * Math.abs(real);
     }
 
+    /**
+     * A scan always has an intensity for each range, as Stage's: libplayerc shows one for each, and playerprint printed
+     * uninitialised memory where there was none. They are 0 if they are not measured.
+     */
     static DeviceData scan(RangerSpec laser, List<Double> rangesM, List<Double> intensities, long tick) {
         RangeSensorSpec sensor = laser.sensors().getFirst();
         return new DeviceData.LaserScan(
@@ -65,7 +70,7 @@ final class RangerConversion {
                 (float) sensor.maxRangeM(),
                 rangesM.stream().map(Double::floatValue).toList(),
                 intensities.isEmpty()
-                        ? List.of()
+                        ? Collections.nCopies(rangesM.size(), (byte) 0)
                         : intensities.stream().map(RangerConversion::octet).toList(),
                 (int) tick);
     }

@@ -251,7 +251,8 @@ class SimulatedDevicesTest {
         float eighth = (float) (45 * DEGREE);
         var ranges = List.of(slanted, (float) straight, slanted);
         assertThat(client.newest(LASER, 0))
-                .isEqualTo(new DeviceData.LaserScan(-eighth, eighth, eighth, 8, ranges, List.of(), 1));
+                .isEqualTo(new DeviceData.LaserScan(
+                        -eighth, eighth, eighth, 8, ranges, List.of((byte) 0, (byte) 0, (byte) 0), 1));
     }
 
     @Test

@@ -130,7 +130,7 @@ public final class CompareWorlds implements Callable<Integer> {
         for (int count : robots()) {
             if (count <= MANY_ROBOTS) {
                 line.show("comparing the readings of " + count);
-                Agreement agreement = Agreement.check(scene, count);
+                Agreement agreement = Agreement.check(scene, count, contenders());
                 line.interrupt(() -> System.out.printf(
                         Locale.ROOT,
                         "%s, %,d robots: after one second the ranges of all contenders agree within %.2f mm, but for %d rays that graze a corner%n",

@@ -382,7 +382,10 @@ class DeviceMessagesTest {
             do {
                 while (!laser.isDataReady())
                     ;
-            } while (laser.getData().getIntensity_count() == 0);
+                assertThat(laser.getData().getIntensity_count())
+                        .as("0 until they are measured")
+                        .isEqualTo(2);
+            } while (laser.getData().getIntensity()[0] == 0);
             assertThat(laser.getData().getIntensity()).containsExactly(3, 3);
         });
     }
