@@ -24,6 +24,7 @@ import java.util.Map;
 import java.util.Objects;
 import java.util.Optional;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -169,7 +170,11 @@ final class DeviceRequestHandler {
             case RANGER -> ofRanger(device, ranger(device), request);
             case BLOBFINDER -> NOT_OFFERED;
             case FIDUCIAL, BUMPER, CAMERA, GRIPPER ->
-                FurtherDevices.request(robot(device), robot(device).devices().get(device.ranger()), request);
+                FurtherDevices.request(
+                        robot(device),
+                        robot(device).devices().get(device.ranger()),
+                        world.latest().robots().get(device.robot()).devices().get(device.ranger()),
+                        request);
             case SIMULATION -> ofSimulation(device, request);
         };
     }
@@ -335,17 +340,25 @@ final class DeviceRequestHandler {
         if (robot >= 0) {
             return world.latest().robots().get(robot).pose();
         }
-        List<ObstacleSpec> obstacles = world.spec().obstacles();
-        for (int i = 0; i < obstacles.size(); i++) {
-            if (obstacles.get(i).name().equals(model)) {
-                Pose start = obstacles.get(i).pose();
-                return world.latest()
+        int obstacle = obstacle(model);
+        return obstacle < 0
+                ? null
+                : world.latest()
                         .displaced(world.spec())
-                        .getOrDefault(i, Optional.of(start))
+                        .getOrDefault(
+                                obstacle,
+                                Optional.of(
+                                        world.spec().obstacles().get(obstacle).pose()))
                         .orElse(null);
-            }
-        }
-        return null;
+    }
+
+    /** Index of the first obstacle with a name, or -1. */
+    private int obstacle(String model) {
+        List<ObstacleSpec> obstacles = world.spec().obstacles();
+        return IntStream.range(0, obstacles.size())
+                .filter(i -> obstacles.get(i).name().equals(model))
+                .findFirst()
+                .orElse(-1);
     }
 
     /**
@@ -385,27 +398,26 @@ final class DeviceRequestHandler {
         if (robot >= 0) {
             return world.spec().robots().get(robot).colour();
         }
-        return world.spec().obstacles().stream()
-                .filter(obstacle -> obstacle.name().equals(model))
-                .findFirst()
-                .orElseThrow()
-                .colour();
+        return world.spec().obstacles().get(obstacle(model)).colour();
     }
 
     private DeviceReply teleport(PortDevice device, String model, Pose pose) {
         int robot = world.robotNumber(model);
-        if (robot < 0) {
-            return poseOf(model) == null
-                    ? noModel(model)
-                    : new DeviceReply.Nack("'" + model + "' is an obstacle, and only robots can be moved");
+        int obstacle = robot >= 0 ? -1 : obstacle(model);
+        if (robot < 0 && obstacle < 0) {
+            return noModel(model);
         }
-        String refusal = world.teleportRefusal(robot, pose);
+        String refusal = robot >= 0 ? world.teleportRefusal(robot, pose) : world.obstacleRefusal(obstacle, pose);
         if (refusal != null) {
             return new DeviceReply.Nack(refusal);
         }
-        // one address per robot, so that only the newest teleport of each robot counts
-        var itself = new PortDevice(device.address(), Interfaces.SIMULATION, robot, 0);
-        queue.add(itself, Kind.PLACE, () -> world.teleportLater(robot, pose));
+        // one address per model, so that only the newest place of each counts
+        int number = robot >= 0 ? robot : world.spec().robots().size() + obstacle;
+        var itself = new PortDevice(device.address(), Interfaces.SIMULATION, number, 0);
+        queue.add(
+                itself,
+                Kind.PLACE,
+                robot >= 0 ? () -> world.teleportLater(robot, pose) : () -> world.placeObstacleLater(obstacle, pose));
         return ACK;
     }
 
@@ -446,7 +458,8 @@ final class DeviceRequestHandler {
                         case SIMULATION -> List.of(1, 2, 3, 4, 5);
                         case RANGER -> List.of(1, 2, 3, 4, 5);
                         case LASER -> List.of(1, 2, 3, 4, 5);
-                        case BLOBFINDER, CAMERA -> List.of();
+                        case BLOBFINDER -> List.of();
+                        case CAMERA -> List.of(3);
                         case FIDUCIAL -> List.of(1, 2, 3, 7, 8);
                         case BUMPER, GRIPPER -> List.of(1);
                     };

@@ -14,8 +14,8 @@ import io.troupe.sim.model.RobotSpec;
 /**
  * Converts the readings of the devices of {@link RobotSpec#devices} to Player data, and answers requests to them.
  *
- * <p><b>Source.</b> What Stage acknowledges and refuses. It refuses the field of view of a finder, which is answered
- * here.
+ * <p><b>Source.</b> What Stage acknowledges and refuses. It refuses the field of view of a finder and the request for
+ * an image, which are answered here.
  */
 final class FurtherDevices {
     private static final DeviceReply NOT_OFFERED =
@@ -45,15 +45,7 @@ final class FurtherDevices {
             case DeviceReading.Fiducials(var seen) ->
                 new DeviceData.Fiducials(
                         seen.stream().map(FurtherDevices::fiducial).toList());
-            case DeviceReading.Picture picture ->
-                new DeviceData.CameraImage(
-                        picture.columns().size(),
-                        picture.heightPx(),
-                        24,
-                        DeviceData.CameraImage.RGB888,
-                        1,
-                        DeviceData.CameraImage.RAW,
-                        Octets.of(picture.rgb()));
+            case DeviceReading.Picture picture -> image(picture);
             case DeviceReading.Grip(var paddles, boolean outer, boolean inner, boolean holds) ->
                 new DeviceData.GripperState(
                         switch (paddles) {
@@ -70,17 +62,32 @@ final class FurtherDevices {
         };
     }
 
+    private static DeviceData.CameraImage image(DeviceReading.Picture picture) {
+        return new DeviceData.CameraImage(
+                picture.columns().size(),
+                picture.heightPx(),
+                24,
+                DeviceData.CameraImage.RGB888,
+                1,
+                DeviceData.CameraImage.RAW,
+                Octets.of(picture.rgb()));
+    }
+
     private static DeviceData.Fiducial fiducial(DeviceReading.Fiducial marker) {
         return new DeviceData.Fiducial(
                 marker.id(), Pose3d.flat(marker.x(), marker.y(), marker.headingRad()), NO_UNCERTAINTY);
     }
 
-    static DeviceReply request(RobotSpec robot, DeviceSpec device, DeviceRequest request) {
+    /** @param newest the newest reading of the device */
+    static DeviceReply request(RobotSpec robot, DeviceSpec device, DeviceReading newest, DeviceRequest request) {
         return switch (device) {
             case DeviceSpec.FiducialFinder finder -> ofFinder(robot, finder, request);
             case DeviceSpec.Gripper gripper ->
                 request instanceof DeviceRequest.Geometry ? geometry(gripper) : NOT_OFFERED;
-            case DeviceSpec.Camera camera -> NOT_OFFERED; // images only, as with Stage
+            case DeviceSpec.Camera camera ->
+                request instanceof DeviceRequest.GetImage && newest instanceof DeviceReading.Picture picture
+                        ? new DeviceReply.Image(image(picture))
+                        : NOT_OFFERED;
             case DeviceSpec.Bumpers bumpers ->
                 request instanceof DeviceRequest.Geometry
                         ? new DeviceReply.BumperGeometry(bumpers.parts().stream()

@@ -15,7 +15,8 @@ import java.util.List;
 /**
  * The obstacles that may move, and the grippers that hold them.
  *
- * <p>A thing that is held is moved with the robot, and its body is parked where it touches nothing.
+ * <p>A thing that is held is moved with the robot, and its body is parked where it touches nothing. Things come and go
+ * like robots: they keep their bodies, which touch nothing while they are away.
  *
  * <p><b>Threads.</b> The thread that advances the world.
  */
@@ -26,18 +27,22 @@ final class Grippers {
     private static final int NOBODY = -1;
 
     private final List<ObstacleSpec> things;
+    private final List<Integer> obstacles; // their indices
     private final int robotCount;
     private final double intervalS;
-    private final Scene scene;
-    private final Physics physics;
+    private final Presence presence;
+    private Scene scene;
+    private Physics physics;
     private final int[] heldBy; // by thing, the robot
     private final Pose[] heldAt; // in the frame of the robot
     private final List<Gripper> grippers = new ArrayList<>();
 
     private record Gripper(int robot, GripperDevice device) {}
 
-    Grippers(WorldSpec spec, Scene scene, Physics physics, List<SimulatedDevices> devices) {
-        things = spec.movingObstacles().stream().map(spec.obstacles()::get).toList();
+    Grippers(WorldSpec spec, Presence presence, Scene scene, Physics physics, List<SimulatedDevices> devices) {
+        this.presence = presence;
+        obstacles = spec.movingObstacles();
+        things = obstacles.stream().map(spec.obstacles()::get).toList();
         robotCount = spec.robots().size();
         intervalS = spec.intervalMillis() / 1000.0;
         this.scene = scene;
@@ -46,15 +51,75 @@ final class Grippers {
         heldAt = new Pose[things.size()];
         Arrays.fill(heldBy, NOBODY);
         Arrays.fill(heldAt, Pose.ORIGIN);
-        for (int i = 0; i < things.size(); i++) {
-            scene.carry(i, NOBODY);
-        }
+        show();
         for (int robot = 0; robot < devices.size(); robot++) {
             for (Device device : devices.get(robot).others()) {
                 if (device instanceof GripperDevice gripper) {
                     grippers.add(new Gripper(robot, gripper));
                 }
             }
+        }
+    }
+
+    private void show() {
+        for (int i = 0; i < things.size(); i++) {
+            scene.carry(i, heldBy[i]);
+            scene.show(i, presence.holds(obstacles.get(i)));
+        }
+    }
+
+    /** Continues with a scene and a physics that were built anew, in which the things are at their {@link #poses}. */
+    void continueIn(Scene newScene, Physics newPhysics) {
+        scene = newScene;
+        show();
+        if (newPhysics != physics) {
+            physics = newPhysics;
+            for (int i = 0; i < things.size(); i++) {
+                if (!presence.holds(obstacles.get(i))) {
+                    physics.removeRobot(robotCount + i);
+                } else if (heldBy[i] != NOBODY) {
+                    park(i);
+                }
+            }
+        }
+    }
+
+    /** True if an obstacle may move. */
+    boolean moves(int obstacle) {
+        return obstacles.contains(obstacle);
+    }
+
+    /** Takes an obstacle that moves out of the world; a gripper that holds it loses it. */
+    void remove(int obstacle) {
+        int thing = obstacles.indexOf(obstacle);
+        loseIfHeld(thing);
+        physics.removeRobot(robotCount + thing);
+        scene.show(thing, false);
+    }
+
+    /** Puts an obstacle that moves at a pose; a gripper that holds it loses it. */
+    void put(int obstacle, Pose pose) {
+        int thing = obstacles.indexOf(obstacle);
+        loseIfHeld(thing);
+        place(thing, pose);
+        scene.show(thing, true);
+    }
+
+    /** Puts down what the grippers of a robot hold, which leaves. */
+    void putDownAll(int robot) {
+        for (int i = 0; i < heldBy.length; i++) {
+            if (heldBy[i] == robot) {
+                loseIfHeld(i);
+            }
+        }
+    }
+
+    private void loseIfHeld(int thing) {
+        if (heldBy[thing] != NOBODY) {
+            for (Gripper gripper : grippers) {
+                gripper.device.lose(thing);
+            }
+            putDown(thing);
         }
     }
 
@@ -85,6 +150,9 @@ final class Grippers {
     void update(Scratch scratch) {
         for (int i = 0; i < grippers.size(); i++) { // an iterator would be allocated in each interval
             Gripper gripper = grippers.get(i);
+            if (presence.isAway(gripper.robot)) {
+                continue;
+            }
             gripper.device.update(scene, gripper.robot, intervalS, scratch, new GripperDevice.Holder() {
                 @Override
                 public boolean hold(int thing) {
@@ -109,16 +177,24 @@ final class Grippers {
                 .compose(new Pose(at.x() - robotAt.x(), at.y() - robotAt.y(), at.headingRad()));
         heldBy[thing] = robot;
         scene.carry(thing, robot);
+        park(thing);
+        return true;
+    }
+
+    private void park(int thing) {
         physics.teleport(robotCount + thing, new Pose(PARKED_M + 100.0 * thing, PARKED_M, 0));
         physics.hold(robotCount + thing);
-        return true;
     }
 
     private void putDown(int thing) {
         Pose at = pose(thing);
         heldBy[thing] = NOBODY;
         scene.carry(thing, NOBODY);
-        physics.teleport(robotCount + thing, at);
+        place(thing, at);
+    }
+
+    private void place(int thing, Pose pose) {
+        physics.teleport(robotCount + thing, pose);
         if (things.get(thing).traits().pushableKg() == 0) {
             physics.hold(robotCount + thing);
         }

@@ -10,6 +10,7 @@ import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
 import java.util.List;
 import java.util.function.IntPredicate;
+import java.util.stream.Stream;
 
 /** Creates the physics bodies of a world. */
 final class PhysicsSetup {
@@ -19,12 +20,18 @@ final class PhysicsSetup {
 
     /** Creates the physics with all bodies at their start poses. */
     static Physics atStart(WorldSpec spec, WorldSettings settings, StartPoses starts) {
-        return at(spec, settings, starts.poses(), starts.stuck()::get);
+        List<Pose> poses = Stream.concat(
+                        starts.poses().stream(),
+                        spec.movingObstacles().stream()
+                                .map(i -> spec.obstacles().get(i).pose()))
+                .toList();
+        return at(spec, settings, poses, starts.stuck()::get);
     }
 
     /**
-     * Creates the physics with the robots at given poses.
+     * Creates the physics with the robots and the obstacles that move at given poses.
      *
+     * @param poses of the robots and, after them, of these obstacles
      * @param held whether a robot is held in place
      */
     static Physics at(WorldSpec spec, WorldSettings settings, List<Pose> poses, IntPredicate held) {
@@ -45,10 +52,11 @@ final class PhysicsSetup {
         for (int i = 0; i < movers.size(); i++) {
             ObstacleSpec obstacle = spec.obstacles().get(movers.get(i));
             double massKg = obstacle.traits().pushableKg();
-            begun.addRobot(obstacle.pose(), obstacle.shape(), massKg > 0 ? massKg : 1, obstacle.blocksBodies());
-            begun.drive(spec.robots().size() + i, 0, 0);
+            int body = spec.robots().size() + i;
+            begun.addRobot(poses.get(body), obstacle.shape(), massKg > 0 ? massKg : 1, obstacle.blocksBodies());
+            begun.drive(body, 0, 0);
             if (massKg == 0) {
-                begun.hold(spec.robots().size() + i);
+                begun.hold(body);
             }
         }
         return begun;

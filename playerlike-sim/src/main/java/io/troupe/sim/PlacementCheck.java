@@ -9,12 +9,14 @@ import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.function.IntFunction;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -27,12 +29,15 @@ final class PlacementCheck {
 
     private record Cell(long column, long row) {}
 
+    /** Stands for the number of an obstacle that stands still. */
+    static final int NOT_A_MOVER = -1;
+
     /** Obstacles that cover more cells than this are in no cell; every check looks at them. */
     private static final int MOST_CELLS = 16;
 
     private final List<RobotSpec> robots;
-    private final List<ObstacleSpec> movers; // that block bodies
-    private final int[] moverBodies; // their numbers among the poses
+    private final List<ObstacleSpec> movers;
+    private final int[] moverNumbers; // of those that are there and block bodies
     private final List<Obstacle> obstacles = new ArrayList<>();
     private final List<Integer> largeObstacles = new ArrayList<>();
     private final Map<Cell, List<Integer>> smallObstacles = new HashMap<>();
@@ -41,10 +46,14 @@ final class PlacementCheck {
     private final boolean[] away; // robots that are out of the world
 
     PlacementCheck(WorldSpec spec) {
-        this(spec, new boolean[spec.robots().size()]);
+        this(spec, new boolean[spec.robots().size()], new BitSet());
     }
 
-    PlacementCheck(WorldSpec spec, boolean[] away) {
+    /**
+     * @param away the robots that are out of the world
+     * @param absentMovers those of the obstacles that may move, by their number among them
+     */
+    PlacementCheck(WorldSpec spec, boolean[] away, BitSet absentMovers) {
         this.away = away;
         robots = spec.robots();
         radiusM = robots.stream()
@@ -52,14 +61,11 @@ final class PlacementCheck {
                 .toArray();
         cellM = 2 * Arrays.stream(radiusM).max().orElse(1);
         List<Integer> moving = spec.movingObstacles();
-        movers = moving.stream()
-                .map(spec.obstacles()::get)
-                .filter(ObstacleSpec::blocksBodies)
-                .toList();
-        moverBodies = moving.stream()
-                .filter(i -> spec.obstacles().get(i).blocksBodies())
-                .mapToInt(i -> robots.size() + moving.indexOf(i))
+        moverNumbers = IntStream.range(0, moving.size())
+                .filter(i -> !absentMovers.get(i)
+                        && spec.obstacles().get(moving.get(i)).blocksBodies())
                 .toArray();
+        movers = moving.stream().map(spec.obstacles()::get).toList();
         for (int i = 0; i < spec.obstacles().size(); i++) {
             ObstacleSpec obstacle = spec.obstacles().get(i);
             if (obstacle.blocksBodies() && !moving.contains(i)) {
@@ -210,11 +216,10 @@ final class PlacementCheck {
             if (obstacle >= 0) {
                 return attempt + "it would overlap " + obstacles.get(obstacle).title();
             }
-            for (int i = 0; i < moverBodies.length; i++) {
-                if (new Outline(movers.get(i).shape(), poses.apply(moverBodies[i])).overlaps(outline)) {
-                    return attempt + "it would overlap obstacle '"
-                            + movers.get(i).name() + "'";
-                }
+            int mover = firstMover(outline, NOT_A_MOVER);
+            if (mover >= 0) {
+                return attempt + "it would overlap obstacle '"
+                        + movers.get(mover).name() + "'";
             }
             int other = firstOverlapping(robot, pose, outline);
             return other < 0
@@ -222,20 +227,50 @@ final class PlacementCheck {
                     : attempt + "it would overlap robot '" + robots.get(other).name() + "'";
         }
 
-        /** Reason why an obstacle cannot be at a pose, or null if it can. */
+        /** Lowest number of an overlapping obstacle that moves, or -1. */
+        private int firstMover(Outline outline, int except) {
+            for (int mover : moverNumbers) {
+                if (mover != except
+                        && new Outline(movers.get(mover).shape(), poses.apply(robots.size() + mover))
+                                .overlaps(outline)) {
+                    return mover;
+                }
+            }
+            return -1;
+        }
+
+        /**
+         * Reason why an obstacle cannot be at a pose, or null if it can. One that moves must not overlap anything; one
+         * that stands still may overlap others that stand still.
+         *
+         * @param mover its number if it moves, or {@link #NOT_A_MOVER}
+         */
         @Nullable
-        String refusal(ObstacleSpec obstacle, Pose pose) {
+        String refusal(ObstacleSpec obstacle, int mover, Pose pose) {
             String attempt = attempt("obstacle '" + obstacle.name() + "'", pose);
             String problem = problem(pose, obstacle.shape().outlines());
             if (problem != null) {
                 return attempt + problem;
             }
             var outline = new Outline(obstacle.shape(), pose);
+            if (!obstacle.blocksBodies()) {
+                return null;
+            }
             double reachM = radiusM(obstacle.shape());
-            for (int robot = 0; obstacle.blocksBodies() && robot < cellOf.length; robot++) {
+            for (int robot = 0; robot < cellOf.length; robot++) {
                 if (cellOf[robot] != null && overlaps(robot, reachM, pose, outline)) {
                     return attempt + "it would overlap robot '"
                             + robots.get(robot).name() + "'";
+                }
+            }
+            int other = firstMover(outline, mover);
+            if (other >= 0) {
+                return attempt + "it would overlap obstacle '"
+                        + movers.get(other).name() + "'";
+            }
+            for (Obstacle each : mover == NOT_A_MOVER ? List.<Obstacle>of() : obstacles) {
+                if (each.outline().overlaps(outline)) {
+                    return attempt + "it would overlap " + each.title();
                 }
             }
             return null;

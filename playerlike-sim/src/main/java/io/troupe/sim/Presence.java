@@ -7,6 +7,7 @@ import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
 import java.util.ArrayList;
 import java.util.Arrays;
+import java.util.BitSet;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
@@ -26,6 +27,7 @@ final class Presence {
     private static final SortedMap<Integer, Optional<Pose>> NO_DEMANDS = Collections.emptySortedMap();
 
     private final WorldSpec spec;
+    private final List<Integer> movers; // indices of the obstacles that may move
     private final boolean[] away; // by robot
     private final List<@Nullable ObstacleSpec> obstacles; // null = away
     private final SortedMap<Integer, Optional<Pose>> placed = new TreeMap<>(); // those that are not as at the start
@@ -35,6 +37,7 @@ final class Presence {
 
     Presence(WorldSpec spec) {
         this.spec = spec;
+        movers = spec.movingObstacles();
         away = new boolean[spec.robots().size()];
         obstacles = new ArrayList<>(spec.obstacles());
     }
@@ -138,6 +141,12 @@ final class Presence {
         }
     }
 
+    /** An obstacle that may move is in the world. Where it is does not matter here. */
+    void show(int obstacle) {
+        obstacles.set(obstacle, spec.obstacles().get(obstacle));
+        placed.remove(obstacle);
+    }
+
     /** Puts these boxes into the world, instead of those that are there. */
     void furnish(List<ColouredBox> all) {
         boxes = all;
@@ -154,7 +163,10 @@ final class Presence {
         return new WorldSpec(spec.name(), spec.file(), spec.intervalMillis(), spec.robots(), all);
     }
 
-    /** What can be sensed now: the obstacles that are there, and all robots, of which nothing senses those away. */
+    /**
+     * What can be sensed now: the obstacles that are there, and all robots and all obstacles that may move, of which
+     * nothing senses those away.
+     */
     WorldSpec sensed() {
         List<RobotSpec> robots = new ArrayList<>();
         for (int i = 0; i < away.length; i++) {
@@ -165,15 +177,24 @@ final class Presence {
 
     /** The check of places among what is there now. */
     PlacementCheck placement() {
+        BitSet absentMovers = new BitSet();
+        for (int i = 0; i < movers.size(); i++) {
+            absentMovers.set(i, !holds(movers.get(i)));
+        }
         return new PlacementCheck(
-                new WorldSpec(spec.name(), spec.file(), spec.intervalMillis(), spec.robots(), there()), away.clone());
+                new WorldSpec(spec.name(), spec.file(), spec.intervalMillis(), spec.robots(), there()),
+                away.clone(),
+                absentMovers);
     }
 
     private List<ObstacleSpec> there() {
         List<ObstacleSpec> there = new ArrayList<>();
-        for (ObstacleSpec obstacle : obstacles) {
+        for (int i = 0; i < obstacles.size(); i++) {
+            ObstacleSpec obstacle = obstacles.get(i);
             if (obstacle != null) {
                 there.add(obstacle);
+            } else if (movers.contains(i)) { // they are known by their order
+                there.add(spec.obstacles().get(i));
             }
         }
         boxes.forEach(box -> there.add(box.obstacle()));

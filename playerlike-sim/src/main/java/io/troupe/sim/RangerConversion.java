@@ -11,6 +11,7 @@ import io.troupe.sim.model.RangeNoise;
 import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.SonarSpec;
+import java.util.Collections;
 import java.util.List;
 
 /**
@@ -42,14 +43,13 @@ final class RangerConversion {
 
     /**
      * True if a requested laser configuration equals the current one, but for intensities, which can be switched. Its
-     * range resolution does not matter. A frequency of 0 means none, as in messages of javaclient3, which have no such
-     * field.
+     * range resolution does not matter, nor its largest range: libplayerc has no value for it, and sends what happens
+     * to be in its memory. A frequency of 0 means none, as in messages of javaclient3, which have no such field.
      */
     static boolean isSame(LaserConfiguration asked, LaserConfiguration real) {
         return isNear(asked.minAngleRad(), real.minAngleRad())
                 && isNear(asked.maxAngleRad(), real.maxAngleRad())
                 && isNear(asked.resolutionRad(), real.resolutionRad())
-                && isNear(asked.maxRangeM(), real.maxRangeM())
                 && (asked.frequencyHz() == 0 || isNear(asked.frequencyHz(), real.frequencyHz()));
     }
 
@@ -57,6 +57,10 @@ final class RangerConversion {
         return Math.abs(asked - real) <= ROUNDING * Math.abs(real);
     }
 
+    /**
+     * A scan always has an intensity for each range, as Stage's: libplayerc shows one for each, and playerprint printed
+     * uninitialised memory where there was none. They are 0 if they are not measured.
+     */
     static DeviceData scan(RangerSpec laser, List<Double> rangesM, List<Double> intensities, long tick) {
         RangeSensorSpec sensor = laser.sensors().getFirst();
         return new DeviceData.LaserScan(
@@ -66,7 +70,7 @@ final class RangerConversion {
                 (float) sensor.maxRangeM(),
                 rangesM.stream().map(Double::floatValue).toList(),
                 intensities.isEmpty()
-                        ? List.of()
+                        ? Collections.nCopies(rangesM.size(), (byte) 0)
                         : intensities.stream().map(RangerConversion::octet).toList(),
                 (int) tick);
     }

@@ -17,9 +17,11 @@ import java.util.TreeMap;
  * @param robots by index, in the order of the world file
  * @param contacts that began in the interval that ends at this tick, ordered by time, then robot; for one robot other
  *     robots come before obstacles, each in the order of the world file
- * @param moved where the obstacles are that can move, in the order of {@link WorldSpec#movingObstacles}
+ * @param moved where the obstacles are that can move, in the order of {@link WorldSpec#movingObstacles}; of one that
+ *     was taken out, where it was last
  * @param boxes that have been put into the world, by number
- * @param placed the obstacles that were put elsewhere or taken out, by index: where they are, empty = taken out
+ * @param placed the obstacles that were put elsewhere or taken out, by index: where they are, empty = taken out; of
+ *     those that can move only the latter
  * @param away indices of the robots that were taken out, in ascending order
  */
 public record Snapshot(
@@ -60,7 +62,8 @@ public record Snapshot(
         List<Integer> movers = world.movingObstacles();
         for (int i = 0; i < moved.size(); i++) {
             Pose pose = moved.get(i);
-            if (!pose.equals(world.obstacles().get(movers.get(i)).pose())) {
+            boolean isThere = !placed.containsKey(movers.get(i));
+            if (isThere && !pose.equals(world.obstacles().get(movers.get(i)).pose())) {
                 displaced.put(movers.get(i), Optional.of(pose));
             }
         }

@@ -81,6 +81,11 @@ public final class World implements AutoCloseable {
      * {@link IllegalArgumentException} for settings that fit no world.
      */
     public static World create(WorldSpec spec, WorldSettings settings) {
+        return create(spec, settings, new SensingThreads.MeasuredChoice());
+    }
+
+    /** As {@link #create(WorldSpec, WorldSettings)}, with sensing threads that are used by a given choice. */
+    static World create(WorldSpec spec, WorldSettings settings, SensingThreads.Choice choice) {
         requireNonNull(spec, "spec");
         requireNonNull(settings, "settings");
         SpecCheck.check(spec, settings);
@@ -89,10 +94,10 @@ public final class World implements AutoCloseable {
                     System.Logger.Level.WARNING,
                     "this machine computes sines of its own: trajectories may differ from those of other machines");
         }
-        return new World(spec, settings, StartPoses.of(spec, settings));
+        return new World(spec, settings, StartPoses.of(spec, settings), choice);
     }
 
-    private World(WorldSpec spec, WorldSettings settings, StartPoses starts) {
+    private World(WorldSpec spec, WorldSettings settings, StartPoses starts, SensingThreads.Choice choice) {
         this.spec = spec;
         this.settings = settings;
         this.starts = starts;
@@ -106,13 +111,13 @@ public final class World implements AutoCloseable {
         robotNames = spec.robots().stream().map(RobotSpec::name).toList();
         physics = PhysicsSetup.atStart(spec, settings, starts);
         devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
-        grippers = new Grippers(spec, scene, physics, devices);
+        grippers = new Grippers(spec, commands.presence(), scene, physics, devices);
         int threads = Math.clamp(robotCount, 1, settings.sensingThreads());
         if (spec.robots().stream().anyMatch(robot -> robot.rangers().stream().anyMatch(RangerSpec::intensities))) {
             scene.readReflectances();
         }
         scratches = Stream.generate(Scratch::new).limit(threads).toArray(Scratch[]::new);
-        sensing = new SensingThreads(spec.name(), threads, robotCount, this::senseRange);
+        sensing = new SensingThreads(spec.name(), threads, robotCount, choice, this::senseRange);
         sense();
         latest = snapshot();
     }
@@ -239,41 +244,44 @@ public final class World implements AutoCloseable {
 
     /**
      * Takes a robot out of the world when the next {@link #advance} begins. Nothing touches or senses it, its commands
-     * are discarded, and its pose and readings stay as they are, until it is teleported.
-     *
-     * <p><b>Errors.</b> {@link IllegalArgumentException} in a world with obstacles that can be pushed or gripped, as
-     * for all that comes and goes.
+     * are discarded, and its pose and readings stay as they are, until it is teleported. What its gripper holds is put
+     * down.
      */
     public void removeRobot(int robot) {
-        checkNothingMoves("a robot was taken out");
         commands.removeRobot(robot);
     }
 
-    /** Takes an obstacle out of the world when the next {@link #advance} begins. */
+    /** Takes an obstacle out of the world when the next {@link #advance} begins; a gripper that holds it loses it. */
     public void removeObstacle(int obstacle) {
-        checkNothingMoves("an obstacle was taken out");
         commands.removeObstacle(obstacle);
     }
 
     /**
-     * Puts an obstacle at a pose when the next {@link #advance} begins, whether it was elsewhere or out of the world.
+     * Puts an obstacle at a pose when the next {@link #advance} begins, whether it was elsewhere, out of the world or
+     * in a gripper.
      *
-     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap a robot in the newest snapshot. If a robot
-     * is in the way when the change takes effect, the obstacle stays where it was, and a warning is logged.
+     * <p><b>Errors.</b> {@link IllegalArgumentException} if it would overlap a robot or an obstacle that may move in
+     * the newest snapshot or, if it may move itself, any obstacle. If something is in the way when the change takes
+     * effect, the obstacle stays where it was, and a warning is logged.
      *
      * <p><b>Cost.</b> An interval that begins with such changes builds everything that devices sense anew.
      */
     public void placeObstacle(int obstacle, Pose pose) {
-        String refusal = commands.obstacleRefusal(obstacle, pose, latest);
+        String refusal = obstacleRefusal(obstacle, pose);
         if (refusal != null) {
             throw new IllegalArgumentException(refusal);
         }
         placeObstacleLater(obstacle, pose);
     }
 
+    /** Reason why {@link #placeObstacle} would be refused, or null. */
+    @Nullable
+    String obstacleRefusal(int obstacle, Pose pose) {
+        return commands.obstacleRefusal(obstacle, pose, latest);
+    }
+
     /** As {@link #placeObstacle}, checked only when it takes effect. */
     void placeObstacleLater(int obstacle, Pose pose) {
-        checkNothingMoves("an obstacle was placed");
         commands.placeObstacle(obstacle, pose);
     }
 
@@ -295,7 +303,6 @@ public final class World implements AutoCloseable {
 
     /** A box that is checked only when it takes effect. */
     void putBoxLater(ColouredBox box) {
-        checkNothingMoves("a box was put");
         boxes.put(box);
     }
 
@@ -437,7 +444,7 @@ public final class World implements AutoCloseable {
     }
 
     private void advanceUnpublished() {
-        if (commands.apply(tick, tick * intervalMicros, physics, devices, scene)) {
+        if (commands.apply(tick, tick * intervalMicros, physics, devices, scene, grippers)) {
             changeScene(commands.presence().sensed());
         }
         physics.forgetTouches();
@@ -468,7 +475,7 @@ public final class World implements AutoCloseable {
             physics = PhysicsSetup.atStart(spec, settings, starts);
             physicsStartMicros = nowMicros;
             devices = SimulatedDevices.of(spec.robots(), starts.poses(), settings.seed());
-            grippers = new Grippers(spec, scene, physics, devices);
+            grippers = new Grippers(spec, commands.presence(), scene, physics, devices);
             sense(); // as at the start: each reading advances the random streams
         }
     }
@@ -484,8 +491,9 @@ public final class World implements AutoCloseable {
         Presence presence = commands.furnish(boxes.all());
         furnished = presence.furnished();
         Physics before = physics;
-        List<Pose> poses =
-                IntStream.range(0, devices.size()).mapToObj(before::pose).toList();
+        List<Pose> poses = Stream.concat(
+                        IntStream.range(0, devices.size()).mapToObj(before::pose), grippers.poses().stream())
+                .toList();
         physics = PhysicsSetup.at(furnished, settings, poses, before::isHeld);
         IntStream.range(0, spec.obstacles().size())
                 .filter(obstacle -> !presence.holds(obstacle))
@@ -493,7 +501,7 @@ public final class World implements AutoCloseable {
         IntStream.range(0, devices.size()).filter(presence::isAway).forEach(physics::removeRobot);
         physicsStartMicros = tick * intervalMicros;
         changeScene(presence.sensed());
-        for (int i = 0; i < poses.size(); i++) {
+        for (int i = 0; i < poses.size(); i++) { // robots, and after them the obstacles that move
             scene.place(i, poses.get(i));
         }
         scene.refresh();
@@ -506,14 +514,7 @@ public final class World implements AutoCloseable {
         if (reflects) {
             scene.readReflectances();
         }
-        grippers = new Grippers(spec, scene, physics, devices);
-    }
-
-    private void checkNothingMoves(String change) {
-        if (!spec.movingObstacles().isEmpty()) {
-            throw new IllegalArgumentException(change + " in world '" + spec.name()
-                    + "', expected a world in which no obstacle can be pushed or gripped");
-        }
+        grippers.continueIn(scene, physics);
     }
 
     /** Reads all devices. */

@@ -39,6 +39,7 @@ final class WorldCommands {
 
     private final WorldSpec spec;
     private final WorldSettings settings;
+    private final List<Integer> movers; // indices of the obstacles that may move
     private final Presence presence;
     private volatile PlacementCheck placement;
     private final AtomicReference<@Nullable TeleportCheck> lastCheck = new AtomicReference<>();
@@ -57,6 +58,7 @@ final class WorldCommands {
     WorldCommands(WorldSpec spec, WorldSettings settings) {
         this.spec = spec;
         this.settings = settings;
+        movers = spec.movingObstacles();
         presence = new Presence(spec);
         placement = presence.placement();
         for (int i = 0; i < spec.robots().size(); i++) {
@@ -194,21 +196,24 @@ final class WorldCommands {
     @Nullable
     String obstacleRefusal(int obstacle, Pose pose, Snapshot at) {
         presence.checkObstacle(obstacle);
-        return occupancy(at).refusal(spec.obstacles().get(obstacle), pose);
+        return occupancy(at).refusal(spec.obstacles().get(obstacle), movers.indexOf(obstacle), pose);
     }
 
     /** Reason why a box could not be put where it is in the world of a snapshot, or null. */
     @Nullable
     String boxRefusal(ColouredBox box, Snapshot at) {
-        return occupancy(at).refusal(box.obstacle(), box.obstacle().pose());
+        return refusal(box, occupancy(at));
     }
 
     /** Reason why a box cannot be put where it is now, or null. */
     @Nullable
     String boxRefusal(ColouredBox box, Physics physics) {
-        return placement
-                .occupancy(physics::pose)
-                .refusal(box.obstacle(), box.obstacle().pose());
+        return refusal(box, placement.occupancy(physics::pose));
+    }
+
+    private static @Nullable String refusal(ColouredBox box, PlacementCheck.Occupancy occupancy) {
+        return occupancy.refusal(
+                box.obstacle(), PlacementCheck.NOT_A_MOVER, box.obstacle().pose());
     }
 
     /** Reason why a robot could not be placed at a pose in the world of a snapshot, or null. */
@@ -315,9 +320,15 @@ final class WorldCommands {
      *
      * @return whether a robot or an obstacle has come, gone or moved by itself, so that the scene is another one
      */
-    boolean apply(long tick, long nowMicros, Physics physics, List<SimulatedDevices> devices, Scene scene) {
+    boolean apply(
+            long tick,
+            long nowMicros,
+            Physics physics,
+            List<SimulatedDevices> devices,
+            Scene scene,
+            Grippers grippers) {
         Recording log = recording.get();
-        boolean changed = applyPresence(tick, physics);
+        boolean changed = applyPresence(tick, physics, grippers);
         PlacementCheck.Occupancy occupancy = null;
         boolean returned = false;
         for (int i = 0; i < robotCommands.size(); i++) {
@@ -384,12 +395,13 @@ final class WorldCommands {
     }
 
     /** Takes away and puts what was demanded; robots come back by teleport. Returns whether anything has changed. */
-    private boolean applyPresence(long tick, Physics physics) {
+    private boolean applyPresence(long tick, Physics physics, Grippers grippers) {
         Recording log = recording.get();
         boolean changed = false;
         for (int i = 0; i < robotCommands.size(); i++) {
             if (robotCommands.get(i).takeLeave() && !presence.isAway(i)) {
                 presence.setAway(i, true);
+                grippers.putDownAll(i);
                 physics.removeRobot(i);
                 changed = true;
                 if (log != null) {
@@ -406,7 +418,11 @@ final class WorldCommands {
             int obstacle = demand.getKey();
             if (demand.getValue().isEmpty() && presence.holds(obstacle)) {
                 presence.remove(obstacle);
-                physics.removeObstacle(obstacle);
+                if (grippers.moves(obstacle)) {
+                    grippers.remove(obstacle);
+                } else {
+                    physics.removeObstacle(obstacle);
+                }
                 changed = true;
                 if (log != null) {
                     log.removeObstacle(obstacle);
@@ -419,8 +435,7 @@ final class WorldCommands {
         boolean placed = false;
         for (var demand : demands.entrySet()) {
             Pose pose = demand.getValue().orElse(null);
-            placed |= pose != null
-                    && applyObstacle(demand.getKey(), pose, tick, placement.occupancy(physics::pose), physics);
+            placed |= pose != null && applyObstacle(demand.getKey(), pose, tick, physics, grippers);
         }
         if (placed) {
             placement = presence.placement();
@@ -428,16 +443,21 @@ final class WorldCommands {
         return changed || placed;
     }
 
-    private boolean applyObstacle(
-            int obstacle, Pose pose, long tick, PlacementCheck.Occupancy occupancy, Physics physics) {
+    private boolean applyObstacle(int obstacle, Pose pose, long tick, Physics physics, Grippers grippers) {
         ObstacleSpec body = spec.obstacles().get(obstacle);
-        String refusal = occupancy.refusal(body, pose);
+        String refusal = placement.occupancy(physics::pose).refusal(body, movers.indexOf(obstacle), pose);
         if (refusal != null) {
             LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
             return false;
         }
-        presence.place(obstacle, pose);
-        physics.placeObstacle(obstacle, pose, PhysicsSetup.blockingShape(body));
+        if (grippers.moves(obstacle)) {
+            presence.show(obstacle);
+            placement = presence.placement(); // of the next obstacle that is placed
+            grippers.put(obstacle, pose);
+        } else {
+            presence.place(obstacle, pose);
+            physics.placeObstacle(obstacle, pose, PhysicsSetup.blockingShape(body));
+        }
         Recording log = recording.get();
         if (log != null) {
             log.placeObstacle(obstacle, pose);

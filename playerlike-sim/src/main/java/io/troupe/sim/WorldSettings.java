@@ -14,7 +14,8 @@ package io.troupe.sim;
  * @param maxTurnRadps commands are clamped to plus or minus this turn rate
  * @param watchdogMicros simulated time without a speed command after which a robot stops; 0 = off. A robot on its way
  *     to a goal goes on
- * @param sensingThreads number of threads that read devices, including the caller's; it changes only the speed
+ * @param sensingThreads number of threads that may read devices, including the caller's; it changes only the speed. A
+ *     world measures now and then whether they are faster than one, and otherwise leaves them waiting
  * @param obeysAccelerationBounds robots change their speed at each interval by no more than the
  *     {@code acceleration_bounds} of the world file allow; off, they reach a commanded speed at once, as in Stage
  */

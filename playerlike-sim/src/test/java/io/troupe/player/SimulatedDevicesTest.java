@@ -143,6 +143,8 @@ class SimulatedDevicesTest {
                 laserSet(laser, ofLaser),
                 // what it is already, in round numbers, without a frequency
                 laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.785f, 8, 0.01f, false, 0), ofLaser),
+                // libplayerc sends no value as the largest range, but what is in its memory
+                laserSet(new LaserConfiguration(-eighth, eighth, eighth, Float.NaN, 1, false, 10), ofLaser),
                 laserSet(new LaserConfiguration(-0.785f, 0.785f, 0.775f, 8, 1, false, 0), "world file"),
                 laserSet(new LaserConfiguration(-0.785f, 0.785f, Float.NaN, 8, 1, false, 0), "world file"),
                 laserSet(
@@ -179,7 +181,7 @@ class SimulatedDevicesTest {
                 set("one", 2.8, 0, "it would overlap obstacle 'east'"),
                 set("one", -2, 0.1, "it would overlap robot 'two'"),
                 set("three", 0, 0, "no model 'three'"),
-                set("east", 0, 0, "only robots"),
+                set("east", 0, 0, "it would overlap robot 'one'"),
                 new Asked(
                         POSITION2D,
                         1,
@@ -249,7 +251,8 @@ class SimulatedDevicesTest {
         float eighth = (float) (45 * DEGREE);
         var ranges = List.of(slanted, (float) straight, slanted);
         assertThat(client.newest(LASER, 0))
-                .isEqualTo(new DeviceData.LaserScan(-eighth, eighth, eighth, 8, ranges, List.of(), 1));
+                .isEqualTo(new DeviceData.LaserScan(
+                        -eighth, eighth, eighth, 8, ranges, List.of((byte) 0, (byte) 0, (byte) 0), 1));
     }
 
     @Test

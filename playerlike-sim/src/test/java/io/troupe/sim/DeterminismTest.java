@@ -7,6 +7,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Named.named;
 import static org.junit.jupiter.params.provider.Arguments.arguments;
 
+import io.troupe.sim.SensingThreads.Choice;
+import io.troupe.sim.SensingThreads.MeasuredChoice;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RangeNoise;
@@ -309,7 +311,7 @@ class DeterminismTest {
     @ValueSource(ints = {2, 4})
     @Timeout(60)
     void threads_changeNoBit(int threads) {
-        try (World world = World.create(CROWD, WorldSettings.DEFAULT.withSensingThreads(threads))) {
+        try (World world = World.create(CROWD, WorldSettings.DEFAULT.withSensingThreads(threads), Choice.ALL)) {
             assertThat(run(world, 300, DeterminismTest::wander))
                     .as("as on one thread")
                     .isEqualTo(WANDERING_CROWD);
@@ -322,7 +324,7 @@ class DeterminismTest {
         for (int robots : new int[] {3, 10, 1000}) {
             var visits = new AtomicIntegerArray(robots);
             var threads = new Thread[3];
-            try (var sensing = new SensingThreads("test", 3, robots, (range, from, to) -> {
+            try (var sensing = new SensingThreads("test", 3, robots, Choice.ALL, (range, from, to) -> {
                 threads[range] = Thread.currentThread();
                 IntStream.range(from, to).forEach(visits::incrementAndGet);
             })) {
@@ -340,11 +342,36 @@ class DeterminismTest {
         }
     }
 
+    /** Runs rounds that take so long with all threads, and alone; counts those with all threads. */
+    private static long roundsTogether(MeasuredChoice choice, int rounds, long togetherNanos, long aloneNanos) {
+        int together = 0;
+        for (int round = 0; round < rounds; round++) {
+            together += choice.isTogether() ? 1 : 0;
+            boolean pause = round % 5 == 0; // another program had the processor
+            choice.took(pause ? 20_000_000 : choice.isTogether() ? togetherNanos : aloneNanos);
+        }
+        return together;
+    }
+
+    @Test
+    void threads_areUsedIfTheyAreFaster_alsoWhenThatChanges() {
+        var choice = new MeasuredChoice();
+        assertThat(roundsTogether(choice, 30_000, 60_000, 20_000))
+                .as("only in trials, which become rare")
+                .isLessThan(30_000 / 100);
+        assertThat(roundsTogether(choice, 2 * MeasuredChoice.MOST_PAUSE_ROUNDS, 60_000, 100_000))
+                .isGreaterThan(MeasuredChoice.MOST_PAUSE_ROUNDS / 2);
+        assertThat(roundsTogether(choice, 30_000, 60_000, 100_000)).isGreaterThan(30_000 * 99 / 100);
+        assertThat(roundsTogether(new MeasuredChoice(), 30_000, 95_000, 100_000))
+                .as("hardly faster")
+                .isLessThan(30_000 / 100);
+    }
+
     @Test
     @Timeout(60)
     void threads_throwTheirFailures_runWholeAfterwards_andEndWithClose() throws InterruptedException {
         var fails = new boolean[] {true};
-        try (var sensing = new SensingThreads("test", 2, 2, (range, from, to) -> {
+        try (var sensing = new SensingThreads("test", 2, 2, Choice.ALL, (range, from, to) -> {
             if (range == 1 && fails[0]) {
                 throw new IllegalArgumentException("broken sonar");
             }
@@ -355,7 +382,11 @@ class DeterminismTest {
         }
         var visits = new AtomicIntegerArray(5);
         var whole = new SensingThreads(
-                "test", 4, 5, (range, from, to) -> IntStream.range(from, to).forEach(visits::incrementAndGet));
+                "test",
+                4,
+                5,
+                Choice.ALL,
+                (range, from, to) -> IntStream.range(from, to).forEach(visits::incrementAndGet));
         whole.run();
         whole.close();
         for (Thread helper : whole.helpers()) {
@@ -369,7 +400,7 @@ class DeterminismTest {
     @Timeout(60)
     void world_closedOrInterrupted_keepsItsReadings() throws Exception {
         WorldSpec allColours = Arena.crowd(50, 1);
-        World world = World.create(allColours, WorldSettings.DEFAULT.withSensingThreads(2));
+        World world = World.create(allColours, WorldSettings.DEFAULT.withSensingThreads(2), Choice.ALL);
         World other = World.create(allColours, WorldSettings.DEFAULT);
         Thread.currentThread().interrupt();
         Snapshot snapshot = world.advance();

@@ -9,15 +9,20 @@ import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.device.DeviceReading.Grip;
 import io.troupe.sim.device.DeviceReading.Paddles;
 import io.troupe.sim.device.GripperDevice.Order;
+import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.io.StringReader;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.List;
 import java.util.Optional;
+import java.util.Random;
 import org.junit.jupiter.api.Test;
 
-/** Obstacles that are pushed, and grippers. */
+/** Obstacles that are pushed, grippers, and what of it comes and goes. */
 class MovingThingsTest {
     private static final String ROBOT = "position ( name \"r\" size [ 0.4 0.4 0.2 ] mass 10 )\n";
 
@@ -269,6 +274,188 @@ class MovingThingsTest {
         assertThat(text.toString()).contains("0 gripper 0 0 close\n").contains("60 gripper 0 0 open\n");
         assertThat(Replay.read(new StringReader(text.toString())).play(spec, snapshot -> {}))
                 .isEqualTo(hash);
+    }
+
+    // ---- coming and going
+
+    private static final int BOX = 0;
+
+    @Test
+    void lightBox_thatGoes_isNeitherSensedNorPushed_andIsPushedAgainWhenItIsBack() {
+        var world = Specs.driven(
+                0.3,
+                Specs.start(ROBOT.replace("mass 10", "mass 10 ranger ( scount 1 spose[0] [ 0 0 0 ] )")
+                        + box(0.6, 0, "movable 1 mass 0.1")));
+        assertThat(Specs.first(world.latest()).sonarM().getFirst()).isCloseTo(0.55, within(1e-9));
+        world.removeObstacle(BOX);
+        world.advance(20);
+        assertThat(Specs.first(world.latest()).sonarM()).containsExactly(5.0);
+        assertThat(Specs.first(world.latest()).wallGapM()).isInfinite();
+        assertThat(robot(world).x()).as("it drives through the place").isCloseTo(0.6, within(1e-6));
+        assertThat(box(world)).as("where it was last").isEqualTo(new Pose(0.6, 0, 0));
+        assertThat(world.latest().displaced(world.spec())).containsExactly(entry(BOX, Optional.empty()));
+        assertThat(world.view().holdsObstacle(BOX)).isFalse();
+
+        world.placeObstacle(BOX, new Pose(1.2, 0, 0));
+        world.advance();
+        assertThat(world.latest().displaced(world.spec()))
+                .containsExactly(entry(BOX, Optional.of(new Pose(1.2, 0, 0))));
+        assertThat(Specs.first(world.latest()).wallGapM())
+                .isCloseTo(1.2 - 0.05 - robot(world).x() - 0.2, within(1e-9));
+        world.advance(30);
+        assertThat(box(world).x()).isGreaterThan(1.5);
+        world.reset();
+        world.advance();
+        assertThat(box(world)).isEqualTo(new Pose(0.6, 0, 0));
+    }
+
+    @Test
+    void lightBox_isPutWhereNothingIs() {
+        var world = Specs.start(ROBOT
+                + box(1, 0, "movable 1 mass 1")
+                + box(2, 0, "movable 1 mass 1").replace("box", "other")
+                + "model ( name \"wall\" pose [ 3 0 0 0 ] size [ 0.2 2 0.5 ] )");
+        assertThatThrownBy(() -> world.placeObstacle(BOX, new Pose(0.1, 0, 0)))
+                .hasMessageEndingWith("it would overlap robot 'r'");
+        assertThatThrownBy(() -> world.placeObstacle(BOX, new Pose(2.05, 0, 0)))
+                .hasMessageEndingWith("it would overlap obstacle 'other'");
+        assertThatThrownBy(() -> world.placeObstacle(BOX, new Pose(3, 0.5, 0)))
+                .hasMessageEndingWith("it would overlap obstacle 'wall'");
+        assertThatThrownBy(() -> world.placeObstacle(2, new Pose(2, 0.5, 0)))
+                .as("a wall is not put upon a light box")
+                .hasMessageEndingWith("it would overlap obstacle 'other'");
+        assertThatThrownBy(() -> world.putBox(new ColouredBox(1, 0xFF0000, 1, 0)))
+                .hasMessageEndingWith("it would overlap obstacle 'box'");
+        world.removeObstacle(1);
+        world.advance();
+        world.placeObstacle(BOX, new Pose(2.05, 0, 0));
+        world.advance();
+        assertThat(box(world)).isEqualTo(new Pose(2.05, 0, 0));
+    }
+
+    @Test
+    void coloredBox_isPutIntoAWorldInWhichSomethingWasPushed_isHeld_andIsAway() {
+        var world = Specs.start(CRANE
+                + box(0.35, 0, "gripper_return 1")
+                + box(1, 0, "movable 1 mass 0.1").replace("box", "light")
+                + box(5, 5, "movable 1 mass 1").replace("box", "gone"));
+        world.grip(0, 0, Order.CLOSE);
+        world.removeObstacle(2);
+        world.advance(30);
+        world.command(0, 0.3, 0);
+        world.advance(30);
+        world.stop(0);
+        world.advance();
+        Pose held = box(world);
+        Pose light = world.latest().moved().get(1);
+        assertThat(light.x()).isGreaterThan(1.05);
+        assertThat(held.x()).isGreaterThan(1);
+        world.putBox(new ColouredBox(1, 0xFF0000, -3, 3));
+        world.advance();
+        assertThat(world.latest().boxes()).hasSize(1);
+        assertThat(grip(world)).isEqualTo(new Grip(Paddles.CLOSED, true, true, true));
+        assertThat(box(world)).isEqualTo(held);
+        assertThat(world.latest().moved().get(1).x()).isCloseTo(light.x(), within(1e-6));
+        assertThat(world.latest().placed()).containsExactly(entry(2, Optional.empty()));
+        world.command(0, 0.3, 0);
+        world.advance(10);
+        assertThat(box(world).x() - held.x()).as("still carried").isCloseTo(0.3, within(0.01));
+        assertThat(world.latest().moved().get(1).x()).as("still pushed").isGreaterThan(light.x() + 0.2);
+        world.teleport(0, new Pose(5 - 0.3, 5, 0)); // where the box was that has gone
+        world.advance();
+        assertThat(robot(world).y()).isCloseTo(5, within(1e-9));
+    }
+
+    @Test
+    void gripper_losesWhatIsTakenFromIt_andWhatItHoldsIsPutDownWhenItsRobotGoes() {
+        var world = Specs.start(CRANE + box(0.35, 0, "gripper_return 1"));
+        world.grip(0, 0, Order.CLOSE);
+        world.advance(30);
+        world.placeObstacle(BOX, new Pose(1, 1, 0));
+        world.advance(11);
+        assertThat(grip(world))
+                .as("its paddles close farther")
+                .isEqualTo(new Grip(Paddles.CLOSED, false, false, false));
+        assertThat(box(world)).isEqualTo(new Pose(1, 1, 0));
+
+        world.reset();
+        world.grip(0, 0, Order.CLOSE);
+        world.advance(30);
+        assertThat(grip(world).holds()).isTrue();
+        world.removeRobot(0);
+        world.advance(5);
+        Pose down = box(world);
+        assertThat(down.x()).isCloseTo(0.35, within(1e-9));
+        world.teleport(0, new Pose(-2, 0, 0));
+        world.command(0, 0.3, 0);
+        world.advance(100);
+        assertThat(box(world)).as("it stands there").isEqualTo(down);
+        assertThat(Specs.first(world.latest()).odometry().stalled()).isTrue();
+    }
+
+    /** Random things and robots go, come and move while the robots drive and grip; hashes of all ticks. */
+    private static List<Long> busyRun(World world, long seed) {
+        var random = new Random(seed);
+        List<Long> hashes = new ArrayList<>();
+        for (int tick = 0; tick < 200; tick++) {
+            for (int robot = 0; robot < 3; robot++) {
+                world.command(robot, random.nextDouble(-0.2, 0.6), random.nextDouble(-0.8, 0.8));
+            }
+            var somewhere = new Pose(random.nextDouble(-2, 2), random.nextDouble(-2, 2), random.nextDouble(-3, 3));
+            switch (random.nextInt(12)) {
+                case 0 -> world.removeRobot(random.nextInt(3));
+                case 1 -> world.removeObstacle(random.nextInt(5));
+                case 2, 3 -> world.placeObstacleLater(random.nextInt(5), somewhere);
+                case 4, 5 -> world.teleportLater(random.nextInt(3), somewhere);
+                case 6 -> world.putBoxLater(new ColouredBox(1, 0xFF0000, somewhere.x(), somewhere.y()));
+                case 7 -> world.removeBox(1);
+                case 8 -> world.grip(2 * random.nextInt(2), 0, random.nextBoolean() ? Order.OPEN : Order.CLOSE);
+                default -> {}
+            }
+            hashes.add(SnapshotHash.of(world.advance()));
+        }
+        return hashes;
+    }
+
+    private static WorldSpec busyWorld() {
+        String crane = CRANE.replace("[ 0.3 0 0 0 ] size", "[ 0.3 0 0 0 ] autosnatch 1 size");
+        return ScenarioReader.readText(
+                        crane
+                                + crane.replace("\"r\"", "\"s\" pose [ -1 1 0 0 ] fiducial ()")
+                                + crane.replace("\"r\"", "\"t\" pose [ 1 -1 0 90 ]")
+                                + box(0.8, 0, "gripper_return 1 fiducial_return 3")
+                                + box(0, 1, "movable 1 mass 1").replace("box", "light")
+                                + box(0, -1, "movable 1 mass 30 gripper_return 1")
+                                        .replace("box", "heavy")
+                                + box(1.5, 1.5, "").replace("box", "still")
+                                + box(-1.5, 1.5, "gripper_return 1").replace("box", "more"),
+                        Path.of("t.world"))
+                .world();
+    }
+
+    @Test
+    void runWithComingsAndGoings_repeatsBitForBit_onSeveralThreads_andFromItsRecording() throws IOException {
+        for (long seed = 1; seed <= 5; seed++) {
+            var world = World.create(busyWorld(), WorldSettings.DEFAULT);
+            var text = new StringBuilder();
+            List<Long> hashes = new ArrayList<>();
+            long hash;
+            long run = seed;
+            try (Recording recording = world.record(text)) {
+                LoggedWarnings.of(World.class, () -> hashes.addAll(busyRun(world, run)));
+                hash = recording.hash();
+            }
+            assertThat(text.toString()).contains(" leave ", " remove ", " place ", " teleport ", " box ", " gripper ");
+            try (var threaded =
+                    World.create(busyWorld(), WorldSettings.DEFAULT.withSensingThreads(3), SensingThreads.Choice.ALL)) {
+                List<Long> again = new ArrayList<>();
+                LoggedWarnings.of(World.class, () -> again.addAll(busyRun(threaded, run)));
+                assertThat(again).as("seed %d", seed).isEqualTo(hashes);
+            }
+            assertThat(Replay.read(new StringReader(text.toString())).play(busyWorld(), snapshot -> {}))
+                    .as("seed %d", seed)
+                    .isEqualTo(hash);
+        }
     }
 
     @Test

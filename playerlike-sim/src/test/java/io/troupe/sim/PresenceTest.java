@@ -222,7 +222,8 @@ class PresenceTest {
                 hash = recording.hash();
             }
             assertThat(text.toString()).contains(" leave ", " remove ", " place ", " teleport ");
-            try (World threaded = World.create(arena(), WorldSettings.DEFAULT.withSensingThreads(3))) {
+            try (World threaded =
+                    World.create(arena(), WorldSettings.DEFAULT.withSensingThreads(3), SensingThreads.Choice.ALL)) {
                 assertThat(quietly(() -> busyRun(threaded, run)))
                         .as("seed %d", seed)
                         .isEqualTo(hashes);

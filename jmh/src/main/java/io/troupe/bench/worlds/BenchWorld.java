@@ -1,6 +1,6 @@
 package io.troupe.bench.worlds;
 
-/** One way to simulate a {@link TiledScene}. A new world has read its devices once. */
+/** One way to simulate a {@link BuildScene}. A new world has read its devices once. */
 interface BenchWorld {
     /**
      * Simulates {@code intervals} intervals: in each, commands from the latest readings, the physics steps, and all
@@ -12,26 +12,42 @@ interface BenchWorld {
     Readings readings();
 
     /**
-     * The latest readings of all robots: {@link TiledScene#SONARS} ranges in metres, and the number of columns in each
-     * half of the image that see a coloured object.
+     * The latest readings of all robots: the ranges of their rays in metres, and the number of columns in each half of
+     * the image that see a coloured object.
      */
     final class Readings {
-        private final double[] sonarM;
+        final int rays; // of each robot
+        private final double[] rangesM;
         final int[] colouredLeft;
         final int[] colouredRight;
 
-        Readings(int robotCount) {
-            sonarM = new double[robotCount * TiledScene.SONARS];
+        /** @param rays of each robot: {@link TiledScene#SONARS} all around, or those of a laser of half a turn */
+        Readings(int robotCount, int rays) {
+            this.rays = rays;
+            rangesM = new double[robotCount * rays];
             colouredLeft = new int[robotCount];
             colouredRight = new int[robotCount];
         }
 
-        double sonarM(int robot, int sonar) {
-            return sonarM[robot * TiledScene.SONARS + sonar];
+        double rangeM(int robot, int ray) {
+            return rangesM[robot * rays + ray];
         }
 
-        void setSonarM(int robot, int sonar, double rangeM) {
-            sonarM[robot * TiledScene.SONARS + sonar] = rangeM;
+        void setRangeM(int robot, int ray, double rangeM) {
+            rangesM[robot * rays + ray] = rangeM;
+        }
+
+        /**
+         * The range in the direction of a sonar; behind a robot with a laser it is that of a sonar that meets nothing.
+         */
+        double sonarM(int robot, int sonar) {
+            if (rays == TiledScene.SONARS) {
+                return rangeM(robot, sonar);
+            }
+            int fromRight = (sonar + TiledScene.SONARS / 4) % TiledScene.SONARS;
+            return fromRight > TiledScene.SONARS / 2
+                    ? TiledScene.SONAR_RANGE_M
+                    : rangeM(robot, fromRight * (rays - 1) / (TiledScene.SONARS / 2));
         }
 
         /** Adds one run of image columns with one colour. */

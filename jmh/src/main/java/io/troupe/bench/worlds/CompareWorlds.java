@@ -48,6 +48,9 @@ public final class CompareWorlds implements Callable<Integer> {
             description = "how many robots")
     List<Integer> robots = List.of(1, 2, 10, 100, 1_000, 10_000);
 
+    @Option(names = "--scene", paramLabel = "NAME", description = "${COMPLETION-CANDIDATES}")
+    BuildScene scene = BuildScene.FULL;
+
     @Mixin
     final ComparisonOptions comparison = new ComparisonOptions(9, 3_000);
 
@@ -101,7 +104,7 @@ public final class CompareWorlds implements Callable<Integer> {
             measureRetained(line);
             measureTurns(line);
         }
-        System.out.print(new WorldsReport(comparison.rounds, turnMillis, comparison.seed, results).table());
+        System.out.print(new WorldsReport(scene, comparison.rounds, turnMillis, comparison.seed, results).table());
         if (comparison.figure != null) {
             Files.writeString(comparison.figure, WorldsDrawing.of(results).svg());
         }
@@ -127,10 +130,11 @@ public final class CompareWorlds implements Callable<Integer> {
         for (int count : robots()) {
             if (count <= MANY_ROBOTS) {
                 line.show("comparing the readings of " + count);
-                Agreement agreement = Agreement.check(count);
+                Agreement agreement = Agreement.check(scene, count, contenders());
                 line.interrupt(() -> System.out.printf(
                         Locale.ROOT,
-                        "%,d robots: after one second the sonars of all contenders agree within %.2f mm, but for %d rays that graze a corner%n",
+                        "%s, %,d robots: after one second the ranges of all contenders agree within %.2f mm, but for %d rays that graze a corner%n",
+                        scene,
                         count,
                         1000 * agreement.largestM(),
                         agreement.grazing()));
@@ -145,7 +149,7 @@ public final class CompareWorlds implements Callable<Integer> {
             for (int count : robots()) {
                 if (count > 1) {
                     line.show("memory of " + count);
-                    results.retainedBytes().put(count, process.retainedBytes(count));
+                    results.retainedBytes().put(count, process.retainedBytes(scene, count));
                 }
             }
         }
@@ -157,7 +161,7 @@ public final class CompareWorlds implements Callable<Integer> {
         for (WorldProcess process : processes) {
             line.show(count + " robots: warming up " + process.kind().label());
             turns.put(process.kind(), new ArrayList<>());
-            process.build(count);
+            process.build(scene, count);
             process.turn(isShort(count, process) ? 1 : comparison.warmUpMillis);
         }
         for (int round = 1; round <= comparison.rounds; round++) {

@@ -1,10 +1,12 @@
 package io.troupe.bench.worlds;
 
 import io.troupe.sim.model.ObstacleSpec;
+import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
+import java.util.List;
 import org.dyn4j.dynamics.Body;
 import org.dyn4j.dynamics.BodyFixture;
 import org.dyn4j.dynamics.ContinuousDetectionMode;
@@ -65,15 +67,17 @@ final class Dyn4jWorld extends RayWorld {
 
     /** Adds a body; one of density 0 never moves. */
     private Body add(Pose pose, Shape shape, double kgPerM2, int colour) {
-        var corners = shape.polygons().getFirst().stream()
-                .map(each -> new Vector2(each.x(), each.y()))
-                .toArray(Vector2[]::new);
         var body = new Body();
-        BodyFixture fixture = body.addFixture(Geometry.createPolygon(corners));
-        fixture.setFriction(FRICTION);
-        fixture.setRestitution(0);
-        if (kgPerM2 > 0) {
-            fixture.setDensity(kgPerM2);
+        for (List<Point> polygon : shape.polygons()) {
+            var corners = polygon.stream()
+                    .map(each -> new Vector2(each.x(), each.y()))
+                    .toArray(Vector2[]::new);
+            BodyFixture fixture = body.addFixture(Geometry.createPolygon(corners));
+            fixture.setFriction(FRICTION);
+            fixture.setRestitution(0);
+            if (kgPerM2 > 0) {
+                fixture.setDensity(kgPerM2);
+            }
         }
         body.setMass(kgPerM2 > 0 ? MassType.NORMAL : MassType.INFINITE);
         body.setLinearDamping(0);

@@ -3,7 +3,6 @@ package io.troupe.bench.worlds;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.RobotSpec;
-import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
 import java.util.List;
 import org.jbox2d.callbacks.RayCastCallback;
@@ -35,7 +34,9 @@ final class Jbox2dWorld extends RayWorld implements RayCastCallback {
         world.setAllowSleep(false);
         for (ObstacleSpec each : spec.obstacles()) {
             var body = body(BodyType.STATIC, each.pose().x(), each.pose().y(), 0, each.colour());
-            body.createFixture(fixture(each.shape(), 0));
+            for (List<Point> polygon : each.shape().polygons()) {
+                body.createFixture(fixture(polygon, 0));
+            }
         }
         robots = new Body[spec.robots().size()];
         for (int i = 0; i < robots.length; i++) {
@@ -47,7 +48,8 @@ final class Jbox2dWorld extends RayWorld implements RayCastCallback {
                     each.pose().headingRad(),
                     each.colour());
             robots[i].setSleepingAllowed(false);
-            robots[i].createFixture(fixture(each.shape(), each.massKg() / (each.lengthM() * each.widthM())));
+            double kgPerM2 = each.massKg() / (each.lengthM() * each.widthM());
+            robots[i].createFixture(fixture(each.shape().polygons().getFirst(), kgPerM2));
         }
         caster = robots[0];
         sense();
@@ -62,8 +64,7 @@ final class Jbox2dWorld extends RayWorld implements RayCastCallback {
         return world.createBody(definition);
     }
 
-    private static FixtureDef fixture(Shape shape, double kgPerM2) {
-        List<Point> corners = shape.polygons().getFirst();
+    private static FixtureDef fixture(List<Point> corners, double kgPerM2) {
         var polygon = new PolygonShape();
         polygon.set(
                 corners.stream()

@@ -3,12 +3,12 @@ package io.troupe.bench.worlds;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.SonarSpec;
 import io.troupe.sim.model.WorldSpec;
 import java.util.Arrays;
 import java.util.List;
-import java.util.Objects;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
@@ -29,8 +29,9 @@ abstract class RayWorld implements BenchWorld {
     private final boolean driving;
     private final Readings readings;
     private final Wander wander;
-    private final Fan sonars;
-    private final Fan columns;
+    private final Fan rays;
+    private final double rangeM;
+    private final @Nullable Fan columns; // null: no camera
     private final @Nullable ColouredColumns coloured; // null: every column is cast
 
     /** Rays in a robot's frame. */
@@ -47,14 +48,31 @@ abstract class RayWorld implements BenchWorld {
     RayWorld(WorldSpec spec, boolean driving, boolean sparse) {
         this.driving = driving;
         robotCount = spec.robots().size();
-        readings = new Readings(robotCount);
         wander = new Wander(robotCount);
         RobotSpec first = spec.robots().getFirst();
-        SonarSpec sonar = Objects.requireNonNull(first.sonar());
-        BlobfinderSpec camera = Objects.requireNonNull(first.blobfinder());
-        coloured = sparse ? new ColouredColumns(spec, camera) : null;
-        sonars = Fan.of(sonar.mounts());
-        columns = Fan.of(IntStream.range(0, camera.widthPx())
+        SonarSpec sonar = first.sonar();
+        BlobfinderSpec camera = first.blobfinder();
+        List<Pose> mounts = sonar != null ? sonar.mounts() : laserRays(first);
+        rays = Fan.of(mounts);
+        rangeM = sonar != null
+                ? sonar.maxRangeM()
+                : first.rangers().getFirst().sensors().getFirst().maxRangeM();
+        readings = new Readings(robotCount, mounts.size());
+        coloured = sparse && camera != null ? new ColouredColumns(spec, camera) : null;
+        columns = camera == null ? null : columns(camera);
+    }
+
+    /** From right to left. */
+    private static List<Pose> laserRays(RobotSpec robot) {
+        RangeSensorSpec laser = robot.rangers().getFirst().sensors().getFirst();
+        return IntStream.range(0, laser.samples())
+                .mapToObj(i -> -laser.fovRad() / 2 + i * laser.fovRad() / (laser.samples() - 1))
+                .map(left -> laser.mount().compose(new Pose(0, 0, left)))
+                .toList();
+    }
+
+    private static Fan columns(BlobfinderSpec camera) {
+        return Fan.of(IntStream.range(0, camera.widthPx())
                 .mapToObj(i -> camera.fovRad() / 2 - (i + 0.5) * camera.fovRad() / camera.widthPx())
                 .map(left -> camera.mount().compose(new Pose(0, 0, left)))
                 .toList());
@@ -105,14 +123,16 @@ abstract class RayWorld implements BenchWorld {
             double y = y(i);
             double cos = Math.cos(headingRad(i));
             double sin = Math.sin(headingRad(i));
-            for (int k = 0; k < TiledScene.SONARS; k++) {
-                readings.setSonarM(i, k, cast(i, x, y, cos, sin, sonars, k, TiledScene.SONAR_RANGE_M));
+            for (int k = 0; k < readings.rays; k++) {
+                readings.setRangeM(i, k, cast(i, x, y, cos, sin, rays, k, rangeM));
             }
-            look(i, x, y, cos, sin);
+            if (columns != null) {
+                look(i, x, y, cos, sin, columns);
+            }
         }
     }
 
-    private void look(int robot, double x, double y, double cos, double sin) {
+    private void look(int robot, double x, double y, double cos, double sin, Fan image) {
         readings.clearRuns(robot);
         int runColour = NO_COLOUR;
         int runFirst = 0;
@@ -122,7 +142,7 @@ abstract class RayWorld implements BenchWorld {
         for (int k = 0; k < TiledScene.COLUMNS; k++) {
             int colour = NO_COLOUR;
             if (coloured == null || coloured.isPossible(k)) {
-                cast(robot, x, y, cos, sin, columns, k, TiledScene.CAMERA_RANGE_M);
+                cast(robot, x, y, cos, sin, image, k, TiledScene.CAMERA_RANGE_M);
                 colour = hitColour();
             }
             if (colour != runColour) {

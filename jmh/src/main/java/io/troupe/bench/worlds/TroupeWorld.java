@@ -13,14 +13,17 @@ final class TroupeWorld implements BenchWorld {
     private final Wander wander;
     private final boolean driving;
     private final int robotCount;
+    private final boolean hasLasers; // instead of sonars
 
     TroupeWorld(WorldSpec spec, boolean driving, int sensingThreads) {
         this.driving = driving;
         robotCount = spec.robots().size();
-        readings = new Readings(robotCount);
         wander = new Wander(robotCount);
         world = World.create(spec, WorldSettings.DEFAULT.withSensingThreads(sensingThreads));
-        take(world.view());
+        WorldView view = world.view();
+        hasLasers = view.rangerCount(0) > 0;
+        readings = new Readings(robotCount, hasLasers ? view.rangeCount(0, 0) : TiledScene.SONARS);
+        take(view);
     }
 
     @Override
@@ -41,26 +44,14 @@ final class TroupeWorld implements BenchWorld {
 
     private void take(WorldView view) {
         for (int i = 0; i < robotCount; i++) {
-            for (int k = 0; k < TiledScene.SONARS; k++) {
-                readings.setSonarM(i, k, rangeM(view, i, k));
+            for (int k = 0; k < readings.rays; k++) {
+                readings.setRangeM(i, k, hasLasers ? view.rangeM(i, 0, k) : view.rangeM(i, k));
             }
             readings.clearRuns(i);
             for (int k = 0; k < view.blobCount(i); k++) {
                 readings.addRun(i, view.blobLeft(i, k), view.blobRight(i, k));
             }
         }
-    }
-
-    /** The range in the direction of a sonar; of a robot with a laser of half a turn only, ranges behind it are 5 m. */
-    private static double rangeM(WorldView view, int robot, int sonar) {
-        if (view.rangerCount(robot) == 0) {
-            return view.rangeM(robot, sonar);
-        }
-        int fromRight = (sonar + TiledScene.SONARS / 4) % TiledScene.SONARS;
-        int last = view.rangeCount(robot, 0) - 1;
-        return fromRight > TiledScene.SONARS / 2
-                ? TiledScene.SONAR_RANGE_M
-                : view.rangeM(robot, 0, fromRight * last / (TiledScene.SONARS / 2));
     }
 
     /** Checksum over every bit of the latest readings. */

@@ -31,12 +31,12 @@ final class WorldProcess implements AutoCloseable {
         return kind;
     }
 
-    double retainedBytes(int robotCount) throws IOException {
-        return Double.parseDouble(ask("retained " + robotCount));
+    double retainedBytes(BuildScene scene, int robotCount) throws IOException {
+        return Double.parseDouble(ask("retained " + scene.name() + " " + robotCount));
     }
 
-    void build(int robotCount) throws IOException {
-        ask("build " + robotCount);
+    void build(BuildScene scene, int robotCount) throws IOException {
+        ask("build " + scene.name() + " " + robotCount);
     }
 
     WorldTurn turn(int millis) throws IOException {
@@ -58,8 +58,8 @@ final class WorldProcess implements AutoCloseable {
     }
 
     /**
-     * The main class of a contender's JVM. It answers {@code ready}; {@code retained <robots>} by bytes per robot;
-     * {@code build <robots>}; {@code turn <millis>} by a {@link WorldTurn}; and {@code drop}.
+     * The main class of a contender's JVM. It answers {@code ready}; {@code retained <scene> <robots>} by bytes per
+     * robot; {@code build <scene> <robots>}; {@code turn <millis>} by a {@link WorldTurn}; and {@code drop}.
      */
     static final class Child {
         /** Enough for everything that is created on demand. */
@@ -83,9 +83,9 @@ final class WorldProcess implements AutoCloseable {
         private String answer(String[] command) {
             return switch (command[0]) {
                 case "ready" -> command[0];
-                case "retained" -> Double.toString(retainedBytes(Integer.parseInt(command[1])));
+                case "retained" -> Double.toString(retainedBytes(spec(command)));
                 case "build" -> {
-                    world = kind.create(TiledScene.of(Integer.parseInt(command[1])), true);
+                    world = kind.create(spec(command), true);
                     lastFactor = 0;
                     yield "built";
                 }
@@ -108,12 +108,15 @@ final class WorldProcess implements AutoCloseable {
             };
         }
 
+        private static WorldSpec spec(String[] command) {
+            return BuildScene.valueOf(command[1]).spec(Integer.parseInt(command[2]));
+        }
+
         /**
          * What a robot adds to the heap: the difference between the world with all robots and the same world with the
          * first of them only.
          */
-        private double retainedBytes(int robotCount) {
-            WorldSpec full = TiledScene.of(robotCount);
+        private double retainedBytes(WorldSpec full) {
             var lonely = new WorldSpec(
                     full.name(),
                     full.file(),
@@ -121,7 +124,8 @@ final class WorldProcess implements AutoCloseable {
                     full.robots().subList(0, 1),
                     full.obstacles());
             keptBytes(lonely); // loads classes and fills pools that all worlds share
-            return (double) (keptBytes(full) - keptBytes(lonely)) / (robotCount - 1);
+            return (double) (keptBytes(full) - keptBytes(lonely))
+                    / (full.robots().size() - 1);
         }
 
         private long keptBytes(WorldSpec spec) {

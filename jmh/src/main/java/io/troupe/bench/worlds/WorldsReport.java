@@ -3,7 +3,7 @@ package io.troupe.bench.worlds;
 import java.util.Locale;
 
 /** Formats the results as a table in Markdown. */
-record WorldsReport(int rounds, int turnMillis, long seed, WorldsResults results) {
+record WorldsReport(BuildScene scene, int rounds, int turnMillis, long seed, WorldsResults results) {
     private static final String HEAD = """
             | robots | contender | simulated seconds per second | divided by ours, same round | bytes per physics step | bytes kept per robot |
             |---|---|---|---|---|---|
@@ -12,8 +12,8 @@ record WorldsReport(int rounds, int turnMillis, long seed, WorldsResults results
     /** The table: factors and ratios as median (lower quartile..upper quartile), bytes as median. */
     String table() {
         var text = new StringBuilder(format(
-                "Java %s, %d processors, %d rounds of %d ms, seed %d%n%n",
-                Runtime.version(), Runtime.getRuntime().availableProcessors(), rounds, turnMillis, seed));
+                "Scene %s, Java %s, %d processors, %d rounds of %d ms, seed %d%n%n",
+                scene, Runtime.version(), Runtime.getRuntime().availableProcessors(), rounds, turnMillis, seed));
         text.append(HEAD);
         for (int robots : results.turns().keySet()) {
             for (WorldKind kind : results.turns().get(robots).keySet()) {

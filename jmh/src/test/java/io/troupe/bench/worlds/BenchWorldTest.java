@@ -3,6 +3,7 @@ package io.troupe.bench.worlds;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
+import java.util.List;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -13,8 +14,22 @@ class BenchWorldTest {
 
     @Test
     void readings_agree_afterASecondWithoutDriving() {
-        assertThat(Agreement.check(2).largestM()).isLessThan(0.001);
-        assertThat(Agreement.check(70).grazing()).isZero();
+        assertThat(Agreement.check(BuildScene.FULL, 2, List.of(WorldKind.values()))
+                        .largestM())
+                .isLessThan(0.001);
+        assertThat(Agreement.check(BuildScene.FULL, 70, List.of(WorldKind.values()))
+                        .grazing())
+                .isZero();
+    }
+
+    @ParameterizedTest
+    @EnumSource(names = {"SONARS", "LASERS", "CAVE"})
+    void readings_agree_inOtherScenes(BuildScene scene) {
+        // jbox2d reports other distances for most of these rays; dyn4j the same as ours
+        List<WorldKind> contenders = scene == BuildScene.LASERS
+                ? List.of(WorldKind.TROUPE, WorldKind.TROUPE_2, WorldKind.DYN4J)
+                : List.of(WorldKind.values());
+        assertThat(Agreement.check(scene, 32, contenders).largestM()).isLessThan(0.02);
     }
 
     @ParameterizedTest

@@ -29,6 +29,8 @@ class CompareWorldsTest {
     void options_areRead() {
         var options = parsed("--turn", "7", "--warm-up", "8", "--seed", "9", "--figure", "a.svg", "--robots", "2,1,2");
         assertThat(options.robots()).containsExactly(1, 2);
+        assertThat(options.scene).isEqualTo(BuildScene.FULL);
+        assertThat(parsed("--scene", "CAVE").scene).isEqualTo(BuildScene.CAVE);
         assertThat(options)
                 .extracting(
                         each -> each.turnMillis,

@@ -36,7 +36,7 @@ class WorldsReportTest {
 
     @Test
     void table_dividesByOursOfTheSameRound() {
-        assertThat(new WorldsReport(3, 500, 1, results).table())
+        assertThat(new WorldsReport(BuildScene.FULL, 3, 500, 1, results).table())
                 .contains("| 2 | troupe | 200 (150..300) | 1.00 (1.00..1.00) | 2,000 |  |")
                 .contains("| 2 | jbox2d | 100 (75.0..150) | 0.500 (0.500..0.500) | 1,000 |  |")
                 .contains("| 10,000 | troupe | 0.700 (0.650..0.750) | 1.00 (1.00..1.00) | 7 | 1,234 |")

@@ -51,14 +51,7 @@ final class DataCodec {
             }
             case LaserScan scan -> scan(out, scan);
             case Fiducials fiducials -> out.array(fiducials.seen(), DataCodec::fiducial);
-            case CameraImage image ->
-                out.int32(image.width())
-                        .int32(image.height())
-                        .int32(image.bitsPerPixel())
-                        .int32(image.format())
-                        .int32(image.divisor())
-                        .int32(image.compression())
-                        .opaque(image.pixels().toArray());
+            case CameraImage image -> image(out, image);
             case GripperState gripper ->
                 out.int32(gripper.state()).int32(gripper.beams()).int32(gripper.stored());
             case BumperStates bumpers -> out.opaque(bytes(bumpers.states()));
@@ -68,6 +61,27 @@ final class DataCodec {
             }
         }
         return 1;
+    }
+
+    static void image(XdrWriter out, CameraImage image) {
+        out.int32(image.width())
+                .int32(image.height())
+                .int32(image.bitsPerPixel())
+                .int32(image.format())
+                .int32(image.divisor())
+                .int32(image.compression())
+                .opaque(image.pixels().toArray());
+    }
+
+    static CameraImage image(XdrReader in) throws WireException {
+        return new CameraImage(
+                in.int32("width"),
+                in.int32("height"),
+                in.int32("bpp"),
+                in.int32("format"),
+                in.int32("fdiv"),
+                in.int32("compression"),
+                Octets.of(in.opaque("image")));
     }
 
     private static void doubles(XdrWriter out, List<Double> values) {
@@ -165,17 +179,7 @@ final class DataCodec {
             case SIMULATION -> null;
             case FIDUCIAL ->
                 subtype == 1 ? new Fiducials(in.array("fiducials", FIDUCIAL_BYTES, DataCodec::fiducial)) : null;
-            case CAMERA ->
-                subtype == 1
-                        ? new CameraImage(
-                                in.int32("width"),
-                                in.int32("height"),
-                                in.int32("bpp"),
-                                in.int32("format"),
-                                in.int32("fdiv"),
-                                in.int32("compression"),
-                                Octets.of(in.opaque("image")))
-                        : null;
+            case CAMERA -> subtype == 1 ? image(in) : null;
             case GRIPPER ->
                 subtype == 1 ? new GripperState(in.uint8("state"), in.int32("beams"), in.uint8("stored")) : null;
             case BUMPER ->

@@ -82,6 +82,13 @@ public sealed interface DeviceReply {
     /** One bumper: the pose of its middle, its length, and the radius of its curve, 0 for a straight one. */
     record Bumper(Pose3d pose, float lengthM, float radiusM) {}
 
+    /** Reply to {@link DeviceRequest.GetImage}. */
+    record Image(DeviceData.CameraImage image) implements DeviceReply {
+        public Image {
+            requireNonNull(image, "image");
+        }
+    }
+
     /** Reply to {@link DeviceRequest.GetPose}: a pose in the world's frame. */
     record ModelPose(String model, double px, double py, double pa) implements DeviceReply {
         public ModelPose {

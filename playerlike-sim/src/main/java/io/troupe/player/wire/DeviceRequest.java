@@ -93,6 +93,9 @@ public sealed interface DeviceRequest {
     /** fiducial REQ 8: sets it. */
     record SetMarker(int id) implements DeviceRequest {}
 
+    /** camera REQ 3: requests the newest image, which is also sent as data. */
+    record GetImage() implements DeviceRequest {}
+
     /** simulation REQ 1: requests the pose of a model. */
     record GetPose(String model) implements DeviceRequest {
         public GetPose {

@@ -7,6 +7,7 @@ import io.troupe.player.wire.DeviceReply.Colour;
 import io.troupe.player.wire.DeviceReply.FiducialGeometry;
 import io.troupe.player.wire.DeviceReply.FieldOfView;
 import io.troupe.player.wire.DeviceReply.GripperGeometry;
+import io.troupe.player.wire.DeviceReply.Image;
 import io.troupe.player.wire.DeviceReply.LaserGeometry;
 import io.troupe.player.wire.DeviceReply.LaserId;
 import io.troupe.player.wire.DeviceReply.Marker;
@@ -76,6 +77,7 @@ final class ReplyCodec {
             case FieldOfView view ->
                 out.float32(view.minRangeM()).float32(view.maxRangeM()).float32(view.angleRad());
             case Marker marker -> out.int32(marker.id());
+            case Image image -> DataCodec.image(out, image.image());
             case GripperGeometry gripper -> {
                 XdrStructures.pose3d(out, gripper.pose());
                 XdrStructures.size3d(out, gripper.outer());
@@ -157,7 +159,7 @@ final class ReplyCodec {
                                 in.string("name"), in.string("prop"), in.int32("index"), Octets.of(in.opaque("value")));
                     default -> new Ack();
                 };
-            case CAMERA -> new Ack();
+            case CAMERA -> subtype == 3 ? new Image(DataCodec.image(in)) : new Ack();
             case GRIPPER ->
                 subtype == 1
                         ? new GripperGeometry(

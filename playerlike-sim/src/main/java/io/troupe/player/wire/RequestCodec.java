@@ -5,6 +5,7 @@ import io.troupe.player.wire.DeviceRequest.Geometry;
 import io.troupe.player.wire.DeviceRequest.GetColour;
 import io.troupe.player.wire.DeviceRequest.GetConfiguration;
 import io.troupe.player.wire.DeviceRequest.GetFieldOfView;
+import io.troupe.player.wire.DeviceRequest.GetImage;
 import io.troupe.player.wire.DeviceRequest.GetMarker;
 import io.troupe.player.wire.DeviceRequest.GetPose;
 import io.troupe.player.wire.DeviceRequest.GetPose3d;
@@ -83,6 +84,7 @@ final class RequestCodec {
             case SetFieldOfView set ->
                 subtype(3, out.float32(set.minRangeM()).float32(set.maxRangeM()).float32(set.angleRad()));
             case GetMarker get -> 7;
+            case GetImage get -> 3;
             case SetMarker set -> subtype(8, out.int32(set.id()));
             case GetPose get -> subtype(1, out.string(get.model()).float64(0, 0, 0));
             case SetPose set -> subtype(2, out.string(set.model()).float64(set.px(), set.py(), set.pa()));
@@ -145,7 +147,7 @@ final class RequestCodec {
             case LASER -> laser(subtype, in);
             case SIMULATION -> simulation(subtype, in);
             case FIDUCIAL -> fiducial(subtype, in);
-            case CAMERA -> new Unknown(subtype);
+            case CAMERA -> subtype == 3 ? new GetImage() : new Unknown(subtype);
             case BUMPER, GRIPPER -> subtype == 1 ? new Geometry() : new Unknown(subtype);
         };
     }

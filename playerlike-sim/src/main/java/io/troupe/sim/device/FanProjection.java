@@ -158,6 +158,11 @@ final class FanProjection {
         carriers[outlineNumber] = carrier;
     }
 
+    /** Sets which rays see an outline, as {@link #setCarrier}. */
+    void setKinds(int outlineNumber, int rayKinds) {
+        kinds[outlineNumber] = rayKinds;
+    }
+
     /** An upper bound for the number of outlines and edges within reach of a robot. */
     int countNear(double robotX, double robotY, double maxM) {
         double boxM = maxM + greatestRadiusM;

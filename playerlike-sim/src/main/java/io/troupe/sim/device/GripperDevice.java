@@ -57,6 +57,17 @@ public final class GripperDevice implements Device {
         }
     }
 
+    /** Loses a thing, if it holds it, because something else has taken it away. Its paddles close farther. */
+    public void lose(int mover) {
+        if (held == mover) {
+            held = NOTHING;
+            mostClosed = 1;
+            if (paddles == DeviceReading.Paddles.CLOSED && closed < 1) {
+                paddles = DeviceReading.Paddles.CLOSING;
+            }
+        }
+    }
+
     @Override
     public void sense(Scene scene, int robot, Scratch scratch) {
         // it changes the world, so it is updated by one thread

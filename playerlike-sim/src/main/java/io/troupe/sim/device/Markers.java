@@ -65,7 +65,7 @@ final class Markers {
         for (int i = 0; i < markers.length; i++) {
             int body = markers[i].body;
             if (body >= 0) {
-                x[i] = scene.x(body);
+                x[i] = scene.isThere(body) ? scene.x(body) : Double.POSITIVE_INFINITY;
                 y[i] = scene.y(body);
                 headingRad[i] = scene.headingRad(body);
             }

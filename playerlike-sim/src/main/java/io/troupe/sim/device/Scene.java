@@ -50,6 +50,7 @@ public final class Scene {
     private final boolean[] blocksBodies;
     private final int[] movers; // indices of the obstacles that move
     private final int[] carrierOf; // by mover, the robot whose gripper holds it
+    private final boolean[] absent; // by mover
     private final @Nullable Markers markers; // null if there is no finder
     private final List<List<Part>> parts = new ArrayList<>(); // by robot
     private final int[] colours; // by thing: obstacles, then robots, then what they carry
@@ -88,6 +89,7 @@ public final class Scene {
         blocksBodies = new boolean[bodyCount];
         carrierOf = new int[movers.length];
         Arrays.fill(carrierOf, NOBODY);
+        absent = new boolean[movers.length];
         markers = hasFinder(spec) ? new Markers(spec) : null;
         int cargoCount =
                 spec.robots().stream().mapToInt(robot -> robot.cargo().size()).sum();
@@ -213,6 +215,24 @@ public final class Scene {
         movingProjection.setCarrier(parts.get(body).getFirst().index, carrierNumber(body));
     }
 
+    /** Sets whether a thing that moves is in the world; if not, nothing senses it. */
+    public void show(int mover, boolean present) {
+        absent[mover] = !present;
+        int body = robotCount + mover;
+        blocksBodies[body] = present && spec.obstacles().get(movers[mover]).blocksBodies();
+        Part part = parts.get(body).getFirst();
+        movingProjection.setKinds(part.index, rayKinds(body, part));
+    }
+
+    /** False for a thing that moves and has been taken out of the world. */
+    boolean isThere(int body) {
+        return body < robotCount || !absent[body - robotCount];
+    }
+
+    private int rayKinds(int body, Part part) {
+        return isThere(body) ? part.rayKinds : 0;
+    }
+
     /** Which of the things that move is the obstacle with an index; -1 if it stands still. */
     int mover(int thing) {
         int number = Arrays.binarySearch(movers, thing);
@@ -285,7 +305,7 @@ public final class Scene {
             List<Part> seen = parts.get(i);
             for (int j = 0; j < seen.size(); j++) {
                 Part part = seen.get(j);
-                moving.add(part.outline, part.thing, carrierNumber(i), part.rayKinds);
+                moving.add(part.outline, part.thing, carrierNumber(i), rayKinds(i, part));
             }
         }
     }

@@ -46,6 +46,8 @@ class DeviceMessagesTest {
             model ( pose [ -0.83 -1.18 0 0 ] size [ 0.4 0.4 0.5 ] )
             model ( pose [ 1.5 0 0 0 ] size [ 0.2 0.2 0.5 ] color_rgba [ 0.2 0.4 0.6 1 ] ranger_return 3 laser_return 1 )
             model ( pose [ 0.37 -0.35 0 0 ] size [ 0.2 0.3 0.5 ] )
+            model ( name "light" pose [ -3 3 0 0 ] size [ 0.2 0.2 0.5 ] movable 1 mass 1 )
+            model ( name "post" pose [ -3 -3 0 0 ] size [ 0.2 0.2 0.5 ] )
             """;
 
     private static Scenario scenario() {
@@ -129,9 +131,13 @@ class DeviceMessagesTest {
             client.subscribe(Interfaces.CAMERA);
             served.tick(1);
             // nothing is as near to the middle as the rays of two columns look aside
-            assertThat(next(client, MessageType.DATA, CAMERA, 1))
-                    .isEqualTo(hex("00000002 00000002 00000018 00000005 00000001 00000000 0000000c 0000000c"
-                            + "ffffff ffffff c0c0c0 c0c0c0"));
+            String image = hex("00000002 00000002 00000018 00000005 00000001 00000000 0000000c 0000000c"
+                    + "ffffff ffffff c0c0c0 c0c0c0");
+            assertThat(next(client, MessageType.DATA, CAMERA, 1)).isEqualTo(image);
+            asked(client, CAMERA, new DeviceRequest.GetImage());
+            assertThat(next(client, MessageType.ACK, CAMERA, 3)).isEqualTo(image);
+            asked(client, CAMERA, new DeviceRequest.Unknown(1)); // the source of the video
+            assertThat(next(client, MessageType.NACK, CAMERA, 1)).isEmpty();
         }
         var pixels = new DeviceData.CameraImage(
                 2, 1, 24, 5, 1, 0, Octets.of((byte) 1, (byte) 2, (byte) 3, (byte) 4, (byte) 5, (byte) 6));
@@ -211,6 +217,31 @@ class DeviceMessagesTest {
             served.tick(1);
             DeviceData.Position2d moved = client.nextPosition();
             assertThat(new double[] {moved.px(), moved.py(), moved.pa()}).containsExactly(-2, 1, 0.5);
+        }
+    }
+
+    @Test
+    void obstacles_areMovedByPoseRequests() throws Exception {
+        try (var served = Served.open(scenario())) {
+            RawClient client = served.client();
+            client.subscribe(Interfaces.SIMULATION);
+            for (String model : List.of("light", "post")) {
+                double away = model.equals("light") ? -4 : -6;
+                asked(client, SIMULATION, new DeviceRequest.SetPose(model, 0, 0.1, 0));
+                assertThat(client.next().header().type())
+                        .as("the robot is there")
+                        .isEqualTo(MessageType.NACK);
+                asked(client, SIMULATION, new DeviceRequest.SetPose(model, 4, 4, 0.5));
+                assertThat(next(client, MessageType.ACK, SIMULATION, 2)).isEmpty();
+                served.tick(2);
+                asked(client, SIMULATION, new DeviceRequest.GetPose(model));
+                assertThat(next(client, MessageType.ACK, SIMULATION, 1))
+                        .as("%s", model)
+                        .endsWith(hex("4010000000000000 4010000000000000 3fe0000000000000"));
+                asked(client, SIMULATION, new DeviceRequest.SetPose3d(model, new Pose3d(away, 4, 0, 0, 0, 0), 0));
+                assertThat(next(client, MessageType.ACK, SIMULATION, 4)).isEmpty();
+                served.tick(2);
+            }
         }
     }
 
@@ -351,7 +382,10 @@ class DeviceMessagesTest {
             do {
                 while (!laser.isDataReady())
                     ;
-            } while (laser.getData().getIntensity_count() == 0);
+                assertThat(laser.getData().getIntensity_count())
+                        .as("0 until they are measured")
+                        .isEqualTo(2);
+            } while (laser.getData().getIntensity()[0] == 0);
             assertThat(laser.getData().getIntensity()).containsExactly(3, 3);
         });
     }

@@ -149,6 +149,7 @@ final class RandomMessages {
         add(10, DeviceRequest.Geometry.class, DeviceRequest.GetFieldOfView.class, DeviceRequest.SetFieldOfView.class);
         add(10, DeviceRequest.GetMarker.class, DeviceRequest.SetMarker.class);
         add(14, DeviceRequest.Geometry.class);
+        add(40, DeviceRequest.GetImage.class);
         add(3, DeviceRequest.Geometry.class);
         add(66, DeviceRequest.Capability.class);
         add(66, 0, new DeviceRequest.Unknown(random.nextInt(255)));
@@ -183,6 +184,7 @@ final class RandomMessages {
         add(10, 7, content(DeviceReply.Marker.class));
         add(10, 8, content(DeviceReply.Marker.class));
         add(14, 1, content(DeviceReply.BumperGeometry.class));
+        add(40, 3, content(DeviceReply.Image.class));
         var gripper = content(DeviceReply.GripperGeometry.class);
         add(
                 3,
