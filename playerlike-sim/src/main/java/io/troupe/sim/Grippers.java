@@ -11,6 +11,8 @@ import io.troupe.sim.physics.Physics;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * The obstacles that may move, and the grippers that hold them.
@@ -25,6 +27,7 @@ final class Grippers {
 
     private static final int NOBODY = -1;
 
+    private final List<Integer> indices; // of the things, among the obstacles
     private final List<ObstacleSpec> things;
     private final int robotCount;
     private final double intervalS;
@@ -37,7 +40,8 @@ final class Grippers {
     private record Gripper(int robot, GripperDevice device) {}
 
     Grippers(WorldSpec spec, Scene scene, Physics physics, List<SimulatedDevices> devices) {
-        things = spec.movingObstacles().stream().map(spec.obstacles()::get).toList();
+        indices = spec.movingObstacles();
+        things = indices.stream().map(spec.obstacles()::get).toList();
         robotCount = spec.robots().size();
         intervalS = spec.intervalMillis() / 1000.0;
         this.scene = scene;
@@ -79,6 +83,17 @@ final class Grippers {
             poses.add(pose(i));
         }
         return poses;
+    }
+
+    /** The things that are held, by their index among the obstacles: the robot. */
+    SortedMap<Integer, Integer> held() {
+        SortedMap<Integer, Integer> held = new TreeMap<>();
+        for (int i = 0; i < heldBy.length; i++) {
+            if (heldBy[i] != NOBODY) {
+                held.put(indices.get(i), heldBy[i]);
+            }
+        }
+        return held;
     }
 
     /** Updates all grippers at the end of an interval. */
