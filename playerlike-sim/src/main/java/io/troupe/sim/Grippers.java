@@ -11,6 +11,8 @@ import io.troupe.sim.physics.Physics;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
+import java.util.SortedMap;
+import java.util.TreeMap;
 
 /**
  * The obstacles that may move, and the grippers that hold them.
@@ -26,8 +28,8 @@ final class Grippers {
 
     private static final int NOBODY = -1;
 
+    private final List<Integer> indices; // of the things, among the obstacles
     private final List<ObstacleSpec> things;
-    private final List<Integer> obstacles; // their indices
     private final int robotCount;
     private final double intervalS;
     private final Presence presence;
@@ -41,8 +43,8 @@ final class Grippers {
 
     Grippers(WorldSpec spec, Presence presence, Scene scene, Physics physics, List<SimulatedDevices> devices) {
         this.presence = presence;
-        obstacles = spec.movingObstacles();
-        things = obstacles.stream().map(spec.obstacles()::get).toList();
+        indices = spec.movingObstacles();
+        things = indices.stream().map(spec.obstacles()::get).toList();
         robotCount = spec.robots().size();
         intervalS = spec.intervalMillis() / 1000.0;
         this.scene = scene;
@@ -64,7 +66,7 @@ final class Grippers {
     private void show() {
         for (int i = 0; i < things.size(); i++) {
             scene.carry(i, heldBy[i]);
-            scene.show(i, presence.holds(obstacles.get(i)));
+            scene.show(i, presence.holds(indices.get(i)));
         }
     }
 
@@ -75,7 +77,7 @@ final class Grippers {
         if (newPhysics != physics) {
             physics = newPhysics;
             for (int i = 0; i < things.size(); i++) {
-                if (!presence.holds(obstacles.get(i))) {
+                if (!presence.holds(indices.get(i))) {
                     physics.removeRobot(robotCount + i);
                 } else if (heldBy[i] != NOBODY) {
                     park(i);
@@ -86,12 +88,12 @@ final class Grippers {
 
     /** True if an obstacle may move. */
     boolean moves(int obstacle) {
-        return obstacles.contains(obstacle);
+        return indices.contains(obstacle);
     }
 
     /** Takes an obstacle that moves out of the world; a gripper that holds it loses it. */
     void remove(int obstacle) {
-        int thing = obstacles.indexOf(obstacle);
+        int thing = indices.indexOf(obstacle);
         loseIfHeld(thing);
         physics.removeRobot(robotCount + thing);
         scene.show(thing, false);
@@ -99,7 +101,7 @@ final class Grippers {
 
     /** Puts an obstacle that moves at a pose; a gripper that holds it loses it. */
     void put(int obstacle, Pose pose) {
-        int thing = obstacles.indexOf(obstacle);
+        int thing = indices.indexOf(obstacle);
         loseIfHeld(thing);
         place(thing, pose);
         scene.show(thing, true);
@@ -144,6 +146,17 @@ final class Grippers {
             poses.add(pose(i));
         }
         return poses;
+    }
+
+    /** The things that are held, by their index among the obstacles: the robot. */
+    SortedMap<Integer, Integer> held() {
+        SortedMap<Integer, Integer> held = new TreeMap<>();
+        for (int i = 0; i < heldBy.length; i++) {
+            if (heldBy[i] != NOBODY) {
+                held.put(indices.get(i), heldBy[i]);
+            }
+        }
+        return held;
     }
 
     /** Updates all grippers at the end of an interval. */

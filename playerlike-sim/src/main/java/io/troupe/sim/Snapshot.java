@@ -23,6 +23,7 @@ import java.util.TreeMap;
  * @param placed the obstacles that were put elsewhere or taken out, by index: where they are, empty = taken out; of
  *     those that can move only the latter
  * @param away indices of the robots that were taken out, in ascending order
+ * @param held the obstacles that grippers hold, by index: the index of the robot
  */
 public record Snapshot(
         long tick,
@@ -32,21 +33,41 @@ public record Snapshot(
         List<Pose> moved,
         List<ColouredBox> boxes,
         SortedMap<Integer, Optional<Pose>> placed,
-        List<Integer> away) {
+        List<Integer> away,
+        SortedMap<Integer, Integer> held) {
     public Snapshot {
         robots = List.copyOf(robots);
         contacts = List.copyOf(contacts);
         moved = List.copyOf(moved);
         boxes = List.copyOf(boxes);
-        placed = placed.isEmpty()
-                ? Collections.emptySortedMap()
-                : Collections.unmodifiableSortedMap(new TreeMap<>(placed));
+        placed = copy(placed);
         away = List.copyOf(away);
+        held = copy(held);
+    }
+
+    private static <V> SortedMap<Integer, V> copy(SortedMap<Integer, V> map) {
+        return map.isEmpty() ? Collections.emptySortedMap() : Collections.unmodifiableSortedMap(new TreeMap<>(map));
     }
 
     /** A snapshot of a world without boxes, in which no obstacle moves, and nothing comes or goes. */
     public Snapshot(long tick, long timeMicros, List<RobotReading> robots, List<Contact> contacts) {
-        this(tick, timeMicros, robots, contacts, List.of(), List.of(), Collections.emptySortedMap(), List.of());
+        this(tick, timeMicros, robots, contacts, List.of(), Collections.emptySortedMap());
+    }
+
+    /**
+     * A snapshot of a world without boxes, in which nothing comes or goes.
+     *
+     * @param moved where the obstacles are that can move
+     * @param held the obstacles that grippers hold, by index: the index of the robot
+     */
+    public Snapshot(
+            long tick,
+            long timeMicros,
+            List<RobotReading> robots,
+            List<Contact> contacts,
+            List<Pose> moved,
+            SortedMap<Integer, Integer> held) {
+        this(tick, timeMicros, robots, contacts, moved, List.of(), Collections.emptySortedMap(), List.of(), held);
     }
 
     /**

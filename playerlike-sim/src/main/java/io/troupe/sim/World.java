@@ -555,7 +555,8 @@ public final class World implements AutoCloseable {
                 grippers.poses(),
                 boxes.all(),
                 presence.placedObstacles(),
-                presence.awayRobots());
+                presence.awayRobots(),
+                grippers.held());
     }
 
     /** The touches of the physics, with names instead of indices and with the world's time. */

@@ -192,8 +192,10 @@ class MovingThingsTest {
         assertThat(box(world).y()).isCloseTo(expected.y(), within(1e-6));
         assertThat(box(world).headingRad()).isCloseTo(1, within(1e-6));
         world.grip(0, 0, Order.OPEN);
+        assertThat(world.latest().held()).containsExactly(entry(0, 0));
         world.advance(2);
         assertThat(grip(world).holds()).isFalse();
+        assertThat(world.latest().held()).isEmpty();
         assertThat(Specs.first(world.latest()).sonarM().getFirst())
                 .as("it is an obstacle again")
                 .isLessThan(0.4);

@@ -18,20 +18,23 @@ import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.physics.Physics;
+import java.lang.System.Logger.Level;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Set;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The robots of a Player server on another host, in the world that a file describes. Poses come from the server; gaps
- * and contacts are computed from them, at each reading.
+ * The robots of a Player server on another host, in the world that a file describes. Poses of the robots, and of the
+ * obstacles that they can push, come from the server; gaps and contacts are computed from them, at each reading.
  *
  * <p><b>Threads.</b> One; {@link #stop} may be called by any thread.
  */
 final class RemoteWorld implements AutoCloseable {
+    private static final System.Logger LOG = System.getLogger(RemoteWorld.class.getName());
     private static final Duration POSE_LIMIT = Duration.ofSeconds(5);
     private static final double FAR_M = 3; // robots so far apart do not touch
     private static final Odometry UNKNOWN = new Odometry(new Pose(0, 0, 0), 0, 0, false);
@@ -42,7 +45,9 @@ final class RemoteWorld implements AutoCloseable {
     private final Position2DInterface first;
     private final SimulationInterface simulation;
     private final Scene scene;
+    private final List<Integer> movers; // indices of the obstacles that move
     private final Set<String> touching = new HashSet<>();
+    private final Set<String> unknown = new HashSet<>(); // obstacles that the server does not know
     private double startSeconds = Double.NaN;
     private long ticks;
     private volatile boolean stopped;
@@ -56,6 +61,7 @@ final class RemoteWorld implements AutoCloseable {
         this.world = world;
         this.address = host + ":" + port;
         this.scene = new Scene(world);
+        this.movers = world.movingObstacles();
         this.client = new PlayerClient(host, port);
         try {
             client.requestDataDeliveryMode(PlayerConstants.PLAYER_DATAMODE_PULL);
@@ -92,24 +98,51 @@ final class RemoteWorld implements AutoCloseable {
     private Snapshot snapshot(long timeMicros) {
         var poses = new ArrayList<Pose>();
         for (int robot = 0; robot < world.robots().size(); robot++) {
-            Pose pose = pose(world.robots().get(robot).name());
+            String name = world.robots().get(robot).name();
+            Pose pose = pose(name);
+            if (pose == null) {
+                throw new PlayerException("the robots at " + address + " do not include '" + name
+                        + "', expected those of " + world.file());
+            }
             scene.place(robot, pose);
             poses.add(pose);
+        }
+        var moved = new ArrayList<Pose>();
+        for (int mover = 0; mover < movers.size(); mover++) {
+            Pose pose = place(world.obstacles().get(movers.get(mover)));
+            scene.place(world.robots().size() + mover, pose);
+            moved.add(pose);
         }
         var readings = new ArrayList<RobotReading>();
         for (int robot = 0; robot < poses.size(); robot++) {
             readings.add(new RobotReading(poses.get(robot), UNKNOWN, null, null, List.of(), scene.wallGapM(robot)));
         }
-        return new Snapshot(ticks++, timeMicros, readings, contacts(timeMicros, poses));
+        return new Snapshot(
+                ticks++, timeMicros, readings, contacts(timeMicros, poses, moved), moved, Collections.emptySortedMap());
     }
 
-    private Pose pose(String model) {
+    /** Where an obstacle is that moves; its start if the server does not know it. */
+    private Pose place(ObstacleSpec obstacle) {
+        Pose pose = unknown.contains(obstacle.name()) ? null : pose(obstacle.name());
+        if (pose == null && unknown.add(obstacle.name())) {
+            LOG.log(
+                    Level.WARNING,
+                    "the simulator at {0} does not know where ''{1}'' is, expected the models of {2}: it is shown where"
+                            + " that file has it",
+                    address,
+                    obstacle.name(),
+                    world.file());
+        }
+        return pose == null ? obstacle.pose() : pose;
+    }
+
+    /** Where a model is; null if the server does not answer that. */
+    private @Nullable Pose pose(String model) {
         simulation.get2DPose(model);
         long sinceNanos = Clock.system().nanos();
         while (!simulation.isPose2DReady()) {
             if (Clock.system().nanos() - sinceNanos > POSE_LIMIT.toNanos()) {
-                throw new PlayerException("the robots at " + address + " do not include '" + model
-                        + "', expected those of " + world.file());
+                return null;
             }
         }
         PlayerPose pose = simulation.getPose2D().getPose();
@@ -118,7 +151,12 @@ final class RemoteWorld implements AutoCloseable {
 
     // ---- contacts
 
-    private List<Contact> contacts(long timeMicros, List<Pose> poses) {
+    private List<Contact> contacts(long timeMicros, List<Pose> poses, List<Pose> moved) {
+        List<ObstacleSpec> obstacles = new ArrayList<>(world.obstacles());
+        for (int mover = 0; mover < moved.size(); mover++) {
+            int index = movers.get(mover);
+            obstacles.set(index, obstacles.get(index).at(moved.get(mover)));
+        }
         List<Contact> begun = new ArrayList<>();
         for (int robot = 0; robot < poses.size(); robot++) {
             for (int other = 0; other < robot; other++) {
@@ -131,7 +169,7 @@ final class RemoteWorld implements AutoCloseable {
                     begun.add(new Contact(timeMicros, robot, name, other));
                 }
             }
-            for (ObstacleSpec obstacle : world.obstacles()) {
+            for (ObstacleSpec obstacle : obstacles) {
                 boolean near = scene.wallGapM(robot) <= Physics.SKIN_M && obstacle.blocksBodies();
                 double gapM = near ? gapM(robot, poses.get(robot), obstacle) : Double.POSITIVE_INFINITY;
                 if (begins(robot, "obstacle " + obstacle.name(), gapM)) {

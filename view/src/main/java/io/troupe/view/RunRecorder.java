@@ -18,6 +18,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
+import java.util.Objects;
 import java.util.Optional;
 import java.util.SortedMap;
 import java.util.TreeSet;
@@ -73,6 +74,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
     private long tooLate;
     private int statesLogged;
     private SortedMap<Integer, Optional<Pose>> displaced = Collections.emptySortedMap(); // as logged
+    private SortedMap<Integer, Integer> held = Collections.emptySortedMap(); // as logged
     private @Nullable Snapshot last;
 
     /**
@@ -294,26 +296,33 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
         }
     }
 
-    /** Logs the obstacles that have moved, come or gone since the last poses. */
+    /**
+     * Logs the obstacles that have moved, come or gone, or were taken by a gripper or put down, since the last poses.
+     */
     private void logObstacles(Snapshot snapshot) {
         SortedMap<Integer, Optional<Pose>> before = displaced;
+        SortedMap<Integer, Integer> heldBefore = held;
         displaced = snapshot.displaced(world);
-        if (displaced.equals(before)) {
+        held = snapshot.held();
+        if (displaced.equals(before) && held.equals(heldBefore)) {
             return;
         }
         var indices = new TreeSet<>(before.keySet());
         indices.addAll(displaced.keySet());
+        indices.addAll(heldBefore.keySet());
+        indices.addAll(held.keySet());
         for (int index : indices) {
             ObstacleSpec obstacle = world.obstacles().get(index);
             Optional<Pose> start = Optional.of(obstacle.pose());
             Optional<Pose> pose = displaced.getOrDefault(index, start);
-            if (!pose.equals(before.getOrDefault(index, start))) {
+            Integer holder = held.get(index);
+            if (!pose.equals(before.getOrDefault(index, start)) || !Objects.equals(holder, heldBefore.get(index))) {
                 var line = Json.line(snapshot.timeMicros(), "obstacle")
                         .put("number", index + 1)
                         .put("obstacle", obstacle.name());
                 pose.ifPresent(
                         there -> line.put("x", there.x()).put("y", there.y()).put("heading", there.headingRad()));
-                log.write(line);
+                log.write(holder == null ? line : line.put("heldBy", holder + 1));
             }
         }
     }

@@ -6,10 +6,12 @@ import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
+import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Draws the arena, the paths coloured by service, and the places of state changes. Paths of a few robots have arrows
@@ -48,18 +50,36 @@ final class TrajectorySvg {
         this.world = world;
         this.result = result;
         this.services = ServiceColours.of(result.table());
-        List<Point> corners = world.obstacles().stream()
-                .flatMap(obstacle -> obstacle.shape().polygons().stream()
-                        .flatMap(List::stream)
-                        .map(obstacle.pose()::place))
-                .toList();
-        map = new WorldMap(corners, SCALE, MOST_PX, LEAST_WIDTH_PX);
+        Stream<Point> obstacles =
+                world.obstacles().stream().flatMap(obstacle -> corners(obstacle.shape(), obstacle.pose()));
+        Stream<Point> paths = result.robots().stream().flatMap(this::reach);
+        map = new WorldMap(Stream.concat(obstacles, paths).toList(), SCALE, MOST_PX, LEAST_WIDTH_PX);
         crowd = result.robots().size() >= RunRecorder.MANY_ROBOTS;
         title = Svg.wrap(finding(), map.pageWidthPx() - 2 * LEFT_PX, TITLE_PX);
         map.below(title.size() * LINE_PX + 6);
         legendY = map.bottomPx() + LINE_PX;
         drawLegend();
         svg = Svg.page(map.pageWidthPx(), legendY + LEFT_PX, FONT_PX, finding());
+    }
+
+    private static Stream<Point> corners(Shape shape, Pose pose) {
+        return shape.polygons().stream().flatMap(List::stream).map(pose::place);
+    }
+
+    /** Where a robot was: its body at both ends of its path, and the corners of a box around the path. */
+    private Stream<Point> reach(RobotRecord robot) {
+        var path = robot.path();
+        if (path.isEmpty()) {
+            return Stream.empty();
+        }
+        var x = path.stream().mapToDouble(sample -> sample.pose().x()).summaryStatistics();
+        var y = path.stream().mapToDouble(sample -> sample.pose().y()).summaryStatistics();
+        Shape body = world.robots().get(robot.index()).shape();
+        return Stream.of(
+                        corners(body, path.getFirst().pose()),
+                        corners(body, path.getLast().pose()),
+                        Stream.of(new Point(x.getMin(), y.getMin()), new Point(x.getMax(), y.getMax())))
+                .flatMap(points -> points);
     }
 
     String draw() {

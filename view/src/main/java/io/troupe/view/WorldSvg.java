@@ -37,14 +37,20 @@ final class WorldSvg {
 
     private final WorldSpec world;
     private final Snapshot now;
+    private final SortedMap<Integer, Optional<Pose>> displaced;
     private final WorldMap map;
     private final Svg svg;
 
     WorldSvg(WorldSpec world, Snapshot now) {
         this.world = world;
         this.now = now;
+        this.displaced = now.displaced(world);
         List<Point> corners = Stream.concat(
-                        world.obstacles().stream().flatMap(each -> corners(each.shape(), each.pose())),
+                        IntStream.range(0, world.obstacles().size())
+                                .boxed()
+                                .flatMap(i -> place(i).stream()
+                                        .flatMap(pose ->
+                                                corners(world.obstacles().get(i).shape(), pose))),
                         IntStream.range(0, world.robots().size())
                                 .boxed()
                                 .flatMap(i -> corners(world.robots().get(i).shape(), pose(i))))
@@ -62,17 +68,20 @@ final class WorldSvg {
         return now.robots().get(robot).pose();
     }
 
+    /** Where an obstacle is; empty = not in the world. */
+    private Optional<Pose> place(int obstacle) {
+        return displaced.getOrDefault(
+                obstacle, Optional.of(world.obstacles().get(obstacle).pose()));
+    }
+
     String draw() {
         svg.text(LEFT_PX, TITLE_PX - 10, "font-size=\"17\"", title());
         for (int i = 0; i < world.robots().size(); i++) {
             rays(i);
         }
-        SortedMap<Integer, Optional<Pose>> displaced = now.displaced(world);
         for (int i = 0; i < world.obstacles().size(); i++) {
             ObstacleSpec obstacle = world.obstacles().get(i);
-            displaced
-                    .getOrDefault(i, Optional.of(obstacle.pose()))
-                    .ifPresent(pose -> map.body(svg, obstacle.name(), obstacle.shape(), pose, obstacle.colour()));
+            place(i).ifPresent(pose -> map.body(svg, obstacle.name(), obstacle.shape(), pose, obstacle.colour()));
         }
         for (int i = 0; i < world.robots().size(); i++) {
             RobotSpec robot = world.robots().get(i);

@@ -3,6 +3,7 @@ package io.troupe.view;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Path;
@@ -11,8 +12,7 @@ import java.util.List;
 
 /** A robot that pushes a box, which is obstacle 0, to the east. */
 public final class PushedBox {
-    public static final WorldSpec WORLD =
-            ScenarioReader.readText("""
+    public static final Scenario SCENARIO = ScenarioReader.readText("""
             name "push"
             interval_sim 100
             model ( name "box" color "red" pose [ 0.5 0 0 0 ] size [ 0.1 0.1 0.2 ] movable 1 mass 0.1 )
@@ -24,7 +24,9 @@ public final class PushedBox {
               ranger ( scount 2 spose[0] [ 0.2 0 0 ] spose[1] [ 0 0.2 90 ] )
               blobfinder ( image [ 80 60 ] range 4 fov 60 colors_count 1 colors [ "red" ] )
             )
-            """, Path.of("push.world")).world();
+            """, Path.of("push.world"));
+
+    public static final WorldSpec WORLD = SCENARIO.world();
 
     private PushedBox() {}
 

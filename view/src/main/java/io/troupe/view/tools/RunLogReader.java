@@ -26,6 +26,7 @@ import java.nio.charset.CharacterCodingException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -55,6 +56,10 @@ final class RunLogReader {
     private final Map<Integer, ColouredBox> boxes = new TreeMap<>();
     private final List<Integer> movers;
     private final SortedMap<Integer, Optional<Pose>> displaced = new TreeMap<>(); // obstacles, by index
+    private final SortedMap<Integer, Integer> held = new TreeMap<>(); // obstacles, by index: the robot
+    /** As in the reading before: grippers act after the sensors of an interval were read. */
+    private SortedMap<Integer, Integer> heldBefore = Collections.emptySortedMap();
+
     private Scene scene;
     private final List<Sensors> sensors = new ArrayList<>();
     /** Those of the reading that has not been complete yet. */
@@ -271,7 +276,10 @@ final class RunLogReader {
                     boxes.put(box.number(), box);
                 }
                 case "unbox" -> boxes.remove(ColouredBox.number(words.getLast()));
-                case "reset" -> boxes.clear();
+                case "reset" -> {
+                    boxes.clear();
+                    heldBefore = Collections.emptySortedMap();
+                }
                 default -> {
                     return;
                 }
@@ -289,12 +297,37 @@ final class RunLogReader {
                 : Optional.empty();
         displaced.put(index, pose);
         int mover = movers.indexOf(index);
+        if (mover >= 0 && pose.isEmpty()) {
+            throw new JsonObject.Problem(1, "there is no 'x', expected the pose of an obstacle that can be pushed");
+        }
+        if (mover < 0 && line.has("heldBy")) {
+            throw new JsonObject.Problem(
+                    1,
+                    "a gripper holds '" + world.obstacles().get(index).name() + "', which stands still in "
+                            + world.file() + ": expected the world of the run, unchanged");
+        }
+        if (line.has("heldBy")) {
+            held.put(index, line.whole("heldBy", 1, world.robots().size()) - 1);
+        } else {
+            held.remove(index);
+        }
         if (mover < 0) {
             changeScene();
-        } else if (pose.isPresent()) {
-            scene.place(world.robots().size() + mover, pose.get());
         } else {
-            throw new JsonObject.Problem(1, "there is no 'x', expected the pose of an obstacle that can be pushed");
+            placeMover(mover);
+        }
+    }
+
+    /** A thing that a gripper holds is no obstacle, and the sensors of its robot do not notice it. */
+    private void placeMover(int mover) {
+        int obstacle = movers.get(mover);
+        scene.place(world.robots().size() + mover, place(obstacle).orElseThrow());
+        scene.carry(mover, held.getOrDefault(obstacle, -1));
+    }
+
+    private void carry(Map<Integer, Integer> holders) {
+        for (int i = 0; i < movers.size(); i++) {
+            scene.carry(i, holders.getOrDefault(movers.get(i), -1));
         }
     }
 
@@ -309,7 +342,7 @@ final class RunLogReader {
         var now = new WorldSpec(world.name(), world.file(), world.intervalMillis(), world.robots(), there);
         scene = new Scene(now.with(List.copyOf(boxes.values())));
         for (int i = 0; i < movers.size(); i++) {
-            scene.place(world.robots().size() + i, place(movers.get(i)).orElseThrow());
+            placeMover(i);
         }
     }
 
@@ -362,6 +395,7 @@ final class RunLogReader {
     }
 
     private Reading reading() {
+        carry(isCrowd() ? held : heldBefore); // a crowd is logged too seldom to tell
         scene.refresh();
         List<RobotReading> readings = new ArrayList<>();
         for (int robot = 0; robot < sensors.size(); robot++) {
@@ -377,6 +411,8 @@ final class RunLogReader {
                             .toList(),
                     poses.get(robot).gapM()));
         }
+        carry(held);
+        heldBefore = new TreeMap<>(held);
         var placed = new TreeMap<>(displaced);
         placed.keySet().removeAll(movers);
         var snapshot = new Snapshot(
@@ -387,7 +423,8 @@ final class RunLogReader {
                 movers.stream().map(mover -> place(mover).orElseThrow()).toList(),
                 List.copyOf(boxes.values()),
                 placed,
-                List.of());
+                List.of(),
+                held);
         return new Reading(snapshot, poses.stream().map(PoseLine::service).toList(), false);
     }
 

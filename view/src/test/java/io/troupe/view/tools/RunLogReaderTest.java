@@ -12,6 +12,7 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
@@ -180,6 +181,54 @@ class RunLogReaderTest {
     }
 
     @Test
+    void readingsWhileAGripperCarriesABox_areTheirs() throws IOException {
+        WorldSpec spec = ScenarioReader.readText("""
+                name "crane"
+                interval_sim 100
+                model ( name "wall" color "black" pose [ 4 0 0 0 ] size [ 0.2 8 0.5 ] )
+                model ( name "box" color "red" pose [ 0.35 0.02 0 0 ] size [ 0.1 0.1 0.2 ] gripper_return 1 )
+                position
+                (
+                  name "crane" size [ 0.4 0.4 0.2 ]
+                  gripper ( pose [ 0.3 0 0 0 ] size [ 0.2 0.3 0.2 ] )
+                  ranger ( scount 1 spose[0] [ 0 0 0 ] )
+                )
+                position
+                (
+                  name "watcher" pose [ 1 2 0 -120 ] size [ 0.4 0.4 0.2 ]
+                  ranger ( scount 1 spose[0] [ 0.2 0 0 ] )
+                  blobfinder ( image [ 80 60 ] range 4 fov 60 colors_count 1 colors [ "red" ] )
+                )
+                """, Path.of("crane.world")).world();
+        List<Snapshot> snapshots = new ArrayList<>();
+        try (var world = World.create(spec, WorldSettings.DEFAULT)) {
+            snapshots.add(world.latest());
+            world.grip(0, 0, GripperDevice.Order.CLOSE);
+            for (int tick = 0; tick < 70; tick++) {
+                switch (tick) {
+                    case 30 -> world.command(0, 0.3, 0.2);
+                    case 55 -> world.grip(0, 0, GripperDevice.Order.OPEN);
+                    case 60 -> world.command(0, -0.3, 0);
+                    default -> {}
+                }
+                snapshots.add(world.advance());
+            }
+        }
+        assertThat(snapshots).extracting(each -> Map.copyOf(each.held())).contains(Map.of(), Map.of(1, 0));
+        String log = recorded(spec, snapshots);
+        assertThat(log.lines().filter(line -> line.contains("\"obstacle\"")))
+                .as("it is taken where it stands, carried, and put down")
+                .first()
+                .asString()
+                .endsWith("\"number\":2,\"obstacle\":\"box\",\"x\":0.35,\"y\":0.02,\"heading\":0.0,\"heldBy\":1}");
+        assertThat(read(log, spec)).hasSize(1);
+        assertSameReadings(snapshots);
+        assertThat(collector.readings)
+                .extracting(each -> each.snapshot().held())
+                .isEqualTo(snapshots.stream().map(Snapshot::held).toList());
+    }
+
+    @Test
     void readingsWhileObstaclesComeAndGo_areTheirs() throws IOException {
         List<Snapshot> snapshots = new ArrayList<>();
         try (var world = World.create(Room.WORLD, WorldSettings.DEFAULT)) {
@@ -343,6 +392,7 @@ class RunLogReaderTest {
                 "{\"t\":0.0,\"type\":\"pose\",\"robot\":1,\"x\":-3,\"y\":0,\"heading\":0,\"gap\":1,\"service\":\"a\"} | robot 1 is 1.000 m from the nearest obstacle, but in room.world that is 1.800 m: expected the world of the run, unchanged",
                 "{\"t\":0.0,\"type\":\"obstacle\",\"number\":6} | 'number' is 6.0, expected a whole number from 1 to 5",
                 "{\"t\":0.0,\"type\":\"obstacle\",\"number\":1,\"x\":1} | there is no 'y', expected a number",
+                "{\"t\":0.0,\"type\":\"obstacle\",\"number\":1,\"x\":1,\"y\":1,\"heading\":0,\"heldBy\":1} | a gripper holds 'north', which stands still in room.world: expected the world of the run, unchanged",
                 "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,\"services\":[1]} | 'services' is [1.0], expected a list of texts",
                 "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":255,\"services\":[]} | 0 services, expected one for each robot",
                 "{\"t\":0.0,\"type\":\"state\",\"state\":1,\"colour\":-1,\"services\":[]} | 'colour' is -1.0, expected a whole number from 0 to 16777215",
