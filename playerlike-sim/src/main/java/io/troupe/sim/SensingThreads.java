@@ -1,5 +1,6 @@
 package io.troupe.sim;
 
+import io.troupe.actor.time.Clock;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;
@@ -27,6 +28,7 @@ final class SensingThreads implements AutoCloseable {
     private final int rangeCount;
     private final Ranges ranges;
     private final Choice choice;
+    private final Clock clock = Clock.system();
     private final Object lock = new Object();
     private final @Nullable Throwable[] failures;
     private final List<Thread> helpers = new ArrayList<>();
@@ -54,7 +56,7 @@ final class SensingThreads implements AutoCloseable {
         if (rangeCount == 1) {
             work(0);
         } else {
-            long startNanos = System.nanoTime();
+            long startNanos = clock.nanos();
             if (choice.isTogether() && begin()) {
                 work(0);
                 awaitHelpers();
@@ -63,7 +65,7 @@ final class SensingThreads implements AutoCloseable {
                     work(range);
                 }
             }
-            choice.took(System.nanoTime() - startNanos);
+            choice.took(clock.nanos() - startNanos);
         }
         for (int range = 0; range < rangeCount; range++) {
             Throwable failure = failures[range];

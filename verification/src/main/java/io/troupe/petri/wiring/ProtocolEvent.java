@@ -8,7 +8,7 @@ package io.troupe.petri.wiring;
  *
  * @param component the component that does it; of an answer or a rejection its caller, of a message from outside its
  *     receiver
- * @param what as {@link Kind} says
+ * @param what as described in {@link Kind}
  */
 public record ProtocolEvent(Kind kind, String component, String what) {
     /**

@@ -139,7 +139,7 @@ class MonitoredStepsTest {
                 calls("client", "planner.plan").toArray(ProtocolEvent[]::new));
         requireAllowed(impatient(), all);
         assertThat(unused(impatient(), all)).hasSize(2).allMatch(step -> step.contains("praise"));
-        // nobody waits for the late answer, so it need not be seen
+        // no caller waits for the late answer, so it need not be seen
         requireAllowed(
                 impatient(), with(List.of(asks, takes, gives), all.subList(4, 7).toArray(ProtocolEvent[]::new)));
         assertThat(problem(impatient(), List.of(asks, gives, takes)))
