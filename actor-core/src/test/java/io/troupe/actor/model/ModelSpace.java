@@ -83,6 +83,14 @@ final class ModelSpace {
         }
     }
 
+    /** Queues a callback behind those that have arrived from other threads, which are taken first if called inside. */
+    void enqueueBehindArrivals(Task task) {
+        if (inside) {
+            takeCallbacks();
+        }
+        enqueue(task);
+    }
+
     /** A task of the user, without an alternative for a closed space. */
     void execute(Runnable action) {
         enqueue(Task.entry(action, this::refuseTask));
