@@ -305,7 +305,7 @@ class WorldCanvas {
     const paths = new Map();
     for (const trail of this.model.trails) {
       let last = null;
-      let joined = null; // the end of the newest line, if the next one begins there
+      let joined = null; // the path whose end is the last point
       for (const point of trail) {
         if (point && point.t > end) {
           break;
@@ -315,11 +315,13 @@ class WorldCanvas {
           if (!path) {
             paths.set(point.service, path = new Path2D());
           }
-          if (last !== joined) {
+          if (path !== joined) {
             path.moveTo(last.x, last.y);
           }
           path.lineTo(point.x, point.y);
-          joined = last.service === point.service ? point : null;
+          joined = path;
+        } else {
+          joined = null;
         }
         last = point;
       }

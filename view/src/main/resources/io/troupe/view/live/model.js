@@ -6,9 +6,10 @@ class Model {
   static TOUCHED = 0x200;
   static BY_HAND = 0x400;
   static AWAY = 0x800;
+  static JUMPS_SHIFT = 12;
   static TRAIL_STEP_M = 0.03;
   static CROWD_TRAIL_STEP_M = 0.15;
-  /** A robot that is so much farther away in the next frame has not driven there. */
+  /** An obstacle that is so much farther away in the next frame was not pushed there. */
   static JUMP_M = 0.6;
   static BOX_M = 0.4;
 
@@ -72,24 +73,24 @@ class Model {
     const most = crowd ? 15 : 4000;
     const step = crowd ? Model.CROWD_TRAIL_STEP_M : Model.TRAIL_STEP_M;
     for (let i = 0; i < frame.count; i++) {
-      if (frame.state[i] & Model.AWAY) {
-        continue;
-      }
       const trail = this.trails[i];
       const last = trail[trail.length - 1];
+      const jumps = frame.state[i] >> Model.JUMPS_SHIFT;
       const service = frame.state[i] & 0xFF;
+      if (frame.state[i] & Model.AWAY) {
+        if (last) {
+          trail.push(null); // where it returns, another line begins
+        }
+        continue;
+      }
       if (last && last.t > frame.time) {
         trail.length = 0; // time began again
-      } else if (last) {
-        const way = Math.hypot(frame.x[i] - last.x, frame.y[i] - last.y);
-        if (last.service === service && way < step) {
-          continue;
-        }
-        if (way > Model.JUMP_M && frame.time - last.t < 0.35) {
-          trail.push(null);
-        }
+      } else if (last && last.jumps !== jumps) {
+        trail.push(null);
+      } else if (last && last.service === service && Math.hypot(frame.x[i] - last.x, frame.y[i] - last.y) < step) {
+        continue;
       }
-      trail.push({x: frame.x[i], y: frame.y[i], t: frame.time, service});
+      trail.push({x: frame.x[i], y: frame.y[i], t: frame.time, service, jumps});
       if (trail.length > most) {
         trail.splice(0, trail.length - most);
       }
@@ -128,7 +129,7 @@ class Model {
     for (let i = 0; i < one.count; i++) {
       const dx = other.x[i] - one.x[i];
       const dy = other.y[i] - one.y[i];
-      const part = Math.abs(dx) + Math.abs(dy) > Model.JUMP_M * 2 ? 1 : share;
+      const part = one.state[i] >> Model.JUMPS_SHIFT !== other.state[i] >> Model.JUMPS_SHIFT ? 1 : share;
       let turn = other.heading[i] - one.heading[i];
       turn -= 2 * Math.PI * Math.round(turn / (2 * Math.PI));
       frame.x[i] = one.x[i] + dx * part;

@@ -18,11 +18,13 @@ import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
 import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
+import io.troupe.view.RunRecorder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -411,6 +413,57 @@ class BrowserTest {
         page().await("document.querySelector('#clock').textContent === '120.0 s'");
         page().get("troupe.chooseTheme(true)");
         picture("watching-file.png");
+    }
+
+    /** Of a run with switches, in which a robot waits and is put elsewhere, and in which the world is reset. */
+    @Test
+    void trails_areWhereRobotsDrove_withoutLinesToWhereTheyWerePut() throws Exception {
+        Path html = folder.resolve("trails.html");
+        var control = new RunControl(0, true);
+        var file = new ViewFile();
+        Map<Long, ViewCommand> commands = Map.of(
+                60_000_000L, new ViewCommand.Drive(0, 0, 0),
+                62_000_000L, new ViewCommand.Place(0, new Pose(4, -3, 0)),
+                62_100_000L, new ViewCommand.Release(0),
+                150_000_000L, new ViewCommand.Reset());
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, control)
+                    .onto(view)
+                    .onto(file);
+            LiveRuns.run(folder.resolve("run.jsonl"), 300, viewed.listener(new RecordedRun.Listener() {
+                @Override
+                public void recorded(Snapshot snapshot, RunRecorder recorder) {
+                    ViewCommand command = commands.get(snapshot.timeMicros());
+                    if (command != null) {
+                        control.submit(command);
+                    }
+                }
+            }));
+            Files.writeString(html, file.html());
+            open(view);
+            page().await("troupe.model.frame.time === 300");
+            assertThat(longestLineM())
+                    .as("of a viewer that comes at the end, who gets two frames a second")
+                    .isLessThan(0.3);
+        }
+        page().open(html.toUri().toString());
+        page().await("troupe.source.frames.length === 3001");
+        assertThat(longestLineM()).isLessThan(0.1);
+        assertThat(page().get("new Set(troupe.model.trails.flat().map(point => point?.service)).size"))
+                .as("two services, and the gaps")
+                .isEqualTo("3");
+        assertThat(page().get("troupe.model.trails.map(trail => trail.filter(point => point === null).length)"))
+                .as("gaps: one robot was put elsewhere twice, the other once")
+                .isEqualTo("2,1");
+    }
+
+    /** Length of the longest straight line of the trails. */
+    private static double longestLineM() {
+        return page().number(
+                        "(() => { const whole = Path2D; let longest = 0;"
+                                + " window.Path2D = class { moveTo(...to) { this.at = to; }"
+                                + " lineTo(...to) { longest = Math.max(longest, Math.hypot(to[0] - this.at[0], to[1] - this.at[1])); this.at = to; } };"
+                                + " try { troupe.view.trailsUntil(Infinity); } finally { window.Path2D = whole; } return longest; })()");
     }
 
     @Test
