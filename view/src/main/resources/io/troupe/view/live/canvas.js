@@ -292,18 +292,34 @@ class WorldCanvas {
       this.trailsMade = now;
     }
     to.lineWidth = (this.scale < 20 ? 1 : 1.6) * this.pixel;
-    for (const [service, path] of this.trailPaths) {
-      to.strokeStyle = this.model.serviceColour(service);
+    for (const [key, path] of this.trailPaths) {
+      to.strokeStyle = this.trailColour(key);
       to.globalAlpha = 0.7;
       to.stroke(path);
     }
     to.globalAlpha = 1;
   }
 
-  /** A path for each service. */
+  /** What gives a robot its colour: its service, or, in a world without services, its own colour as a negative number. */
+  colourKey(robot, state) {
+    return this.model.world.services.length ? state & 0xFF : -1 - this.model.world.robots[robot].colour;
+  }
+
+  colourOf(key) {
+    return key < 0 ? Model.colour(-1 - key) : this.model.serviceColour(key);
+  }
+
+  /** A black robot on a dark floor has an outline, but its trail would not be seen. */
+  trailColour(key) {
+    const light = [16, 8, 0].reduce((sum, shift) => sum + (-1 - key >> shift & 255), 0) / 3;
+    const dark = document.documentElement.dataset.theme === "dark";
+    return key < 0 && (dark ? light < 50 : light > 205) ? "#888888" : this.colourOf(key);
+  }
+
+  /** A path for each colour, by its key. */
   trailsUntil(end) {
     const paths = new Map();
-    for (const trail of this.model.trails) {
+    for (const [robot, trail] of this.model.trails.entries()) {
       let last = null;
       let joined = null; // the path whose end is the last point
       for (const point of trail) {
@@ -311,9 +327,10 @@ class WorldCanvas {
           break;
         }
         if (last && point) {
-          let path = paths.get(point.service);
+          const key = this.colourKey(robot, point.service);
+          let path = paths.get(key);
           if (!path) {
-            paths.set(point.service, path = new Path2D());
+            paths.set(key, path = new Path2D());
           }
           if (path !== joined) {
             path.moveTo(last.x, last.y);
@@ -446,7 +463,7 @@ class WorldCanvas {
       }
       const kindNumber = world.robots[i].kind;
       const radius = this.radius[kindNumber];
-      const key = world.services.length ? frame.state[i] & 0xFF : -1 - world.robots[i].colour;
+      const key = this.colourKey(i, frame.state[i]);
       let path = bodies.get(key);
       if (!path) {
         bodies.set(key, path = new Path2D());
@@ -469,7 +486,7 @@ class WorldCanvas {
     }
     to.lineWidth = this.pixel;
     for (const [key, path] of bodies) {
-      to.fillStyle = key < 0 ? Model.colour(-1 - key) : this.model.serviceColour(key);
+      to.fillStyle = this.colourOf(key);
       to.fill(path);
       if (!small) {
         to.strokeStyle = this.colours.text;

@@ -12,6 +12,11 @@ class Model {
   /** An obstacle that is so much farther away in the next frame was not pushed there. */
   static JUMP_M = 0.6;
   static BOX_M = 0.4;
+  /** A viewer who drags or drives sends commands all the time; what comes so soon after the one before belongs to it. */
+  static SAME_ACT_S = 1;
+  static BOX_COLOURS = {red: "ff0000", green: "00ff00", blue: "0000ff", yellow: "ffff00", orange: "ffa500", black: "000000"};
+  /** A trail has a gap where frames are farther apart: nobody knows which way the robot took. */
+  static TRAIL_GAP_S = 2.5;
 
   constructor() {
     this.clear();
@@ -24,6 +29,7 @@ class Model {
     this.readings = new Map();
     this.events = [];
     this.trails = [];
+    this.trailTime = 0; // of the newest frame
     this.drivers = new Map();
     this.state = null;
     this.boxes = [];
@@ -72,6 +78,8 @@ class Model {
     const crowd = frame.count > 100;
     const most = crowd ? 15 : 4000;
     const step = crowd ? Model.CROWD_TRAIL_STEP_M : Model.TRAIL_STEP_M;
+    const unknown = frame.time - this.trailTime > Model.TRAIL_GAP_S;
+    this.trailTime = frame.time;
     for (let i = 0; i < frame.count; i++) {
       const trail = this.trails[i];
       const last = trail[trail.length - 1];
@@ -85,7 +93,7 @@ class Model {
       }
       if (last && last.t > frame.time) {
         trail.length = 0; // time began again
-      } else if (last && last.jumps !== jumps) {
+      } else if (last && (unknown || last.jumps !== jumps)) {
         trail.push(null);
       } else if (last && last.service === service && Math.hypot(frame.x[i] - last.x, frame.y[i] - last.y) < step) {
         continue;
@@ -99,6 +107,12 @@ class Model {
 
   addEvents(events) {
     for (const event of events) {
+      const act = event.kind === "intervention" ? this.sameAct(event) : undefined;
+      if (act) {
+        act.text = event.text;
+        act.until = event.t;
+        continue;
+      }
       this.events.push(event);
       if (event.kind === "state") {
         this.state = event;
@@ -109,6 +123,14 @@ class Model {
         this.drivers.set(event.robot - 1, event.node);
       }
     }
+  }
+
+  /** The newest intervention, if it does the same with the same robot or box. */
+  sameAct(event) {
+    const act = words => words.split(" ", 2).join(" "); // what is done, and the number of the robot or box
+    const before = this.events.findLast(each => each.kind === "intervention");
+    return before && act(before.text) === act(event.text)
+      && event.t - (before.until ?? before.t) <= Model.SAME_ACT_S ? before : undefined;
   }
 
   /** Where the robots are drawn: between the last two frames, so that they move smoothly. */
@@ -177,18 +199,18 @@ class Model {
 
   /** Changes of state, and what else happened to be shown, as text. */
   describe(event) {
-    const robot = event.robot ? this.world.robots[event.robot - 1]?.name ?? `robot ${event.robot}` : "";
+    const robot = event.robot ? this.robotName(event.robot) : "";
     switch (event.kind) {
       case "state":
-        return `state ${event.state}: ${event.text ?? ""}`;
+        return `state ${event.state}: ${robot ? `${robot} sees ${event.colourName ?? "a colour"}` : event.text ?? "start"}`;
       case "contact":
-        return `${robot} touches ${event.otherRobot ? this.world.robots[event.otherRobot - 1]?.name : event.obstacle}`;
+        return `${robot} touches ${event.otherRobot ? this.robotName(event.otherRobot) : event.obstacle}`;
       case "stall":
         return `${robot} is stuck`;
       case "driver":
         return event.node ? `${robot} is driven by ${event.node}` : `${robot} has no driver`;
       case "intervention":
-        return `by hand: ${event.text}`;
+        return this.describeIntervention(event.text.split(" "));
       case "refused":
         return `not possible: ${event.text}`;
       default:
@@ -196,10 +218,39 @@ class Model {
     }
   }
 
+  robotName(number) {
+    return this.world.robots[number - 1]?.name ?? `robot ${number}`;
+  }
+
+  /** What a viewer did, of the words of the command. */
+  describeIntervention([what, number, ...rest]) {
+    const place = (x, y) => `to ${Number(x).toFixed(2)} m, ${Number(y).toFixed(2)} m`;
+    switch (what) {
+      case "place":
+        return `by hand: ${this.robotName(number)} put ${place(...rest)}`;
+      case "drive":
+        return `by hand: ${this.robotName(number)} driven`;
+      case "release":
+        return `by hand: ${this.robotName(number)} released`;
+      case "box":
+        return `by hand: ${Model.colourName(rest[0])} box ${number} put ${place(...rest.slice(1))}`;
+      case "unbox":
+        return `by hand: box ${number} removed`;
+      case "reset":
+        return "by hand: the world is as at its start";
+      default:
+        return `by hand: ${[what, number, ...rest].join(" ")}`;
+    }
+  }
+
   /** A box of its words: number, colour, x and y of its centre. */
   static box(words) {
     const [number, colour, x, y] = words.split(" ");
     return {number: Number(number), colour: parseInt(colour, 16), x: Number(x), y: Number(y), side: Model.BOX_M};
+  }
+
+  static colourName(digits) {
+    return Object.keys(Model.BOX_COLOURS).find(name => Model.BOX_COLOURS[name] === digits) ?? `#${digits}`;
   }
 
   static colour(number) {

@@ -8,8 +8,12 @@ import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.CallGraph;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.player.PlayerClient;
+import io.troupe.player.structures.PlayerConstants;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.sim.Pace;
 import io.troupe.sim.Simulation;
+import io.troupe.sim.SimulationRunner;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
@@ -160,6 +164,12 @@ class BrowserTest {
             drag("troupe.view.handle(troupe.model.frame, 0)", "[3.5, 3]");
             run.control.submit(new ViewCommand.Step());
             page().await("Math.abs(troupe.model.frame.heading[0] - Math.PI / 2) < 0.2");
+            page().await("document.querySelectorAll('#events li[data-kind=intervention]').length > 0");
+            assertThat(page().get("document.querySelector('#events li[data-kind=intervention] span').textContent"))
+                    .as("the newest event; one line for all the places of a drag")
+                    .matches("by hand: robot1 put to 3\\.\\d\\d m, [01]\\.\\d\\d m");
+            assertThat(page().get("document.querySelectorAll('#events li[data-kind=intervention]').length"))
+                    .isEqualTo("1");
         }
         List<String> lines = Files.readAllLines(folder.resolve("run.jsonl"));
         assertThat(lines).anyMatch(line -> line.contains("\"what\":\"place 1 3."));
@@ -283,6 +293,36 @@ class BrowserTest {
             }
             page().press('a');
             page().await("document.querySelector('#actors').hidden");
+        }
+    }
+
+    @Test
+    void actorsWithSimilarNames_haveDifferentLabels_andThoseOfABusNoTurns() throws Exception {
+        String twice = "a rather long name that is the same until its end, for number ";
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
+                    .onto(view)
+                    .moved(LiveRuns.start());
+            view.callGraph().note("robots", "Arbitrator", twice + 1);
+            view.callGraph().note("bus", "arbitrator", "host-a");
+            view.callGraph().note("robots", "Arbitrator", twice + 2);
+            open(view);
+            page().await("!document.querySelector('#actors-shown').hidden");
+            page().get("document.querySelector('#actors-shown').click()");
+            page().await("document.querySelectorAll('#calls g').length === 5");
+            String boxes = page().get(
+                            "[...document.querySelectorAll('#calls g')]"
+                                    + ".map(box => [...box.querySelectorAll('text')].map(each => each.textContent).join(' ')).join('|')");
+            assertThat(boxes.split("\\|"))
+                    .doesNotHaveDuplicates()
+                    .contains("Arbitrator (robots) 0/s, 0 waiting", "arbitrator (bus) on the bus", "host-a on the bus");
+            assertThat(
+                            page().get(
+                                            "[...document.querySelectorAll('#calls g')].every(box => { const frame ="
+                                                    + " box.querySelector('rect').getBBox(); return [...box.querySelectorAll('text')].every(each =>"
+                                                    + " each.getBBox().width < frame.width && each.getBBox().y + each.getBBox().height < frame.height); })"))
+                    .as("all text is inside of its box")
+                    .isEqualTo("true");
         }
     }
 
@@ -621,6 +661,46 @@ class BrowserTest {
                   return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) < 4.5; })
                 .map(each => each.id || each.className || each.textContent).join();
             })()""";
+
+    @Test
+    void servedWorld_waitsForClients_untilThereIsOne_andWhenItIsGone() throws Exception {
+        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.DEFAULT);
+                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            simulation.lockStep(false);
+            var control = new SimulationControl(simulation, 1);
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, false)).onto(view, control);
+            viewed.moved(simulation.latest());
+            String rate = "document.querySelector('#rate').textContent";
+            try (var runner = SimulationRunner.start(simulation, 1, viewed::moved, new Pace.RealTime(1))) {
+                control.runner(runner);
+                open(view);
+                page().await(rate + " === 'waits for clients'");
+                var client = new PlayerClient("localhost", 6665);
+                try {
+                    client.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+                    client.runThreaded(-1, -1);
+                    page().await(rate + ".endsWith(' x real time')");
+                } finally {
+                    client.close();
+                }
+                page().await(rate + " === 'waits for clients'");
+            }
+        }
+    }
+
+    @Test
+    void worldThatCanOnlyBeWatched_hasNoControlsOfTime_andSaysWhy() throws Exception {
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
+                    .onto(view, ViewControl.NONE)
+                    .moved(LiveRuns.start());
+            open(view);
+            page().await("document.querySelector('footer').innerText.trim() === 'can only be watched'");
+            assertThat(page().get("[...document.querySelectorAll('footer button, footer select, #box, #box-colour')]"
+                            + ".every(each => each.offsetParent === null)"))
+                    .isEqualTo("true");
+        }
+    }
 
     @Test
     void office_isShown() throws Exception {
