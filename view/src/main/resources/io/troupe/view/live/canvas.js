@@ -17,8 +17,9 @@ class WorldCanvas {
     this.rays = true;
     this.trails = true;
     this.names = true;
-    this.ghost = null;
+    this.ghost = null; // a robot that is being dragged
     this.boxGhost = null;
+    this.dropped = []; // robots and boxes that were dropped while time is paused: they are there after the next interval
     this.fitted = true;
     this.x = 0;
     this.y = 0;
@@ -165,6 +166,7 @@ class WorldCanvas {
   draw(frame, trailEnd = Infinity) {
     const begin = performance.now();
     const to = this.context;
+    this.dropped = this.dropped.filter(each => each.frame === this.model.frame?.number);
     this.resize();
     const centre = [...this.selected][0];
     if (this.follow && frame && centre !== undefined && centre < frame.count) {
@@ -270,12 +272,18 @@ class WorldCanvas {
       to.fill();
       to.stroke();
     }
-    if (this.boxGhost) {
-      const {x, y, side} = this.boxGhost;
+    for (const {x, y, side} of [this.boxGhost, ...this.dropped].filter(each => each?.side)) {
       to.strokeStyle = this.colours.accent;
       to.lineWidth = 2 * this.pixel;
       to.strokeRect(x - side / 2, y - side / 2, side, side);
     }
+  }
+
+  /** Shows where a robot or box was dropped until the next frame has it there. */
+  drop(what) {
+    const same = each => each.side ? each.number === what.number : each.robot === what.robot;
+    this.dropped = this.dropped.filter(each => Boolean(each.side) !== Boolean(what.side) || !same(each));
+    this.dropped.push({...what, frame: this.model.frame.number});
   }
 
   /** The box at a point of the page, or undefined. */
@@ -565,10 +573,10 @@ class WorldCanvas {
         to.stroke();
       }
     }
-    if (this.ghost) {
+    for (const ghost of [this.ghost, ...this.dropped].filter(each => each && !each.side)) {
       to.globalAlpha = 0.5;
-      const shown = {x: [this.ghost.x], y: [this.ghost.y], heading: [this.ghost.heading]};
-      const kindNumber = this.model.world.robots[this.ghost.robot].kind;
+      const shown = {x: [ghost.x], y: [ghost.y], heading: [ghost.heading]};
+      const kindNumber = this.model.world.robots[ghost.robot].kind;
       const path = new Path2D();
       const place = WorldCanvas.placer(shown, 0);
       WorldCanvas.body(path, place, this.model.world.kinds[kindNumber]);

@@ -201,8 +201,9 @@ class Page {
       return [term, text];
     }));
     this.showCamera(robot, reading);
+    const services = this.model.world.services.length > 0;
     element("help").textContent = this.model.world.controls.includes("drive")
-      ? "Arrow keys drive it, and its service takes over again. Drag it to move it, its ring to turn it." : "";
+      ? `Arrow keys drive it, and its ${services ? "service" : "program"} takes over again. Drag it to move it, its ring to turn it.` : "";
   }
 
   showCamera(robot, reading) {
@@ -447,6 +448,9 @@ class Page {
     }
     if (drag.moved && drag.pose) {
       this.place(drag.pose);
+      if (this.paused) {
+        this.view.drop(drag.pose);
+      }
     } else if (!drag.moved && drag.robot >= 0) {
       this.select(drag.robot, event.shiftKey || event.ctrlKey);
     } else if (!drag.moved) {
@@ -479,6 +483,9 @@ class Page {
   putBox(box) {
     this.choosePlaces(false);
     this.box = box.number;
+    if (this.paused) {
+      this.view.drop(box);
+    }
     const colour = box.colour.toString(16).padStart(6, "0");
     this.source.send(`box ${box.number} ${colour} ${box.x.toFixed(3)} ${box.y.toFixed(3)}`);
   }

@@ -159,7 +159,11 @@ class BrowserTest {
             page().await("troupe.paused");
             drag("[troupe.model.frame.x[0], troupe.model.frame.y[0]]", "[3.5, 1]");
             page().await("document.querySelector('#problem').hidden");
+            assertThat(page().get("troupe.view.dropped.map(each => each.robot + ' ' + Math.round(2 * each.x)).join()"))
+                    .as("what is shown until the next interval")
+                    .isEqualTo("0 7");
             run.control.submit(new ViewCommand.Step());
+            page().await("troupe.view.dropped.length === 0");
             page().await("Math.hypot(troupe.model.frame.x[0] - 3.5, troupe.model.frame.y[0] - 1) < 0.1");
             drag("troupe.view.handle(troupe.model.frame, 0)", "[3.5, 3]");
             run.control.submit(new ViewCommand.Step());
