@@ -501,6 +501,50 @@ class BrowserTest {
                 .isEqualTo("2,1");
     }
 
+    @Test
+    void trails_haveGapsWhereClientsPutRobots_whereTheyWereAway_andWhereTimeIsMissing() throws Exception {
+        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT);
+                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, false)).onto(view);
+            viewed.moved(world.latest());
+            open(view);
+            world.command(0, 0.3, 0);
+            advance(world, viewed, 10);
+            assertThat(trailGaps()).isZero();
+            world.teleport(0, new Pose(3, 1, 0));
+            advance(world, viewed, 5);
+            assertThat(trailGaps()).as("put elsewhere by a client").isEqualTo(1);
+            world.removeRobot(0);
+            advance(world, viewed, 2);
+            world.teleport(0, new Pose(-3, 1, 0));
+            advance(world, viewed, 2);
+            assertThat(trailGaps()).as("away").isEqualTo(2);
+            world.command(0, 0.3, 0);
+            for (int i = 0; i < 30; i++) {
+                world.advance(); // faster than frames are shown
+            }
+            advance(world, viewed, 2);
+            assertThat(trailGaps()).as("three seconds are not known").isEqualTo(3);
+            assertThat(
+                            page().get(
+                                            "[...troupe.view.trailsUntil(Infinity).keys()].map(each => troupe.view.colourOf(each)).join()"))
+                    .as("the robot's colour, as there are no services")
+                    .isEqualTo("#ffa500");
+        }
+    }
+
+    private static void advance(World world, ViewedRun viewed, int ticks) {
+        for (int i = 0; i < ticks; i++) {
+            viewed.moved(world.advance());
+        }
+        page().await("troupe.model.frame.time === " + world.latest().timeMicros() / 1e6);
+    }
+
+    /** Gaps in the trail of the first robot. */
+    private static int trailGaps() {
+        return (int) page().number("troupe.model.trails[0].filter(each => each === null).length");
+    }
+
     /** Length of the longest straight line of the trails. */
     private static double longestLineM() {
         return page().number(
