@@ -15,7 +15,7 @@ class Model {
   /** A viewer who drags or drives sends commands all the time; what comes so soon after the one before belongs to it. */
   static SAME_ACT_S = 1;
   static BOX_COLOURS = {red: "ff0000", green: "00ff00", blue: "0000ff", yellow: "ffff00", orange: "ffa500", black: "000000"};
-  /** A trail has a gap where frames are farther apart: nobody knows which way the robot took. */
+  /** A trail has a gap where frames are farther apart: the way of the robot is not known. */
   static TRAIL_GAP_S = 2.5;
 
   constructor() {
