@@ -233,7 +233,10 @@ final class ModelSpace {
                     return true;
                 }
                 turn(messages.removeFirst().action());
-                if (served == limit && callbacks.size() == 1 && callbacks.getFirst().listener() && !stopping) {
+                if (served == limit
+                        && callbacks.size() == 1
+                        && callbacks.getFirst().listener()
+                        && !stopping) {
                     turn(callbacks.removeFirst().action()); // in the pass of the request that it listens to
                 }
             }
