@@ -138,14 +138,13 @@ public class OptionBenchmark {
     @Setup
     public void open() {
         SpaceSettings plain = SpaceSettings.named("options").withHandCrank();
-        SpaceSettings settings =
-                switch (option) {
-                    case NONE, WITHIN -> plain;
-                    case CONTEXT_OF_NO_CALLER, CONTEXT -> plain.withContext(new UserContext());
-                    case CALL_OBSERVER -> plain.withCallObserver(new CallObserver() {});
-                    case CALL_GRAPH -> plain.withCallObserver(new CallGraph());
-                    case ACTOR_QUOTA -> plain.withActorQuota(16);
-                };
+        SpaceSettings settings = switch (option) {
+            case NONE, WITHIN -> plain;
+            case CONTEXT_OF_NO_CALLER, CONTEXT -> plain.withContext(new UserContext());
+            case CALL_OBSERVER -> plain.withCallObserver(new CallObserver() {});
+            case CALL_GRAPH -> plain.withCallObserver(new CallGraph());
+            case ACTOR_QUOTA -> plain.withActorQuota(16);
+        };
         space = ActorSpace.create(settings);
         player = spawn();
         Player other = spawn();
