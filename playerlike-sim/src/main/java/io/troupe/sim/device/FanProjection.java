@@ -28,7 +28,7 @@ final class FanProjection {
     private final Segments segments;
     private final double minX;
     private final double minY;
-    private final double cellM;
+    private final double cellsPerM;
     private final int columns;
     private final int rows;
 
@@ -49,6 +49,8 @@ final class FanProjection {
     private final double[] y;
     private final double[] radiusM;
     private final int[] outline;
+    private final byte[] sizes; // of FanTable
+    private final int sizesPresent;
 
     // the edges of the large outlines, by cell
     private final int[] edgeStarts;
@@ -73,7 +75,8 @@ final class FanProjection {
         minY = grid.minY;
         double width = grid.columns * grid.cellM;
         double height = grid.rows * grid.cellM;
-        cellM = Math.max(CELL_M, Math.sqrt(width * height / MOST_CELLS));
+        double cellM = Math.max(CELL_M, Math.sqrt(width * height / MOST_CELLS));
+        cellsPerM = 1 / cellM;
         columns = (int) Math.ceil(width / cellM);
         rows = (int) Math.ceil(height / cellM);
         int[] found = new int[outlines.all.size()];
@@ -103,6 +106,12 @@ final class FanProjection {
         y = new double[count];
         radiusM = new double[count];
         outline = new int[count];
+        sizes = new byte[count];
+        int present = 0;
+        for (double radius : radiiM) {
+            present |= FanTable.bit(FanTable.size(radius + MARGIN_M));
+        }
+        sizesPresent = present;
         edgeStarts = new int[columns * rows + 1];
         edges = sortEdges(largeEdges);
     }
@@ -144,12 +153,12 @@ final class FanProjection {
     }
 
     private int column(double at) {
-        double column = (at - minX) / cellM;
+        double column = (at - minX) * cellsPerM;
         return column < 0 ? 0 : column >= columns ? columns - 1 : (int) column;
     }
 
     private int row(double at) {
-        double row = (at - minY) / cellM;
+        double row = (at - minY) * cellsPerM;
         return row < 0 ? 0 : row >= rows ? rows - 1 : (int) row;
     }
 
@@ -198,6 +207,7 @@ final class FanProjection {
             x[at] = centreX[i];
             y[at] = centreY[i];
             radiusM[at] = radiiM[i] + MARGIN_M;
+            sizes[at] = FanTable.size(radiusM[at]);
             outline[at] = i;
         }
     }
@@ -212,6 +222,7 @@ final class FanProjection {
     /**
      * Shortens the distances of a robot's rays to the nearest edges.
      *
+     * @param fan all parts of a fan
      * @param skip the carrier whose own edges stop no ray
      * @param rays the fan placed in the world, its distances infinite or those of other edges
      */
@@ -220,59 +231,84 @@ final class FanProjection {
             double robotY,
             double cos,
             double sin,
-            FanSectors sectors,
+            List<FanTable> fan,
             int skip,
             int kind,
             double maxM,
             Rays rays) {
-        castAtEdges(robotX, robotY, cos, sin, sectors, skip, kind, maxM, rays);
-        if (count == 0) {
-            return;
+        castAtEdges(robotX, robotY, cos, sin, fan.getFirst(), skip, kind, maxM, rays);
+        if (count > 0) {
+            for (int i = 0; i < fan.size(); i++) {
+                FanTable part = fan.get(i);
+                find(robotX, robotY, cos, sin, part, maxM, rays.candidates);
+                castAt(rays.candidates, part, skip, kind, maxM, rays);
+            }
         }
-        double reachM = maxM + sectors.offsetM;
-        double boxM = reachM + greatestRadiusM;
-        int firstColumn = column(robotX - boxM);
-        int lastColumn = column(robotX + boxM);
-        int firstRow = row(robotY - boxM);
-        int lastRow = row(robotY + boxM);
-        double[] dirX = sectors.fan.dirX;
-        double[] dirY = sectors.fan.dirY;
-        double[] distancesM = rays.distanceM;
+    }
+
+    /** Finds the small outlines that some rays may meet. */
+    private void find(
+            double robotX, double robotY, double cos, double sin, FanTable part, double maxM, Candidates candidates) {
+        double reachCells = (maxM + part.offsetM + greatestRadiusM) * cellsPerM + MARGIN_M;
+        char[][] masks = part.masks(sizesPresent);
+        double entriesPerM = part.cellsPerM();
+        int middleColumn = column(robotX);
         int middleRow = row(robotY);
-        int rowsBothSides = 2 * Math.max(middleRow - firstRow, lastRow - middleRow);
-        for (int n = 0; n <= rowsBothSides; n++) { // near rows first, because hits hide what is behind them
-            int row = middleRow + ((n & 1) == 0 ? n / 2 : -(n + 1) / 2);
-            if (row < firstRow || row > lastRow) {
+        int rowsAside = (int) reachCells + 1;
+        int found = 0;
+        for (int n = -rowsAside; n <= rowsAside; n++) {
+            int row = middleRow + n;
+            if (row < 0 || row >= rows) {
                 continue;
             }
-            int end = starts[row * columns + lastColumn + 1];
-            for (int k = starts[row * columns + firstColumn]; k < end; k++) {
+            int off = Math.max(0, Math.abs(n) - 1); // in cells, at least
+            int columnsAside = (int) Math.sqrt(reachCells * reachCells - off * off) + 1;
+            int first = starts[row * columns + Math.max(0, middleColumn - columnsAside)];
+            int end = starts[row * columns + Math.min(columns - 1, middleColumn + columnsAside) + 1];
+            candidates.fit(found + end - first);
+            int[] at = candidates.at;
+            char[] rays = candidates.rays;
+            double[] ahead = candidates.ahead;
+            double[] left = candidates.left;
+            for (int k = first; k < end; k++) {
                 double dx = x[k] - robotX;
                 double dy = y[k] - robotY;
-                double radius = radiusM[k];
-                double farM = reachM + radius;
-                double squareM2 = dx * dx + dy * dy;
-                if (squareM2 > farM * farM) {
+                double forward = cos * dx + sin * dy;
+                double aside = cos * dy - sin * dx;
+                int mask = masks[sizes[k]][FanTable.index(forward, aside, entriesPerM)];
+                at[found] = k;
+                rays[found] = (char) mask;
+                ahead[found] = forward;
+                left[found] = aside;
+                found += -mask >>> 31; // stays there for the next one if no ray may meet this one; without a branch
+            }
+        }
+        candidates.count = found;
+    }
+
+    private void castAt(Candidates candidates, FanTable part, int skip, int kind, double maxM, Rays rays) {
+        double[] dirX = part.fan.dirX;
+        double[] dirY = part.fan.dirY;
+        double[] distancesM = rays.distanceM;
+        for (int c = 0; c < candidates.count; c++) {
+            int k = candidates.at[c];
+            int i = outline[k];
+            if ((kinds[i] & kind) == 0 || carriers[i] == skip) {
+                continue;
+            }
+            double radius = radiusM[k];
+            double ahead = candidates.ahead[c];
+            double left = candidates.left[c];
+            for (int mask = candidates.rays[c]; mask != 0; mask &= mask - 1) {
+                int ray = part.firstRay + Integer.numberOfTrailingZeros(mask);
+                double side = dirX[ray] * left - dirY[ray] * ahead - part.aside[ray];
+                if (Math.abs(side) > radius) {
                     continue;
                 }
-                int i = outline[k];
-                if ((kinds[i] & kind) == 0 || carriers[i] == skip) {
-                    continue;
-                }
-                double ahead = cos * dx + sin * dy;
-                double left = cos * dy - sin * dx;
-                long mask = sectors.mayMeet(ahead, left, Math.sqrt(squareM2), radius);
-                for (; mask != 0; mask &= mask - 1) {
-                    int ray = Long.numberOfTrailingZeros(mask);
-                    double side = dirX[ray] * left - dirY[ray] * ahead - sectors.aside[ray];
-                    if (Math.abs(side) > radius) {
-                        continue;
-                    }
-                    double along = dirX[ray] * ahead + dirY[ray] * left - sectors.before[ray];
-                    if (along >= -radius && along - radius <= distancesM[ray]) {
-                        for (int s = firstSegments[i]; s < endSegments[i]; s++) {
-                            meet(s, ray, maxM, rays);
-                        }
+                double along = dirX[ray] * ahead + dirY[ray] * left - part.before[ray];
+                if (along >= -radius && along - radius <= distancesM[ray]) {
+                    for (int s = firstSegments[i]; s < endSegments[i]; s++) {
+                        meet(s, ray, maxM, rays);
                     }
                 }
             }
@@ -284,7 +320,7 @@ final class FanProjection {
             double robotY,
             double cos,
             double sin,
-            FanSectors sectors,
+            FanTable part,
             int skip,
             int kind,
             double maxM,
@@ -292,8 +328,8 @@ final class FanProjection {
         if (edges.length == 0) {
             return;
         }
-        RayFan fan = sectors.fan;
-        double reachM = maxM + sectors.offsetM + MARGIN_M;
+        RayFan fan = part.fan;
+        double reachM = maxM + part.offsetM + MARGIN_M;
         int firstColumn = column(robotX - reachM);
         int lastColumn = column(robotX + reachM);
         int lastRow = row(robotY + reachM);
@@ -317,7 +353,7 @@ final class FanProjection {
                 // the distance of the robot from the line, times the edge's length; positive outside
                 double outside = ay * edgeX - ax * edgeY;
                 double lengthM = Math.abs(edgeX) + Math.abs(edgeY);
-                if (outside < -(sectors.offsetM + MARGIN_M) * lengthM
+                if (outside < -(part.offsetM + MARGIN_M) * lengthM
                         || outside > reachM * lengthM
                         || Math.min(ax, bx) > reachM
                         || Math.max(ax, bx) < -reachM
@@ -331,8 +367,8 @@ final class FanProjection {
                 double aheadB = cos * bx + sin * by;
                 double leftB = cos * by - sin * bx;
                 for (int ray = 0; ray < size; ray++) {
-                    double sideA = fan.dirX[ray] * leftA - fan.dirY[ray] * aheadA - sectors.aside[ray];
-                    double sideB = fan.dirX[ray] * leftB - fan.dirY[ray] * aheadB - sectors.aside[ray];
+                    double sideA = fan.dirX[ray] * leftA - fan.dirY[ray] * aheadA - part.aside[ray];
+                    double sideB = fan.dirX[ray] * leftB - fan.dirY[ray] * aheadB - part.aside[ray];
                     // the body lies to the left of the edge: seen from outside, the edge runs from left to right
                     if (sideA >= -MARGIN_M && sideB <= MARGIN_M) {
                         meet(s, ray, maxM, rays);
@@ -350,6 +386,26 @@ final class FanProjection {
         }
     }
 
+    /** Outlines that some rays may meet; working memory of one thread. */
+    private static final class Candidates {
+        private int count;
+        private int[] at = new int[0]; // place in the order by cells
+        private char[] rays = new char[0];
+        private double[] ahead = new double[0]; // of the centre, in the robot's frame
+        private double[] left = new double[0];
+
+        /** Makes room, and for one more, which may be written without being counted. */
+        void fit(int wanted) {
+            if (at.length <= wanted) {
+                int length = Math.max(64, 2 * wanted);
+                at = Arrays.copyOf(at, length);
+                rays = Arrays.copyOf(rays, length);
+                ahead = Arrays.copyOf(ahead, length);
+                left = Arrays.copyOf(left, length);
+            }
+        }
+    }
+
     /** The rays of a fan in the world, and how far each of them goes; working memory of one thread. */
     static final class Rays {
         double[] x = new double[0];
@@ -357,6 +413,7 @@ final class FanProjection {
         double[] dirX = new double[0];
         double[] dirY = new double[0];
         double[] distanceM = new double[0];
+        private final Candidates candidates = new Candidates();
         private int[] seenIn = new int[0]; // by edge, the last query that saw it
         private int query;
 

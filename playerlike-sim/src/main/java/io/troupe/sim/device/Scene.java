@@ -486,17 +486,18 @@ public final class Scene {
     }
 
     /** As {@link #castRanges}, by projection where that is faster: the same distances, bit for bit. */
-    void projectRanges(int robot, FanSectors sectors, double maxM, Scratch scratch) {
+    void projectRanges(int robot, List<FanTable> tables, double maxM, Scratch scratch) {
         FanProjection.Rays rays = scratch.rays;
-        place(robot, sectors.fan, rays);
+        RayFan fan = tables.getFirst().fan;
+        place(robot, fan, rays);
         int near = fixedProjection.countNear(x[robot], y[robot], maxM)
                 + movingProjection.countNear(x[robot], y[robot], maxM);
-        if (near > MOST_THINGS_PER_RAY * sectors.fan.size()) {
-            walk(robot, sectors.fan.size(), maxM, scratch);
+        if (near > MOST_THINGS_PER_RAY * fan.size()) {
+            walk(robot, fan.size(), maxM, scratch);
             return;
         }
-        project(fixedProjection, robot, sectors, maxM, rays);
-        project(movingProjection, robot, sectors, maxM, rays);
+        project(fixedProjection, robot, tables, maxM, rays);
+        project(movingProjection, robot, tables, maxM, rays);
     }
 
     private void place(int robot, RayFan fan, FanProjection.Rays rays) {
@@ -526,8 +527,8 @@ public final class Scene {
     }
 
     private void project(
-            FanProjection projection, int robot, FanSectors sectors, double maxM, FanProjection.Rays rays) {
-        projection.cast(x[robot], y[robot], cos[robot], sin[robot], sectors, firstRobot + robot, Ray.RANGE, maxM, rays);
+            FanProjection projection, int robot, List<FanTable> tables, double maxM, FanProjection.Rays rays) {
+        projection.cast(x[robot], y[robot], cos[robot], sin[robot], tables, firstRobot + robot, Ray.RANGE, maxM, rays);
     }
 
     /**

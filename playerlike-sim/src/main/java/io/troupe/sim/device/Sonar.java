@@ -2,13 +2,12 @@ package io.troupe.sim.device;
 
 import io.troupe.sim.model.SonarSpec;
 import java.util.List;
-import org.jspecify.annotations.Nullable;
 
 /** A robot's ring of sonars. Each sonar casts one ray along its heading, ignoring the robot that carries it. */
 public final class Sonar {
     private final SonarSpec spec;
     private final RayFan fan;
-    private final @Nullable FanSectors sectors;
+    private final List<FanTable> tables; // none for a fan of many rays
     private final double[] rangesM;
 
     public Sonar(SonarSpec spec) {
@@ -16,13 +15,13 @@ public final class Sonar {
     }
 
     private Sonar(SonarSpec spec, RayFan fan) {
-        this(spec, fan, FanSectors.of(fan));
+        this(spec, fan, FanTable.of(fan, spec.maxRangeM()));
     }
 
-    private Sonar(SonarSpec spec, RayFan fan, @Nullable FanSectors sectors) {
+    private Sonar(SonarSpec spec, RayFan fan, List<FanTable> tables) {
         this.spec = spec;
         this.fan = fan;
-        this.sectors = sectors;
+        this.tables = tables;
         rangesM = new double[fan.size()];
     }
 
@@ -36,16 +35,16 @@ public final class Sonar {
 
     /** Creates another ring of this specification, with separate readings; the immutable tables are shared. */
     public Sonar twin() {
-        return new Sonar(spec, fan, sectors);
+        return new Sonar(spec, fan, tables);
     }
 
     /** Reads all sonars; allocates nothing. */
     public void sense(Scene scene, int robot, Scratch scratch) {
         scratch.fit(fan.size());
-        if (sectors == null) {
+        if (tables.isEmpty()) {
             scene.castRanges(robot, fan, spec.maxRangeM(), scratch);
         } else {
-            scene.projectRanges(robot, sectors, spec.maxRangeM(), scratch);
+            scene.projectRanges(robot, tables, spec.maxRangeM(), scratch);
         }
         double[] distancesM = scratch.rays.distanceM;
         for (int i = 0; i < rangesM.length; i++) {
