@@ -256,12 +256,12 @@ final class FanProjection {
         int middleRow = row(robotY);
         int rowsAside = (int) reachCells + 1;
         int found = 0;
-        for (int n = -rowsAside; n <= rowsAside; n++) {
-            int row = middleRow + n;
-            if (row < 0 || row >= rows) {
-                continue;
+        int lastRow = Math.min(rows - 1, middleRow + rowsAside);
+        for (int row = Math.max(0, middleRow - rowsAside); row <= lastRow; row++) {
+            if (starts[row * columns] == starts[(row + 1) * columns]) {
+                continue; // nothing is in the row
             }
-            int off = Math.max(0, Math.abs(n) - 1); // in cells, at least
+            int off = Math.max(0, Math.abs(row - middleRow) - 1); // in cells, at least
             int columnsAside = (int) Math.sqrt(reachCells * reachCells - off * off) + 1;
             int first = starts[row * columns + Math.max(0, middleColumn - columnsAside)];
             int end = starts[row * columns + Math.min(columns - 1, middleColumn + columnsAside) + 1];
