@@ -9,6 +9,9 @@ import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Transition;
+import io.troupe.petri.structure.DeadlockEquation;
+import io.troupe.petri.structure.DeadlockEquation.Candidate;
+import io.troupe.petri.structure.DeadlockEquation.NoDeadMarking;
 import io.troupe.petri.structure.Siphons;
 import java.util.Arrays;
 import java.util.EnumSet;
@@ -43,8 +46,14 @@ public final class DeadlockCheck {
     private static final long FIRINGS_PER_TRANSITION = 1_000;
     private static final long LONG_HUNT = 30_000_000;
     private static final int FEW_MARKINGS = 20_000;
+    /** Of the first search, as markings times transitions. */
+    private static final int FEW_STEPS = 2_000_000;
+
     private static final int MAX_SIPHON_PLACES = 400;
     private static final long MAX_SIPHON_STEPS = 2_000;
+    private static final long MAX_EQUATION_WORK = 1_000_000_000;
+    private static final long GUIDED_FIRINGS = 300_000;
+    private static final int MAX_COUNT = 1_000_000;
 
     private final PetriNet net;
     private final FlatNet flat;
@@ -148,16 +157,43 @@ public final class DeadlockCheck {
         if (neverDead(reduced)) {
             return byReduction();
         }
-        var few = search(reduced, limits.atMost(FEW_MARKINGS));
-        if (!(few instanceof Unknown unknown)
-                || unknown.end() != SearchEnd.LIMIT
-                || unknown.markings() < FEW_MARKINGS) {
+        var most = Math.min(
+                FEW_MARKINGS,
+                Math.max(1, FEW_STEPS / (1 + reduced.net().transitions().size())));
+        var few = search(reduced, limits.atMost(most));
+        if (!(few instanceof Unknown unknown) || unknown.end() != SearchEnd.LIMIT || unknown.markings() < most) {
             return few;
         }
-        if (holdsTraps(reduced.net())) {
-            return new Proved("every siphon of the reduced net contains a marked trap", 0);
+        return withoutSearch(reduced).orElseGet(() -> search(reduced, limits));
+    }
+
+    /** Proofs and hunts that take a second or two. */
+    private Optional<Result> withoutSearch(Reducer.Reduced reduced) {
+        var answer = DeadlockEquation.solve(reduced.net(), MAX_EQUATION_WORK, limits.cancelled());
+        if (answer instanceof NoDeadMarking found) {
+            return Optional.of(new Proved(
+                    "no dead marking of the reduced net satisfies the state equation: "
+                            + found.proof().contradictions() + " cases",
+                    0));
         }
-        return hunt(reduced, LONG_HUNT).<Result>map(dead -> dead).orElseGet(() -> search(reduced, limits));
+        if (answer instanceof Candidate candidate) {
+            var found = guided(reduced, candidate);
+            if (found.isPresent()) {
+                return found.map(dead -> dead);
+            }
+        } else if (holdsTraps(reduced.net())) {
+            return Optional.of(new Proved("every siphon of the reduced net contains a marked trap", 0));
+        }
+        return hunt(reduced, LONG_HUNT).map(dead -> dead);
+    }
+
+    private Optional<CanDeadlock> guided(Reducer.Reduced reduced, Candidate candidate) {
+        var counts = reduced.net().transitions().stream()
+                .mapToInt(t -> Math.clamp(candidate.counts().getOrDefault(t, 0L), 0, MAX_COUNT))
+                .toArray();
+        return new GuidedSearch(FlatNet.of(reduced.net()), counts, limits.cancelled())
+                .run(GUIDED_FIRINGS)
+                .map(trace -> canDeadlock(reduced, trace));
     }
 
     /** Whether siphons prove that no marking is dead: in a dead marking the places without tokens are a siphon. */

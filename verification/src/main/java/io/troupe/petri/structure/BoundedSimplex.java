@@ -9,8 +9,8 @@ import java.util.OptionalInt;
  *
  * <p>Each basic variable is a linear function of the others, which stand at one of their bounds. The method minimises
  * the sum of the first variables, the firing counts: that keeps it going in one direction, and gives solutions with few
- * firings. A row that cannot get within its bounds shows that there is no solution. Its coefficients are the multipliers
- * of a proof, which the caller must check in integers.
+ * firings. A row that cannot get within its bounds shows that there is no solution. Its coefficients are the
+ * multipliers of a proof, which the caller must check in integers.
  */
 final class BoundedSimplex {
     private static final double FEASIBLE = 1e-7;

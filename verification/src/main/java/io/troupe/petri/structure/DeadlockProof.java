@@ -167,7 +167,8 @@ public record DeadlockProof(PetriNet net, List<PlaceSet> traps, Case root) {
                 throw new IllegalArgumentException("transition " + t + " is not of net " + net.name());
             }
             var inputs = t.inputs().size();
-            var arcs = IntStream.range(0, inputs + t.inhibitors().size()).boxed().toList();
+            var arcs =
+                    IntStream.range(0, inputs + t.inhibitors().size()).boxed().toList();
             if (!split.reasons.stream().map(Reason::arc).sorted().toList().equals(arcs)) {
                 throw new IllegalArgumentException(
                         "transition " + t + ": expected one case for each of its " + arcs.size() + " arcs");

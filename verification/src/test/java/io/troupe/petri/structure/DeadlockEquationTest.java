@@ -63,11 +63,12 @@ class DeadlockEquationTest {
     @CsvSource({"2", "5", "20"})
     void philosophers_haveADeadSolution_unlessOneIsLeftHanded(int count) {
         var candidate = (Candidate) solve(ring(count, false));
-        assertThat(candidate.tokens()).hasSize(count).allSatisfy((place, tokens) -> assertThat(place.name())
-                .startsWith("holds"));
-        assertThat(candidate.counts()).hasSize(count).allSatisfy((t, times) -> assertThat(times)
-                .as("%s", t)
-                .isEqualTo(1));
+        assertThat(candidate.tokens())
+                .hasSize(count)
+                .allSatisfy((place, tokens) -> assertThat(place.name()).startsWith("holds"));
+        assertThat(candidate.counts())
+                .hasSize(count)
+                .allSatisfy((t, times) -> assertThat(times).as("%s", t).isEqualTo(1));
         var proof = ((NoDeadMarking) solve(ring(count, true))).proof();
         assertThat(isProof(proof)).isTrue();
     }
@@ -134,7 +135,6 @@ class DeadlockEquationTest {
         assertThat(proved).as("proved").isGreaterThan(1500);
         assertThat(candidates).as("candidates").isGreaterThan(1500);
         assertThat(spurious).as("candidates that are not reachable").isLessThan(candidates / 20);
-
     }
 
     /** A proof with another number, or with another case, is refused, unless the other checker accepts it too. */
@@ -209,15 +209,15 @@ class DeadlockEquationTest {
         var chosen = leaves.get(random.nextInt(leaves.size()));
         var place = net.places().get(random.nextInt(net.places().size()));
         LongUnaryOperator step = value -> value + (random.nextBoolean() ? 1 : -1);
-        var wrong =
-                switch (chosen) {
-                    case Contradiction leaf when random.nextInt(4) > 0 && !leaf.weights().isEmpty() -> {
-                        var weights = new HashMap<>(leaf.weights());
-                        weights.merge(place, step.applyAsLong(0), Long::sum);
-                        yield new Contradiction(weights, leaf.trapWeights());
-                    }
-                    default -> new Excluded(place);
-                };
+        var wrong = switch (chosen) {
+            case Contradiction leaf
+            when random.nextInt(4) > 0 && !leaf.weights().isEmpty() -> {
+                var weights = new HashMap<>(leaf.weights());
+                weights.merge(place, step.applyAsLong(0), Long::sum);
+                yield new Contradiction(weights, leaf.trapWeights());
+            }
+            default -> new Excluded(place);
+        };
         return replaced(root, leaf -> leaf == chosen ? wrong : leaf);
     }
 
@@ -287,7 +287,8 @@ class DeadlockEquationTest {
             var now = known;
             for (var reason : split.reasons()) {
                 var isInput = reason.arc() < inputs;
-                var arc = isInput ? t.inputs().get(reason.arc()) : t.inhibitors().get(reason.arc() - inputs);
+                var arc =
+                        isInput ? t.inputs().get(reason.arc()) : t.inhibitors().get(reason.arc() - inputs);
                 var few = new Assumption(arc.place(), false, arc.weight() - 1);
                 var enough = new Assumption(arc.place(), true, arc.weight());
                 if (!holds(reason.then(), and(now, isInput ? few : enough))) {
