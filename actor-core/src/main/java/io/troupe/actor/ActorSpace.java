@@ -424,7 +424,7 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     private void beginClosing() {
         if (!closeable) {
             throw new IllegalStateException(
-                    "the global actor space is everybody's and cannot be closed; use ActorSpace.create(..)");
+                    "the global actor space is shared by the whole JVM and cannot be closed; use ActorSpace.create(..)");
         }
         home.closing.begin(home.loop::stop);
     }

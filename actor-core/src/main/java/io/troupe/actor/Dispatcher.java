@@ -377,8 +377,8 @@ final class Dispatcher {
         return worked;
     }
 
-    /** Moves the callbacks that have arrived so far into their ring; false if there were none. */
-    private boolean takeCallbacks() {
+    /** Moves the callbacks that have arrived so far into their ring; false if there were none. Also within a turn. */
+    boolean takeCallbacks() {
         Node last = callbackInbox.newest();
         if (last == null) {
             return false;

@@ -49,10 +49,13 @@ final class IdleStrategy extends IdlePhasePadding {
     static final long LONGEST_SLEEP_NANOS = 1_000_000_000;
     /*
      * Before parking, the space checks its queues a few times, with pauses. A receiver right behind its senders takes
-     * each cache line away from them, and both are slower than a receiver that lets a few messages accumulate.
+     * each cache line away from them, and both are slower than a receiver that lets a few messages accumulate. Where
+     * these checks find nothing they only delay the sleep, and keep a processor from the thread that will wake the
+     * space. So their number falls while they find nothing, and one sleep in PROBE_INTERVAL has all of them.
      */
-    private static final int LOOKS = 12;
-    private static final int SPINS_PER_LOOK = 8;
+    static final int MOST_CHECKS = 12;
+    private static final int SPINS_PER_CHECK = 8;
+    private static final int PROBE_INTERVAL = 64;
     static final int MOST_SPINS = 64; // about 1 us
     static final int ENOUGH = 32; // messages per pass that are worth the transfer of their cache lines
     static final int MANY = 128; // messages per pass of a space that is behind its senders anyway
@@ -69,6 +72,8 @@ final class IdleStrategy extends IdlePhasePadding {
 
     private volatile @Nullable Thread sleeper;
     private int spins;
+    private int checks = MOST_CHECKS; // before the next sleep
+    private int sleeps;
 
     /** Wakes the space if it sleeps; false if it is closed and will not check its queues any more. */
     boolean wake() {
@@ -113,13 +118,10 @@ final class IdleStrategy extends IdlePhasePadding {
     /** Sleeps until it is woken or a timer is due, at most {@value #LONGEST_SLEEP_NANOS} ns; may return early. */
     void sleep(Dispatcher dispatcher, Clock clock) {
         spins = 0;
-        for (int look = 0; look < LOOKS; look++) {
-            for (int spin = 0; spin < SPINS_PER_LOOK; spin++) {
-                Thread.onSpinWait();
-            }
-            if (dispatcher.isReady()) {
-                return;
-            }
+        boolean found = findsWork(dispatcher, ++sleeps % PROBE_INTERVAL == 0 ? MOST_CHECKS : checks);
+        checks = checksAfter(checks, found);
+        if (found) {
+            return;
         }
         if (fallAsleep(dispatcher)) {
             dispatcher.forgetServed();
@@ -130,6 +132,24 @@ final class IdleStrategy extends IdlePhasePadding {
             PHASE.compareAndSet(this, NOT_WOKEN, AWAKE);
         }
         Thread.interrupted(); // an actor that interrupted its own thread must not keep it from sleeping
+    }
+
+    /** Checks the queues so many times, with pauses; true as soon as there is something to do. */
+    private static boolean findsWork(Dispatcher dispatcher, int checks) {
+        for (int check = 0; check < checks; check++) {
+            for (int spin = 0; spin < SPINS_PER_CHECK; spin++) {
+                Thread.onSpinWait();
+            }
+            if (dispatcher.isReady()) {
+                return true;
+            }
+        }
+        return false;
+    }
+
+    /** The number of checks before the next sleep, from that before this one and whether they found something. */
+    static int checksAfter(int checks, boolean found) {
+        return found ? MOST_CHECKS : checks / 2;
     }
 
     /**

@@ -44,7 +44,7 @@ final class RecorderEvents {
     @Name("io.troupe.Error")
     @Label("Actor Error")
     @Category("Troupe")
-    @Description("What a one-way message, a timer or a task threw, or a rejection nobody listens to")
+    @Description("What a one-way message, a timer or a task threw, or a rejection without a listener")
     @StackTrace(false)
     static final class ErrorEvent extends Event {
         @Label("Space")

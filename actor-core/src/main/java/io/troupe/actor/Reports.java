@@ -191,7 +191,7 @@ final class Reports {
             for (var candidate : candidates) {
                 if (!Request.isHandled(candidate.promise)) {
                     Object name = candidate.promise instanceof Request<?> request ? request.name() : candidate.promise;
-                    reports.error("a promise nobody listens to:", name, candidate.error, null);
+                    reports.error("a rejected promise without a listener:", name, candidate.error, null);
                 }
             }
         }

@@ -3,31 +3,34 @@ package io.troupe.actor;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import java.util.ArrayDeque;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /** A callback argument as the actor sees it: what the actor sends becomes entries of the caller's callback queue. */
 final class ReturningCallback<T extends @Nullable Object> implements Callback<T> {
-    /** Whether more can follow, and whether it is delivered by the thread that rejects the remaining entries. */
     private enum Kind {
         VALUE,
-        END,
-        END_EVEN_IF_CLOSED
+        FINISH,
+        FAIL,
+        /** The failure of a rejected call: delivered by the thread that rejects it if the reader's space is closed. */
+        FAIL_EVEN_IF_CLOSED
     }
 
     private final Callback<T> reader;
     private final SpaceHome home;
     private final @Nullable Incarnation owner;
-    // for a reader that does not receive every result, and as soon as another thread sends
-    private volatile @Nullable Waiting<T> waiting;
+    private final @Nullable NewestResults<T> newest; // only if the reader does not receive every result
+    private volatile boolean usedByOtherThreads;
     private volatile boolean ended;
     private volatile boolean readerGone;
+    private boolean isEndDelivered; // on the reader's space
 
     private ReturningCallback(Callback<T> reader, SpaceHome home, @Nullable Incarnation owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
-        this.waiting = reader instanceof Stream<T> stream && stream.backlog().isBounded()
-                ? new Waiting<>(home, stream.backlog().most(), stream::noteSkipped)
+        this.newest = reader instanceof Stream<T> stream && stream.backlog().isBounded()
+                ? new NewestResults<>(home, stream.backlog().most(), stream::noteSkipped)
                 : null;
     }
 
@@ -54,13 +57,13 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     /** Sends one result to a reader that was checked before. */
     void sendTo(T result) {
-        queue(new Result(() -> reader.accept(result, null), Kind.VALUE));
+        queue(new Result(Kind.VALUE, result));
     }
 
     /** Ends the callback, unless it has ended. */
     void endOnce(@Nullable Throwable error) {
         if (end()) {
-            queue(new Result(error == null ? reader::finish : () -> reader.fail(error), Kind.END));
+            queue(new Result(error == null ? Kind.FINISH : Kind.FAIL, error));
         }
     }
 
@@ -75,26 +78,26 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             fail(error);
         } else {
             checkNotEnded();
-            send(() -> reader.accept(result, null), Kind.VALUE);
+            send(Kind.VALUE, result);
         }
     }
 
     @Override
     public void finish() {
         endOrThrow();
-        send(reader::finish, Kind.END);
+        send(Kind.FINISH, null);
     }
 
     @Override
     public void fail(Throwable error) {
         endOrThrow();
-        send(() -> reader.fail(error), Kind.END);
+        send(Kind.FAIL, error);
     }
 
     /** Ends the callback, unless it has ended, because no results will be sent. */
     void abandon(Throwable error) {
         if (end()) {
-            send(() -> reader.fail(error), Kind.END_EVEN_IF_CLOSED);
+            send(Kind.FAIL_EVEN_IF_CLOSED, error);
         }
     }
 
@@ -126,9 +129,9 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         return new IllegalStateException("this callback has been finished or failed before: nothing can follow");
     }
 
-    private void send(Runnable delivery, Kind kind) {
+    private void send(Kind kind, @Nullable Object content) {
         if (!isCancelled()) {
-            queue(new Result(delivery, kind));
+            queue(new Result(kind, content));
         }
     }
 
@@ -137,38 +140,34 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         if (observer != null && !next.isEnd()) {
             ObservedCalls.returned(observer, home, owner == null ? home.itself() : owner);
         }
-        Waiting<T> results = home.isCurrent() ? waiting : sharedQueue();
-        if (results == null) {
-            home.enqueue(next);
+        if (newest != null) {
+            newest.queue(next);
+        } else if (!home.isCurrent()) {
+            if (!usedByOtherThreads) {
+                usedByOtherThreads = true; // before the result is queued
+            }
+            home.enqueueAsRemote(next);
+        } else if (usedByOtherThreads) {
+            home.enqueueBehindArrivals(next); // it must not overtake theirs
         } else {
-            results.queue(next);
+            home.enqueue(next);
         }
-    }
-
-    private synchronized Waiting<T> sharedQueue() {
-        Waiting<T> known = waiting;
-        if (known == null) {
-            known = new Waiting<>(home, Integer.MAX_VALUE, () -> {});
-            waiting = known;
-        }
-        return known;
     }
 
     /**
-     * The queued results, of which the newest ones are kept; only tickets for them are queued in the space. Results
-     * sent by the space's own thread would otherwise overtake those that another thread put into the inbox before. A
-     * result that replaces another one is delivered for the ticket of an earlier one, so there are as many tickets as
+     * The queued results of a reader that receives only the newest ones; only tickets for them are queued in the space.
+     * A result that replaces another one is delivered for the ticket of an earlier one, so there are as many tickets as
      * results. A sender whose stack overflows may leave a result without a ticket: the next sender queues it. Any
      * thread.
      */
-    private static final class Waiting<T extends @Nullable Object> {
+    private static final class NewestResults<T extends @Nullable Object> {
         private final SpaceHome home;
         private final int most;
         private final Runnable noteSkipped;
         private final ArrayDeque<ReturningCallback<T>.Result> results = new ArrayDeque<>(); // guarded by this
         private int tickets; // guarded by this; those in the space's queues
 
-        Waiting(SpaceHome home, int most, Runnable noteSkipped) {
+        NewestResults(SpaceHome home, int most, Runnable noteSkipped) {
             this.home = home;
             this.most = most;
             this.noteSkipped = noteSkipped;
@@ -205,13 +204,13 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
     }
 
-    private final class Result extends Node {
-        private final Runnable delivery;
+    private final class Result extends Node implements Runnable {
         private final Kind kind;
+        private final @Nullable Object content; // the value or the error
 
-        Result(Runnable delivery, Kind kind) {
-            this.delivery = delivery;
+        Result(Kind kind, @Nullable Object content) {
             this.kind = kind;
+            this.content = content;
         }
 
         boolean isEnd() {
@@ -220,14 +219,29 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
         @Override
         protected @Nullable Node serve() {
-            if (home.hasEnded() && kind != Kind.END_EVEN_IF_CLOSED) {
+            if (isEndDelivered) {
+                return null; // its sender lost a race against the end
+            }
+            isEndDelivered = isEnd();
+            if (home.hasEnded() && kind != Kind.FAIL_EVEN_IF_CLOSED) {
                 readerGone = true; // the sender's thread is rejecting what is left in the queues
             } else if (owner == null) {
-                home.runGuarded(delivery);
-            } else if (!owner.run("a listener", delivery)) {
+                home.runGuarded(this);
+            } else if (!owner.run("a listener", this)) {
                 readerGone = true; // the receiving actor has stopped
             }
             return null;
+        }
+
+        /** Calls the reader. */
+        @Override
+        @SuppressWarnings({"unchecked", "NullAway"}) // the content of a value is null only if T allows it
+        public void run() {
+            switch (kind) {
+                case VALUE -> reader.accept((T) content, null);
+                case FINISH -> reader.finish();
+                case FAIL, FAIL_EVEN_IF_CLOSED -> reader.fail((Throwable) Objects.requireNonNull(content));
+            }
         }
     }
 }

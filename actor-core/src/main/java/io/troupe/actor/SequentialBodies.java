@@ -54,7 +54,7 @@ final class SequentialBodies {
         Body<?> sequence = running;
         if (sequence == null) {
             throw new IllegalStateException(
-                    "await() would stop the whole space, and with it whoever could settle " + promise
+                    "await() would stop the whole space, and with it the code that could settle " + promise
                             + ": register what comes next with then(..), return thenCompose(..), or call await() in the body of sequential(..); in a Kotlin coroutine: coAwait()");
         }
         sequence.checkOwner();

@@ -82,6 +82,12 @@ final class SpaceHome extends Home {
         }
     }
 
+    /** Queues a callback behind those that other threads have queued so far; on this space's thread. */
+    void enqueueBehindArrivals(Node node) {
+        dispatcher.takeCallbacks();
+        enqueue(node);
+    }
+
     @Override
     public void enqueueAsRemote(Node node) {
         offer(node, callbackInbox);

@@ -92,7 +92,7 @@ class FailedCallTest extends InTestSpace {
     @Test
     void rejection_withoutAListener_isReported_fromOutsideAfterAMoment() {
         test.run(() -> counter.failing("unheard"));
-        assertReported("a promise nobody listens to: Counter.failing(unheard) of Counter#1", "unheard");
+        assertReported("a rejected promise without a listener: Counter.failing(unheard) of Counter#1", "unheard");
         counter.failing("unheard");
         test.crank();
         assertThat(test.takeProblems()).isEmpty();

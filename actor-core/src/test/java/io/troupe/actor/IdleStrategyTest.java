@@ -7,7 +7,7 @@ import java.util.ArrayList;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 
-/** How long a space waits between two passes. */
+/** How long a space waits between two passes, and how often it checks its queues before it sleeps. */
 final class IdleStrategyTest {
     private static final int FEW = IdleStrategy.ENOUGH - 1;
 
@@ -31,6 +31,17 @@ final class IdleStrategyTest {
     void spaceThatIsBehindItsSenders_orHasOtherWork_doesNotWait() {
         assertThat(IdleStrategy.spinsAfter(8, IdleStrategy.MANY + 1)).isZero();
         assertThat(IdleStrategy.spinsAfter(8, 0)).isZero();
+    }
+
+    @Test
+    void checksBeforeASleep_fallToNoneWhileTheyFindNothing_andReturnOnceTheyFindWork() {
+        List<Integer> numbers = new ArrayList<>();
+        for (int checks = IdleStrategy.MOST_CHECKS; numbers.size() < 5; ) {
+            checks = IdleStrategy.checksAfter(checks, false);
+            numbers.add(checks);
+        }
+        assertThat(numbers).containsExactly(6, 3, 1, 0, 0);
+        assertThat(IdleStrategy.checksAfter(0, true)).isEqualTo(IdleStrategy.MOST_CHECKS);
     }
 
     @Test

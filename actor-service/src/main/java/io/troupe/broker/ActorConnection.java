@@ -4,6 +4,9 @@ import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import java.util.Objects;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * A connection to a service through an actor interface: each call goes to the current provider of the service.
@@ -53,8 +56,16 @@ public final class ActorConnection<A> implements AutoCloseable {
         CallDispatcher dispatcher = space.spawn(
                 CallDispatcher.class,
                 () -> new CallDispatcherActor(services, type, need, settings, first),
-                ActorSettings.named("\"" + need.by() + "\"'s connection to " + ProviderRegistry.what(need)));
+                ActorSettings.named(name(need)));
         return new ActorConnection<>(space, dispatcher, ServiceProxy.of(type, need, space, dispatcher), first);
+    }
+
+    /** Of the actor that passes the calls on, for logs and graphs: "wallFollower for arbitrator". */
+    private static String name(Need need) {
+        String what = Stream.of(need.service(), need.capability())
+                .filter(Objects::nonNull)
+                .collect(Collectors.joining(" with "));
+        return what + " for " + need.by();
     }
 
     /** The proxy for the provider. Can be used like any actor proxy, even before a provider has been found. */

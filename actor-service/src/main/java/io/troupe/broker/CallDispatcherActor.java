@@ -398,7 +398,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         }
 
         String receiver() {
-            return sentTo == null ? "nobody" : sentTo.address().toString();
+            return sentTo == null ? "no provider" : sentTo.address().toString();
         }
 
         boolean receiverHasEnded() {

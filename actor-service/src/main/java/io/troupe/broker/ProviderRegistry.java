@@ -148,7 +148,7 @@ final class ProviderRegistry {
         var text = new StringBuilder("\"" + need.by() + "\" needs " + what(need));
         List<Registration> offers = meeting(need);
         if (offers.isEmpty() && tried.isEmpty()) {
-            text.append(", which nobody offers");
+            text.append(", which no provider offers");
             similar(need)
                     .ifPresent(name ->
                             text.append("; did you mean \"").append(name).append("\"?"));

@@ -433,7 +433,7 @@ public final class Bus implements AutoCloseable {
     private void deliverTo(Address to, String operation, MessageDelivery delivery) {
         BusPort port = directory.port(to.name());
         if (port == null) {
-            reject(to, delivery, "nobody is there; " + directory.hint(to.name()));
+            reject(to, delivery, "there is no such port; " + directory.hint(to.name()));
             return;
         }
         OperationHandler<?, ?> handler = port.operationHandler(operation);

@@ -203,7 +203,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
             String ended = whyEnded();
             node.notifier.late(
                     reply,
-                    ended == null ? "nobody waits for it any more" : port.address() + " had left before: " + ended);
+                    ended == null ? "no caller waits for it any more" : port.address() + " had left before: " + ended);
         }
     }
 

@@ -95,7 +95,7 @@ final class PendingRequests {
         if (asked != null && !asked.isAnsweredBy(reply)) {
             node.notifier.late(reply, "it is for another question of that number, of an earlier life of this node");
         } else if (asked == null || !pending.remove(request, asked)) {
-            node.notifier.late(reply, "nobody waits for it any more");
+            node.notifier.late(reply, "no caller waits for it any more");
         } else if (!asked.settle(reply, node.counters)) {
             node.notifier.late(reply, "the asker has cancelled");
         }

@@ -304,7 +304,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         assertThat(get(unlimited)).isEqualTo("at last");
         far.parrots.get("a").later().removeFirst().resolve("too late");
         test.crank();
-        assertThat(losses).singleElement().asString().contains("is late: nobody waits for it any more");
+        assertThat(losses).singleElement().asString().contains("is late: no caller waits for it any more");
         assertThat(near.events(BrokerEvent.Late.class)).isEmpty();
     }
 

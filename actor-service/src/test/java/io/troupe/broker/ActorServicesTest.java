@@ -156,7 +156,7 @@ class ActorServicesTest extends BrokerBench {
         var parrot = connection.actor();
         var answer = parrot.say("hello");
         parrot.hear("and this");
-        assertThat(missing(connection.first())).contains("which nobody offers");
+        assertThat(missing(connection.first())).contains("which no provider offers");
         seconds(4);
         publish("late");
         assertThat(get(answer)).isEqualTo("late: hello");
@@ -216,7 +216,7 @@ class ActorServicesTest extends BrokerBench {
                 answer,
                 false,
                 "Parrot.say(String) of \"robot 1\", which needs the service \"parrot\", found no provider within PT2S: "
-                        + "\"robot 1\" needs the service \"parrot\", which nobody offers; registered: nothing");
+                        + "\"robot 1\" needs the service \"parrot\", which no provider offers; registered: nothing");
         assertThat(events(BrokerEvent.Undelivered.class))
                 .extracting(BrokerEvent.Undelivered::call)
                 .containsExactly("Parrot.hear(String)");

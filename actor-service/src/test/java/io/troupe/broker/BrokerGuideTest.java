@@ -99,7 +99,7 @@ class BrokerGuideTest {
                 .handle((camera, error) -> null);
         test.crank();
         assertThat(shown)
-                .containsExactly("\"robot 2\" needs the service \"camrea\", which nobody offers; "
+                .containsExactly("\"robot 2\" needs the service \"camrea\", which no provider offers; "
                         + "did you mean \"camera\"? registered: camera (senses; well)");
 
         broker.shutDown().then(left2 -> show(left2.size() + " did not stop"));

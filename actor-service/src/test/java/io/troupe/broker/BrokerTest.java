@@ -120,16 +120,16 @@ class BrokerTest extends ScriptedBroker {
             offer p with senses+drives, offer w for spaceWanderer, require 1 | start p, require 1: p WELL
             require 2 for spaceWandrer, crank, why      | require 2 for spaceWandrer: missing,
                                                         | "robot 2" needs the service "spaceWandrer",
-                                                        | which nobody offers; did you mean "spaceWanderer"?
+                                                        | which no provider offers; did you mean "spaceWanderer"?
                                                         | registered: player (senses, drives; well),
                                                         | spaceWanderer (not started)
             require 2 with drive, crank, why            | require 2 with drive: missing,
                                                         | "robot 2" needs the capability "drive",
-                                                        | which nobody offers; did you mean "drives"? registered:
+                                                        | which no provider offers; did you mean "drives"? registered:
                                                         | player (senses, drives; well), spaceWanderer (not started)
             require 2 for player with flies, crank, why | require 2 for player with flies: missing,
                                                         | "robot 2" needs the service "player" with the capability
-                                                        | "flies", which nobody offers; registered: player (senses,
+                                                        | "flies", which no provider offers; registered: player (senses,
                                                         | drives; well), spaceWanderer (not started)
 
             find_isByNameAndByCapability_theBestFirst_andStartsNothing
@@ -346,7 +346,7 @@ class BrokerTest extends ScriptedBroker {
     void nothingRegistered_isSaid_andLineBreaksAreNot() {
         var need = broker.require(Need.ofService("robot\n2", "map"));
         assertThat(missing(need))
-                .isEqualTo("\"robot 2\" needs the service \"map\", which nobody offers; registered: nothing");
+                .isEqualTo("\"robot 2\" needs the service \"map\", which no provider offers; registered: nothing");
         assertThat(((MissingServiceException) test.error(need)).need().service())
                 .isEqualTo("map");
     }
@@ -358,7 +358,8 @@ class BrokerTest extends ScriptedBroker {
             take("p" + i + ".start", "fails");
         }
         assertThat(missing(broker.require(Need.ofService("x", "camera"))))
-                .startsWith("\"x\" needs the service \"camera\", which nobody offers; registered: player (drives; ")
+                .startsWith(
+                        "\"x\" needs the service \"camera\", which no provider offers; registered: player (drives; ")
                 .endsWith(" and 1980 more")
                 .hasSizeLessThan(1_000);
         var broken = broker.require(Need.ofService("x", "player"));

@@ -121,7 +121,7 @@ class OffersTest extends HostsBench {
         get(a.broker.require(PARROT));
         get(b.broker.register("piano", List.of("sounds"), new Address("b", "piano"), new Unstartable()));
         assertThat(missing(c.broker.require(Need.ofService("user", "parot"))))
-                .isEqualTo("\"user\" needs the service \"parot\", which nobody offers; did you mean \"parrot\"?"
+                .isEqualTo("\"user\" needs the service \"parot\", which no provider offers; did you mean \"parrot\"?"
                         + " registered: parrot at a (talks; well), piano at b (sounds; not started)");
         assertThat(missing(c.broker.require(Need.ofService("user", "piano"))))
                 .startsWith("\"user\" needs the service \"piano\", which is offered, but runs nowhere: b/piano (out of"

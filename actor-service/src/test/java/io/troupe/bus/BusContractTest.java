@@ -184,7 +184,7 @@ class BusContractTest extends BusContract {
         starter.answer(START, BusContract::spelt);
         var reasons = Map.of(
                 new Address(far.node(), "wall-folower"),
-                "nobody is there; did you mean wall-follower?",
+                "there is no such port; did you mean wall-follower?",
                 starter.address(),
                 "it does not answer that; there are start",
                 new Address("moon", "base"),
@@ -495,7 +495,7 @@ class BusContractTest extends BusContract {
         test.crank();
         assertThat(theOnlyLoss())
                 .isInstanceOfSatisfying(
-                        Loss.Late.class, late -> assertThat(late.why()).isEqualTo("nobody waits for it any more"));
+                        Loss.Late.class, late -> assertThat(late.why()).isEqualTo("no caller waits for it any more"));
     }
 
     private static final class Cancellable extends Promise<Text> implements CancellableAnswer {

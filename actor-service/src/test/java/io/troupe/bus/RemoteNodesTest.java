@@ -602,7 +602,7 @@ class RemoteNodesTest {
         kept.getFirst().resolve(new Text("late"));
         test.crank();
         assertThat(engine.sent).isEmpty();
-        assertThat(take(losses)).singleElement().asString().endsWith("is late: nobody waits for it any more");
+        assertThat(take(losses)).singleElement().asString().endsWith("is late: no caller waits for it any more");
     }
 
     @Test
@@ -726,7 +726,7 @@ class RemoteNodesTest {
         assertThat(losses).as("each is reported once").isEmpty();
         var purpose = new Purpose.Notice(new Address("near", "z"), "spell");
         arrives(farFrames.notice(new BusMessage.Data(FAR, purpose, 1, new Count(1)), purpose));
-        assertThat(take(losses)).singleElement().asString().contains("nobody is there");
+        assertThat(take(losses)).singleElement().asString().contains("there is no such port");
         engine.sent.clear();
     }
 

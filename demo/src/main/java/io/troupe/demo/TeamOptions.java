@@ -72,7 +72,7 @@ final class TeamOptions implements AutoCloseable {
             names = "--hold",
             paramLabel = "N",
             description =
-                    "simulated seconds that a state of a crowd lasts at least, since somebody in a crowd always sees another colour; 5 unless given")
+                    "simulated seconds that a state of a crowd lasts at least, since some robot of a crowd always sees another colour; 5 unless given")
     private @Nullable Double holdSeconds;
 
     @Option(

@@ -273,7 +273,7 @@ class HostedMainJobTest extends CommandLineBench {
             assertFails(
                     MISSING_SERVICE,
                     hosts("run") + ARENA + "--seconds 5 --out DIR",
-                    "troupe: \"arbitrator\" needs the capability \"spaceWanderer\", which nobody offers;",
+                    "troupe: \"arbitrator\" needs the capability \"spaceWanderer\", which no provider offers;",
                     "robotServices at host-a (wallFollower; ");
         }
     }

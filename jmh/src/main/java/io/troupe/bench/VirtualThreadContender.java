@@ -44,7 +44,7 @@ final class VirtualThreadContender implements Contender {
             try {
                 while (handle(mailbox.take())) {}
             } catch (InterruptedException | ExecutionException failure) {
-                throw new IllegalStateException("nobody stops an actor this way", failure);
+                throw new IllegalStateException("no caller stops an actor this way", failure);
             }
         }
 

@@ -40,7 +40,7 @@ public final class VirtualThreadFamily implements Family {
                 handle(mailbox.take());
             }
         } catch (InterruptedException stopped) {
-            throw new IllegalStateException("nobody stops an actor this way", stopped);
+            throw new IllegalStateException("no caller stops an actor this way", stopped);
         }
     }
 

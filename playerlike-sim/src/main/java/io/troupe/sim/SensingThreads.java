@@ -134,7 +134,7 @@ final class SensingThreads implements AutoCloseable {
                 try {
                     lock.wait();
                 } catch (InterruptedException e) {
-                    throw new IllegalStateException("nobody interrupts a sensing thread", e);
+                    throw new IllegalStateException("no code interrupts a sensing thread", e);
                 }
             }
             return round > done;

@@ -60,6 +60,7 @@ public final class Simulation implements AutoCloseable {
     private boolean disconnectsSilent;
     private final Map<Integer, SpeedOverride> overrides = new TreeMap<>(); // by robot
     private boolean closed;
+    private volatile boolean waitsForClients;
 
     /** A speed that counts instead of what clients command. */
     private record SpeedOverride(double forwardMps, double turnRadps) {}
@@ -480,15 +481,24 @@ public final class Simulation implements AutoCloseable {
         return withLock(() -> closed);
     }
 
+    boolean waitsForClients() {
+        return waitsForClients;
+    }
+
     /** Waits until the given number of clients wait for data; false if the simulation is closed. */
     boolean awaitClients(int count) throws InterruptedException {
-        synchronized (lock) {
-            while (!closed
-                    && clients.stream().filter(ClientConnection::hasStarted).count() < count) {
-                time.standsStill();
-                lock.wait();
+        try {
+            synchronized (lock) {
+                while (!closed
+                        && clients.stream().filter(ClientConnection::hasStarted).count() < count) {
+                    time.standsStill();
+                    waitsForClients = true;
+                    lock.wait();
+                }
+                return !closed;
             }
-            return !closed;
+        } finally {
+            waitsForClients = false;
         }
     }
 }

@@ -128,6 +128,11 @@ public final class SimulationRunner implements AutoCloseable {
         return pacer.droppedMicros();
     }
 
+    /** True while time stands still because there are too few clients. */
+    public boolean isWaitingForClients() {
+        return simulation.waitsForClients();
+    }
+
     /** True while the runner's thread is alive. */
     public boolean isRunning() {
         return thread.isAlive();

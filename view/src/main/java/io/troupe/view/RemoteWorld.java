@@ -29,7 +29,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The robots of a Player server on another host, in the world that a file describes. Poses of the robots, and of the
- * obstacles that they can push, come from the server; gaps and contacts are computed from them, at each reading.
+ * obstacles that they can push, come from the server; gaps, contacts, speeds and what the sensors read are computed
+ * from them, at each reading.
  *
  * <p><b>Threads.</b> One; {@link #stop} may be called by any thread.
  */
@@ -37,7 +38,7 @@ final class RemoteWorld implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(RemoteWorld.class.getName());
     private static final Duration POSE_LIMIT = Duration.ofSeconds(5);
     private static final double FAR_M = 3; // robots so far apart do not touch
-    private static final Odometry UNKNOWN = new Odometry(new Pose(0, 0, 0), 0, 0, false);
+    private static final Pose UNKNOWN = new Pose(0, 0, 0);
 
     private final WorldSpec world;
     private final String address;
@@ -45,11 +46,13 @@ final class RemoteWorld implements AutoCloseable {
     private final Position2DInterface first;
     private final SimulationInterface simulation;
     private final Scene scene;
+    private final List<ComputedSensors> sensors = new ArrayList<>();
     private final List<Integer> movers; // indices of the obstacles that move
     private final Set<String> touching = new HashSet<>();
     private final Set<String> unknown = new HashSet<>(); // obstacles that the server does not know
     private double startSeconds = Double.NaN;
     private long ticks;
+    private @Nullable Snapshot last;
     private volatile boolean stopped;
 
     /**
@@ -61,6 +64,7 @@ final class RemoteWorld implements AutoCloseable {
         this.world = world;
         this.address = host + ":" + port;
         this.scene = new Scene(world);
+        world.robots().forEach(robot -> sensors.add(new ComputedSensors(robot)));
         this.movers = world.movingObstacles();
         this.client = new PlayerClient(host, port);
         try {
@@ -113,12 +117,38 @@ final class RemoteWorld implements AutoCloseable {
             scene.place(world.robots().size() + mover, pose);
             moved.add(pose);
         }
+        scene.refresh();
         var readings = new ArrayList<RobotReading>();
         for (int robot = 0; robot < poses.size(); robot++) {
-            readings.add(new RobotReading(poses.get(robot), UNKNOWN, null, null, List.of(), scene.wallGapM(robot)));
+            Pose pose = poses.get(robot);
+            readings.add(sensors.get(robot)
+                    .read(scene, robot, pose, odometry(robot, pose, timeMicros), scene.wallGapM(robot)));
         }
-        return new Snapshot(
+        last = new Snapshot(
                 ticks++, timeMicros, readings, contacts(timeMicros, poses, moved), moved, Collections.emptySortedMap());
+        return last;
+    }
+
+    /** The speeds since the last reading. */
+    private Odometry odometry(int robot, Pose pose, long timeMicros) {
+        Snapshot before = last;
+        if (before == null) {
+            return new Odometry(UNKNOWN, 0, 0, false);
+        }
+        RobotReading reading = before.robots().get(robot);
+        double seconds = (timeMicros - before.timeMicros()) / 1e6;
+        if (seconds <= 0) {
+            return reading.odometry();
+        }
+        Pose from = reading.pose();
+        double turnRad = StrictMath.IEEEremainder(pose.headingRad() - from.headingRad(), 2 * StrictMath.PI);
+        double middleRad = from.headingRad() + turnRad / 2; // it has turned meanwhile
+        double x = pose.x() - from.x();
+        double y = pose.y() - from.y();
+        double cos = StrictMath.cos(middleRad);
+        double sin = StrictMath.sin(middleRad);
+        return new Odometry(
+                UNKNOWN, (x * cos + y * sin) / seconds, (y * cos - x * sin) / seconds, turnRad / seconds, false);
     }
 
     /** Where an obstacle is that moves; its start if the server does not know it. */

@@ -106,13 +106,13 @@ final class Listeners {
         static void await(Promise<?> promise, Duration timeout) throws TimeoutException, InterruptedException {
             if (Home.current() != null) {
                 throw new IllegalStateException(
-                        "get() would stop the whole space, and with it whoever could settle "
+                        "get() would stop the whole space, and with it the code that could settle "
                                 + promise
                                 + ": register what comes next with then(..), return thenCompose(..), or write await() in the body of sequential(..)");
             }
             if (DETACHED.get() != null) {
                 throw new IllegalStateException(
-                        "get() in a listener would keep the other listeners of this thread from running, and with them whoever could settle "
+                        "get() in a listener would keep the other listeners of this thread from running, and with them the code that could settle "
                                 + promise + ": register what comes next with then(..)");
             }
             if (promise.isDone()) {

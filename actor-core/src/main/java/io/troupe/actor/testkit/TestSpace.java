@@ -158,8 +158,8 @@ public final class TestSpace implements AutoCloseable {
      * test registered a listener.
      */
     private void withdrawUnhandled(Promise<?> promise) {
-        problems.removeIf(problem ->
-                problem.error() == promise.error() && problem.where().startsWith("a promise nobody listens to"));
+        problems.removeIf(problem -> problem.error() == promise.error()
+                && problem.where().startsWith("a rejected promise without a listener"));
     }
 
     /** Removes and returns the reported problems; they no longer fail the test. */
@@ -193,7 +193,7 @@ public final class TestSpace implements AutoCloseable {
             throw failure;
         }
         if (!deadLetters.isEmpty()) {
-            throw new AssertionError("messages reached nobody: " + deadLetters);
+            throw new AssertionError("messages became dead letters: " + deadLetters);
         }
         for (var probe : probes) {
             var unanswered = probe.removeUnanswered();

@@ -47,7 +47,7 @@ final class LibraryRun {
     }
 
     private void failed(String who, String where, Throwable error) {
-        boolean unheard = where.startsWith("a promise nobody listens to");
+        boolean unheard = where.startsWith("a rejected promise without a listener");
         String what = unheard ? "unheard" : "failed " + where.substring(where.lastIndexOf(' ') + 1);
         history.add(who + what + " " + History.name(error));
     }

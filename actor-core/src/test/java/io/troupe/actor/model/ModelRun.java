@@ -610,7 +610,7 @@ final class ModelRun {
         if (behind && result.atHome) {
             space.enqueueBehind(Task.callback(turn));
         } else if (result.atHome || space.inside) {
-            space.enqueue(Task.callback(turn));
+            space.enqueue(Task.listener(turn));
         } else {
             space.runDetached(turn);
         }

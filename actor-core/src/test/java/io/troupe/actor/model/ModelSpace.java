@@ -20,18 +20,23 @@ final class ModelSpace {
      * @param message true if it is a message, false if it is a callback
      * @param ifClosed what runs instead after the space has stopped
      */
-    record Task(boolean message, Runnable action, Runnable ifClosed) {
+    record Task(boolean message, boolean listener, Runnable action, Runnable ifClosed) {
         static Task callback(Runnable action) {
-            return new Task(false, action, action);
+            return new Task(false, false, action, action);
+        }
+
+        /** A listener of a promise. */
+        static Task listener(Runnable action) {
+            return new Task(false, true, action, action);
         }
 
         static Task call(Runnable action) {
-            return new Task(true, action, action);
+            return new Task(true, false, action, action);
         }
 
         /** A task of the space itself, not a call of an actor. */
         static Task entry(Runnable action, Runnable ifClosed) {
-            return new Task(true, action, ifClosed);
+            return new Task(true, false, action, ifClosed);
         }
     }
 
@@ -81,6 +86,14 @@ final class ModelSpace {
         } else {
             enqueue(task);
         }
+    }
+
+    /** Queues a callback behind those that have arrived from other threads, which are taken first if called inside. */
+    void enqueueBehindArrivals(Task task) {
+        if (inside) {
+            takeCallbacks();
+        }
+        enqueue(task);
     }
 
     /** A task of the user, without an alternative for a closed space. */
@@ -220,6 +233,12 @@ final class ModelSpace {
                     return true;
                 }
                 turn(messages.removeFirst().action());
+                if (served == limit
+                        && callbacks.size() == 1
+                        && callbacks.getFirst().listener()
+                        && !stopping) {
+                    turn(callbacks.removeFirst().action()); // in the pass of the request that it listens to
+                }
             }
             if (served == limit) {
                 return true;

@@ -1,5 +1,6 @@
 package io.troupe.actor.model;
 
+import io.troupe.actor.model.ModelSpace.Task;
 import java.util.ArrayDeque;
 import org.jspecify.annotations.Nullable;
 
@@ -11,7 +12,8 @@ final class ModelStream {
     private final String who;
     private final ModelRun.@Nullable Instance owner;
     private final Runnable onNext;
-    private final ArrayDeque<Runnable> line = new ArrayDeque<>();
+    private final ArrayDeque<Runnable> line = new ArrayDeque<>(); // if the number of results is limited
+    private boolean usedFromOutside;
     int skipped;
     boolean ended;
     private boolean over;
@@ -83,10 +85,21 @@ final class ModelStream {
     }
 
     private void send(Runnable delivery) {
-        if (!isCancelled()) {
+        if (isCancelled()) {
+            return;
+        }
+        if (most == Integer.MAX_VALUE) {
+            usedFromOutside |= !space.inside;
+            Task task = Task.callback(() -> deliver(delivery));
+            if (usedFromOutside) {
+                space.enqueueBehindArrivals(task);
+            } else {
+                space.enqueue(task);
+            }
+        } else {
             // in the order in which they were sent, independent of the order of turns
             line.add(() -> deliver(delivery));
-            space.enqueue(ModelSpace.Task.callback(() -> line.removeFirst().run()));
+            space.enqueue(Task.callback(() -> line.removeFirst().run()));
         }
     }
 

@@ -13,19 +13,24 @@ import java.util.List;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
+import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
 /**
  * Every relative link of a Markdown page leads to a file or folder of the repository, and every anchor to a heading, as
- * GitHub computes it. So a page that names a source is corrected with the commit that renames the source.
+ * GitHub computes it; and the methods that the walks of the architecture name are declared there. So a page that names
+ * a source is corrected with the commit that renames the source.
  */
 class DocumentLinksTest {
     private static final Pattern FENCE = Pattern.compile("(?ms)^ *```.*?^ *```$");
     private static final Pattern CODE = Pattern.compile("`[^`\n]*`");
     private static final Pattern LINK =
             Pattern.compile("\\]\\(([^()\\s]+)(?: \"[^\"]*\")?\\)|(?:src|href)=\"([^\"]+)\"");
+    private static final Pattern STEP =
+            Pattern.compile("((?:`\\w+`(?:, | and )?)+) (?:of|in) \\[\\w+]\\(([^)#]+\\.java)\\)");
+    private static final Pattern NAME = Pattern.compile("`(\\w+)`");
     private static final Pattern ADDRESS = Pattern.compile("[a-z]+:.*");
     private static final Pattern HEADING = Pattern.compile("(?m)^#{1,6} +(.*?) *$");
     private static final Pattern LINE = Pattern.compile("L(\\d+)(?:-L(\\d+))?");
@@ -54,6 +59,39 @@ class DocumentLinksTest {
         assertThat(sources).hasSizeGreaterThan(25);
         assertThat(List.of("actor-core", "actor-service", "playerlike-sim", "services", "verification", "demo"))
                 .allSatisfy(module -> assertThat(sources).anyMatch(link -> link.startsWith("../" + module + "/")));
+    }
+
+    /** A step names methods, or types within a file, before the link to the file: {@code `tick` of [World](..)}. */
+    @Test
+    void architecture_namesMethodsThatTheLinkedFilesDeclare() throws IOException {
+        String page = Repository.text("docs/architecture.md");
+        List<String> missing = new ArrayList<>();
+        int names = 0;
+        for (MatchResult step : STEP.matcher(page).results().toList()) {
+            String source = Files.readString(Repository.root().resolve("docs").resolve(step.group(2)));
+            for (MatchResult name : NAME.matcher(step.group(1)).results().toList()) {
+                names++;
+                if (!declares(source, name.group(1))) {
+                    missing.add(name.group(1) + " of " + step.group(2));
+                }
+            }
+        }
+        assertThat(names).as("names").isGreaterThan(80);
+        assertThat(missing).as("not declared there").isEmpty();
+    }
+
+    @Test
+    void declaration_isNoCall() {
+        String source = "class A {\n    private List<String> one(int a) {\n        return two(a);\n    }\n}\n";
+        assertThat(declares(source, "one")).isTrue();
+        assertThat(declares(source, "two")).isFalse();
+        assertThat(declares(source, "A")).isTrue();
+    }
+
+    private static boolean declares(String source, String name) {
+        String types = "\\b(?:class|record|interface|enum) +" + name + "\\b";
+        String methods = "(?m)^ +(?!return |throw |new |else )(?:[\\w<>?,.@\\[\\]&]+ )+" + name + "\\(";
+        return Pattern.compile(types + "|" + methods).matcher(source).find();
     }
 
     /** The drawing names every module of the build, and every package of the libraries. */

@@ -3,14 +3,11 @@ package io.troupe.demo.learn;
 import io.troupe.demo.learn.CornersFigure.Pair;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
-import io.troupe.demo.terminal.OptionRange;
-import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
@@ -18,42 +15,32 @@ import java.util.function.Function;
 import java.util.function.ToDoubleFunction;
 import java.util.stream.IntStream;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
-import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /** {@code troupe learn corners}: compares both readings of the paper's tables at a corner. */
 @Command(
         name = "corners",
         description = "Compares the wall follower that drives forward while it turns at a corner (the paper), with the"
-                + " one that drives backward (its model), in random arenas.",
+                + " one that drives backward (its model); each random arena is driven through by both. Writes corners.csv and"
+                + " corners.svg.",
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class CornersCommand implements Callable<Integer> {
-    private static final int STEPS_PER_SECOND = 10;
-
     @Spec
     private CommandSpec spec;
 
-    @Option(names = "--arenas", paramLabel = "N", description = "random arenas; each is driven through by both")
-    private int arenas = 1_000;
-
-    @Option(names = "--seconds", paramLabel = "N", description = "simulated time of a trial")
-    private int seconds = 120;
-
-    @Option(names = "--seed", paramLabel = "N", description = "of the first arena")
-    private long seed = 1;
-
-    @Option(names = "--out", paramLabel = "DIR", description = "where corners.csv and corners.svg go")
-    private Path out = Path.of("out");
+    @Mixin
+    private final TrialOptions options = new TrialOptions(1_000, 100_000, 120);
 
     @Override
     public Integer call() throws IOException {
-        OptionRange.check(spec, "--arenas", arenas, 1, 100_000);
-        OptionRange.check(spec, "--seconds", seconds, 1, 3_600);
-        OutputDirectory.make(spec, out);
+        options.check();
+        int arenas = options.arenas();
+        long seed = options.seed();
         PrintWriter terminal = spec.commandLine().getOut();
-        int steps = seconds * STEPS_PER_SECOND;
+        int steps = options.steps();
         try (var runner = new TrialRunner(2 * arenas, steps)) {
             List<FollowerTrial.Result> trials = runner.run(
                     "comparing",
@@ -66,9 +53,9 @@ final class CornersCommand implements Callable<Integer> {
             terminal.print(table(pairs));
             terminal.println(runner.summary());
             terminal.flush(); // before writing files, which may fail
-            OutputFiles.write(out.resolve("corners.csv"), csv(pairs));
-            OutputFiles.write(out.resolve("corners.svg"), CornersFigure.draw(pairs, steps));
-            terminal.println("wrote " + out.resolve("corners.csv") + " and corners.svg");
+            OutputFiles.write(options.file("corners.csv"), csv(pairs));
+            OutputFiles.write(options.file("corners.svg"), CornersFigure.draw(pairs, steps));
+            terminal.println("wrote " + options.file("corners.csv") + " and corners.svg");
             terminal.flush();
             return 0;
         } catch (InterruptedCommand interrupted) {

@@ -3,17 +3,16 @@ package io.troupe.demo.learn;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OptionRange;
-import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.behaviour.Velocity;
 import io.troupe.services.behaviour.WallFollower.Gains;
 import java.io.IOException;
 import java.io.PrintWriter;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.Callable;
 import picocli.CommandLine.Command;
+import picocli.CommandLine.Mixin;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
@@ -21,7 +20,9 @@ import picocli.CommandLine.Spec;
 /** {@code troupe learn tune}: tunes the wall follower by random search. */
 @Command(
         name = "tune",
-        description = "Tunes the numbers of the wall follower by random search over random arenas.",
+        description =
+                "Tunes the numbers of the wall follower by random search over random arenas, which are the same for each"
+                        + " candidate. Writes tuning.csv and tuning.svg.",
         footer = {
             "",
             "A candidate's score: metres along walls in a minute, of which each touch takes one; the mean of all arenas."
@@ -29,46 +30,33 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class TuneCommand implements Callable<Integer> {
-    private static final int STEPS_PER_SECOND = 10;
-
     @Spec
     private CommandSpec spec;
 
     @Option(names = "--candidates", paramLabel = "N", description = "sets of numbers, the paper's among them")
     private int candidates = 300;
 
-    @Option(names = "--arenas", paramLabel = "N", description = "random arenas for each candidate")
-    private int arenas = 16;
-
     @Option(names = "--checks", paramLabel = "N", description = "other arenas, for the best and the paper's numbers")
     private int checks = 200;
 
-    @Option(names = "--seconds", paramLabel = "N", description = "simulated time of a trial")
-    private int seconds = 60;
-
-    @Option(names = "--seed", paramLabel = "N", description = "of candidates and arenas")
-    private long seed = 1;
-
-    @Option(names = "--out", paramLabel = "DIR", description = "where tuning.csv and tuning.svg go")
-    private Path out = Path.of("out");
+    @Mixin
+    private final TrialOptions trials = new TrialOptions(16, 10_000, 60);
 
     @Override
     public Integer call() throws IOException {
         OptionRange.check(spec, "--candidates", candidates, 2, 100_000);
-        OptionRange.check(spec, "--arenas", arenas, 1, 10_000);
         OptionRange.check(spec, "--checks", checks, 1, 10_000);
-        OptionRange.check(spec, "--seconds", seconds, 1, 3_600);
-        OutputDirectory.make(spec, out);
+        trials.check();
         PrintWriter terminal = spec.commandLine().getOut();
-        var settings = new RandomSearch.Settings(candidates, arenas, checks, seconds * STEPS_PER_SECOND, seed);
+        var settings = new RandomSearch.Settings(candidates, trials.arenas(), checks, trials.steps(), trials.seed());
         try (var runner = new TrialRunner(settings.trials(), settings.steps())) {
             RandomSearch.Result result = RandomSearch.run(settings, runner);
             terminal.print(table(result));
             terminal.println(runner.summary());
             terminal.flush(); // before writing files, which may fail
-            OutputFiles.write(out.resolve("tuning.csv"), csv(result));
-            OutputFiles.write(out.resolve("tuning.svg"), TuningFigure.draw(result, settings));
-            terminal.println("wrote " + out.resolve("tuning.csv") + " and tuning.svg");
+            OutputFiles.write(trials.file("tuning.csv"), csv(result));
+            OutputFiles.write(trials.file("tuning.svg"), TuningFigure.draw(result, settings));
+            terminal.println("wrote " + trials.file("tuning.csv") + " and tuning.svg");
             terminal.flush();
             return 0;
         } catch (InterruptedCommand interrupted) {

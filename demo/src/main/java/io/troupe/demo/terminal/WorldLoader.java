@@ -19,7 +19,7 @@ public final class WorldLoader {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
 
-    @Option(names = "--lenient", description = "warn of names in the world file that nobody knows, and go on")
+    @Option(names = "--lenient", description = "warn of unknown names in the world file, and go on")
     private boolean lenient;
 
     /**

@@ -218,8 +218,8 @@ public final class TcpServer implements AutoCloseable {
         if (!bind.isLoopbackAddress()) {
             LOG.log(
                     Level.WARNING,
-                    "Player port {0} can be reached from outside, and the protocol knows no authentication: whoever"
-                            + " connects drives the robots",
+                    "Player port {0} can be reached from outside, and the protocol knows no authentication: any"
+                            + " program that connects drives the robots",
                     socket.getLocalSocketAddress());
         }
         return serve(devices, socket, shared);

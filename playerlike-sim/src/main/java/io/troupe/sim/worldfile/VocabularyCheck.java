@@ -88,7 +88,7 @@ final class VocabularyCheck {
         if (Vocabulary.isSensor(child.type()) && parent.type().equals(Vocabulary.WORLD)) {
             diagnostics.warn(
                     child.where(),
-                    "a " + child.type() + " that hangs on no robot (a position) is read by nobody and left out");
+                    "a " + child.type() + " that hangs on no robot (a position) is not read and left out");
             return false;
         }
         if (Vocabulary.isType(child.type())) {

@@ -273,7 +273,7 @@ class WorldErrorsTest extends WorldFiles {
             position ( velocity_bounds [-1 1 -1 1 -1 1 -90 90] ranger ( scount 1 spose[0] [0 0 0] ) ) | t.world:1:61: "scount" belongs to the classic dialect, but "velocity_bounds" at t.world:1:12 to that of Stage 4; the world is read as one of Stage 4
             model ( laser_return 0 ) | t.world:1:22: lasers and sonars see the same things here: "ranger_return" counts, and "laser_return" differs from it
             model ( blobfinder () ) | t.world:1:9: a blobfinder must hang on a robot (a position); on a model that stands still it is left out
-            ranger () | t.world:1:1: a ranger that hangs on no robot (a position) is read by nobody and left out
+            ranger () | t.world:1:1: a ranger that hangs on no robot (a position) is not read and left out
             position ( ranger ( alwayson 1 ) ) | t.world:1:12: a ranger without "scount" sonars and without a sensor( .. ) as in Stage 4 measures nothing and is left out
             position ( ranger ( sensor ( view [0 5 30] ) ) ) | t.world:1:30: "view" has no effect, here or in Stage 4: write range and fov
             position ( ranger ( samples 9 sensor () ) ) | t.world:1:21: "samples" has no effect on a ranger, here or in Stage 4: it belongs in a sensor( .. ) of it

@@ -164,7 +164,7 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
         Service named = named(table, service);
         return start(robot, named, (devices, secondsInCharge) -> {
             if (reports.isCancelled()) {
-                LOG.log(Level.WARNING, "robot {0}: {1} stops, as nobody listens to it any more", robot + 1, named);
+                LOG.log(Level.WARNING, "robot {0}: {1} stops, as it has no listener any more", robot + 1, named);
                 return false;
             }
             if (named.findsColours()) {

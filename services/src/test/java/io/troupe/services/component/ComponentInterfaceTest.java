@@ -510,7 +510,7 @@ class ComponentInterfaceTest extends ComponentBench {
         var overTheBus = ask(Control.INVOKE, new Control.Invoke("user"));
         assertError(provider.start(), "here/counter has left the bus, expected an open interface");
         assertThat(test.error(overTheBus))
-                .hasMessageContaining("asked here/counter for component/invoke: nobody is there");
+                .hasMessageContaining("asked here/counter for component/invoke: there is no such port");
         test.run(() -> slow.resolve(null));
         assertThat(script.calls).containsExactly("invoke", "terminate");
         assertThat(provider.state()).isEqualTo(ComponentState.TERMINATED);

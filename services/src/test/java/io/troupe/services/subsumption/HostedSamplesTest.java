@@ -102,7 +102,7 @@ class HostedSamplesTest {
             throw new AssertionError("it was started");
         } catch (MissingServiceException missing) {
             assertThat(missing)
-                    .hasMessage("\"arbitrator\" needs the capability \"wallFollower\", which nobody offers;"
+                    .hasMessage("\"arbitrator\" needs the capability \"wallFollower\", which no provider offers;"
                             + " registered: nothing");
         }
     }

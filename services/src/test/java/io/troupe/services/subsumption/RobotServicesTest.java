@@ -188,7 +188,7 @@ class RobotServicesTest extends RobotsBench {
         assertThat(robots.commands(0)).containsExactly(WANDERER_AHEAD, STOP);
         assertThat(charge.of(0)).isEmpty();
         assertThat(received).containsExactly("red");
-        assertThat(warnings).containsExactly("robot 1: spaceWanderer stops, as nobody listens to it any more");
+        assertThat(warnings).containsExactly("robot 1: spaceWanderer stops, as it has no listener any more");
     }
 
     /** Values could leave the process; a bus over hosts would have to carry the callback. */

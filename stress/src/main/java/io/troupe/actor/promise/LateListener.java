@@ -108,17 +108,17 @@ public class LateListener {
 
         @Override
         public Runnable schedule(long delayNanos, Runnable task, Runnable ifClosed) {
-            throw new UnsupportedOperationException("nobody sets timers here");
+            throw new UnsupportedOperationException("no timers are set here");
         }
 
         @Override
         public void rejected(Node rejected, Throwable error) {
-            throw new UnsupportedOperationException("nobody rejects anything here");
+            throw new UnsupportedOperationException("no promise is rejected here");
         }
 
         @Override
         public void await(Node awaited) {
-            throw new UnsupportedOperationException("nobody waits here");
+            throw new UnsupportedOperationException("no thread waits here");
         }
     }
 }

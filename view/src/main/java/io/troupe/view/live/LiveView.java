@@ -447,6 +447,7 @@ public final class LiveView implements AutoCloseable {
             String time = new Json()
                     .put("paused", control.isPaused())
                     .put("speed", control.speed())
+                    .put("waitsFor", control.waitsFor())
                     .toString();
             if (!time.equals(sentTime)) {
                 sentTime = time;

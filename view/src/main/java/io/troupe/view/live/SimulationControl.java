@@ -83,6 +83,12 @@ public final class SimulationControl implements ViewControl {
     }
 
     @Override
+    public String waitsFor() {
+        SimulationRunner running = runner;
+        return running != null && running.isWaitingForClients() ? "clients" : "";
+    }
+
+    @Override
     public double speed() {
         return speed;
     }

@@ -19,6 +19,11 @@ public interface ViewControl {
     /** Simulated seconds per second that are wanted; 0 = as fast as possible. */
     double speed();
 
+    /** What must come before time passes, for example "clients"; empty if nothing is missing. */
+    default String waitsFor() {
+        return "";
+    }
+
     /** For a world that viewers can only look at. */
     ViewControl NONE = new ViewControl() {
         @Override

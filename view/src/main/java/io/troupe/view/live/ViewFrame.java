@@ -25,4 +25,7 @@ record ViewFrame(long number, Snapshot snapshot, short[] states, double speed) {
 
     /** The robot was taken out of the world. */
     static final int AWAY = 0x800;
+
+    /** From this bit on: how often the robot was put elsewhere, modulo 16. */
+    static final int JUMPS_SHIFT = 12;
 }

@@ -19,6 +19,7 @@ import io.troupe.view.RunRecorder;
 import io.troupe.view.RunResult.StateChange;
 import io.troupe.view.live.ViewCommand.Intervention;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
@@ -40,6 +41,8 @@ import org.jspecify.annotations.Nullable;
  */
 public final class ViewedRun {
     private static final long SPEED_NANOS = 1_000_000_000;
+    /** A robot that is farther away at the next tick than at twice its speed, and this, was put there. */
+    private static final double JUMP_M = 0.3;
 
     private final WorldSpec world;
     private final List<String> services;
@@ -47,6 +50,8 @@ public final class ViewedRun {
     private final RunControl control;
     private final List<ViewSink> sinks = new ArrayList<>();
     private final boolean[] stalled;
+    private final int[] jumps; // by robot
+    private @Nullable Snapshot before;
     private @Nullable CallGraph callGraph;
     private final Map<Integer, Integer> driversShown = new HashMap<>(); // by robot
     private final Set<Integer> driven = new TreeSet<>();
@@ -73,6 +78,7 @@ public final class ViewedRun {
         this.table = table;
         this.control = control;
         this.stalled = new boolean[world.robots().size()];
+        this.jumps = new int[world.robots().size()];
     }
 
     /** Shows it on a live page, too. */
@@ -236,6 +242,10 @@ public final class ViewedRun {
             driven.add(drive.robot());
         } else if (intervention instanceof ViewCommand.Release release) {
             driven.remove(release.robot());
+        } else if (intervention instanceof ViewCommand.Place place) {
+            jumps[place.robot()]++;
+        } else if (intervention instanceof ViewCommand.Reset) {
+            Arrays.setAll(jumps, robot -> jumps[robot] + 1);
         }
         send(event(timeMicros, "intervention").put("text", intervention.words()));
     }
@@ -253,9 +263,11 @@ public final class ViewedRun {
                             ? event.put("otherRobot", contact.otherRobot() + 1)
                             : event.put("obstacle", contact.other()));
         }
+        noteJumps(snapshot);
         var states = new short[snapshot.robots().size()];
         for (int robot = 0; robot < states.length; robot++) {
-            states[robot] = (short) (number(serviceOf.apply(robot)) | flags(robot, snapshot));
+            states[robot] = (short)
+                    (number(serviceOf.apply(robot)) | flags(robot, snapshot) | jumps[robot] << ViewFrame.JUMPS_SHIFT);
         }
         for (Contact contact : snapshot.contacts()) {
             states[contact.robot()] |= ViewFrame.TOUCHED;
@@ -273,6 +285,32 @@ public final class ViewedRun {
         measureSpeed(snapshot.timeMicros());
         var frame = new ViewFrame(frames++, snapshot, states, speed);
         sinks.forEach(sink -> sink.frame(frame));
+    }
+
+    /** Clients of a simulation put robots elsewhere without an intervention. */
+    private void noteJumps(Snapshot snapshot) {
+        Snapshot last = before;
+        before = snapshot;
+        if (last == null) {
+            return;
+        }
+        double seconds = (snapshot.timeMicros() - last.timeMicros()) / 1e6;
+        for (int robot = 0; robot < jumps.length; robot++) {
+            RobotReading here = snapshot.robots().get(robot);
+            RobotReading there = last.robots().get(robot);
+            double wayM = StrictMath.hypot(
+                    here.pose().x() - there.pose().x(),
+                    here.pose().y() - there.pose().y());
+            double speedMps = StrictMath.max(speedMps(here), speedMps(there));
+            if (wayM > JUMP_M + 2 * speedMps * seconds) {
+                jumps[robot]++;
+            }
+        }
+    }
+
+    private static double speedMps(RobotReading reading) {
+        return StrictMath.hypot(
+                reading.odometry().forwardMps(), reading.odometry().sidewaysMps());
     }
 
     private void showBoxes(Snapshot snapshot) {

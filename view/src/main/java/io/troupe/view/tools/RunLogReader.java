@@ -3,16 +3,13 @@ package io.troupe.view.tools;
 import io.troupe.common.text.Plural;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Snapshot;
-import io.troupe.sim.device.Blobfinder;
 import io.troupe.sim.device.Odometry;
-import io.troupe.sim.device.Ranger;
 import io.troupe.sim.device.Scene;
-import io.troupe.sim.device.Sonar;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
-import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
+import io.troupe.view.ComputedSensors;
 import io.troupe.view.RunLog;
 import io.troupe.view.RunRecorder;
 import io.troupe.view.tools.RunListener.Level;
@@ -61,7 +58,7 @@ final class RunLogReader {
     private SortedMap<Integer, Integer> heldBefore = Collections.emptySortedMap();
 
     private Scene scene;
-    private final List<Sensors> sensors = new ArrayList<>();
+    private final List<ComputedSensors> sensors = new ArrayList<>();
     /** Those of the reading that has not been complete yet. */
     private final List<PoseLine> poses = new ArrayList<>();
 
@@ -72,18 +69,6 @@ final class RunLogReader {
     private String lastType = "";
     private boolean cutShort;
 
-    /** The sensors of one robot. */
-    private record Sensors(@Nullable Sonar sonar, @Nullable Blobfinder blobfinder, List<Ranger> rangers) {
-        static Sensors of(RobotSpec robot) {
-            return new Sensors(
-                    robot.sonar() == null ? null : new Sonar(robot.sonar()),
-                    robot.blobfinder() == null ? null : new Blobfinder(robot.blobfinder()),
-                    robot.rangers().stream()
-                            .map(ranger -> new Ranger(ranger, most -> 0))
-                            .toList());
-        }
-    }
-
     private record PoseLine(Pose pose, double gapM, String service) {}
 
     RunLogReader(Path file, WorldSpec world, RunListener listener) {
@@ -92,7 +77,7 @@ final class RunLogReader {
         this.listener = listener;
         this.movers = world.movingObstacles();
         this.scene = new Scene(world);
-        world.robots().forEach(robot -> sensors.add(Sensors.of(robot)));
+        world.robots().forEach(robot -> sensors.add(new ComputedSensors(robot)));
     }
 
     /**
@@ -399,17 +384,8 @@ final class RunLogReader {
         scene.refresh();
         List<RobotReading> readings = new ArrayList<>();
         for (int robot = 0; robot < sensors.size(); robot++) {
-            Sensors its = sensors.get(robot);
-            int index = robot;
-            readings.add(new RobotReading(
-                    poses.get(robot).pose(),
-                    UNKNOWN,
-                    its.sonar == null ? null : its.sonar.read(scene, robot),
-                    its.blobfinder == null ? null : its.blobfinder.read(scene, robot),
-                    its.rangers.stream()
-                            .map(ranger -> ranger.read(scene, index))
-                            .toList(),
-                    poses.get(robot).gapM()));
+            PoseLine now = poses.get(robot);
+            readings.add(sensors.get(robot).read(scene, robot, now.pose(), UNKNOWN, now.gapM()));
         }
         carry(held);
         heldBefore = new TreeMap<>(held);

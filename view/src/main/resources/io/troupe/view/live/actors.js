@@ -3,10 +3,13 @@
 /** Draws who calls whom, and lists the same in two tables. Rates are those between the last two messages. */
 class ActorGraph {
   static MOST_NODES = 40;
-  static WIDTH = 152;
-  static HEIGHT = 40;
-  static COLUMN = 200;
-  static ROW = 58;
+  static WIDTH = 172;
+  static HEIGHT = 54;
+  static COLUMN = 222;
+  static ROW = 68;
+  static LINE_CHARACTERS = 26;
+  /** Not a space of actors: its nodes are components and hosts, whose turns are not counted here. */
+  static BUS = "bus";
   static STALL_MILLIS = 250;
 
   constructor(svg, nodes, edges) {
@@ -34,11 +37,13 @@ class ActorGraph {
     const oldNodes = new Map((before?.nodes ?? []).map(each => [key(each), each]));
     const edgeKey = (of, each) => `${key(of.nodes[each.from])} > ${key(of.nodes[each.to])}`;
     const oldEdges = new Map((before?.edges ?? []).map(each => [edgeKey(before, each), each]));
-    const names = new Map();
-    now.nodes.forEach(each => names.set(each.name, (names.get(each.name) ?? 0) + 1));
+    const names = new Map(); // how many have a name; names that differ in capitals only are too much alike
+    const plain = each => each.name.toLowerCase();
+    now.nodes.forEach(each => names.set(plain(each), (names.get(plain(each)) ?? 0) + 1));
     const nodes = now.nodes.map((each, index) => {
       const old = oldNodes.get(key(each)) ?? {turns: 0, busy: 0, stalls: 0};
-      return {...each, index, label: names.get(each.name) > 1 && each.space ? `${each.name} (${each.space})` : each.name,
+      return {...each, index, label: names.get(plain(each)) > 1 && each.space ? `${each.name} (${each.space})` : each.name,
+        counted: each.space !== ActorGraph.BUS,
         rate: (each.turns - old.turns) / seconds, share: (each.busy - old.busy) / 1000 / seconds,
         alarm: each.current > ActorGraph.STALL_MILLIS || before !== null && each.stalls > old.stalls};
     });
@@ -63,7 +68,7 @@ class ActorGraph {
     const places = ActorGraph.layout(drawn, lines);
     const width = Math.max(...[...places.values()].map(each => each.x)) + ActorGraph.WIDTH + 10;
     const height = Math.max(...[...places.values()].map(each => each.y)) + ActorGraph.HEIGHT + 34;
-    this.svg.setAttribute("viewBox", `-10 -24 ${width + 20} ${height}`);
+    this.svg.setAttribute("viewBox", `-50 -24 ${width + 60} ${height}`);
     this.svg.replaceChildren(ActorGraph.arrow("arrow"), ActorGraph.arrow("quiet-arrow"),
       ...lines.flatMap(each => this.line(each, nodes, places)), ...drawn.map(each => this.box(each, places.get(each.index))));
   }
@@ -174,16 +179,29 @@ class ActorGraph {
   }
 
   box(node, place) {
-    const name = node.label.length > 23 ? `${node.label.slice(0, 8)}…${node.label.slice(-14)}` : node.label;
+    const names = ActorGraph.lines(node.label);
+    const middle = ActorGraph.WIDTH / 2;
     const current = node.current > ActorGraph.STALL_MILLIS ? `, ${(node.current / 1000).toFixed(1)} s in one turn` : "";
-    const what = `${ActorGraph.rate(node.rate)}, ${node.waiting} waiting${current}`;
+    const what = node.counted ? `${ActorGraph.rate(node.rate)}, ${node.waiting} waiting${current}` : "on the bus";
     const group = ActorGraph.element("g", {transform: `translate(${place.x} ${place.y})`, class: node.alarm ? "alarm" : ""},
       ActorGraph.element("rect", {width: ActorGraph.WIDTH, height: ActorGraph.HEIGHT, rx: 6}),
-      ActorGraph.element("text", {x: ActorGraph.WIDTH / 2, y: 17}, name),
-      ActorGraph.element("text", {x: ActorGraph.WIDTH / 2, y: 32, class: "small"}, what),
+      ...names.map((name, i) => ActorGraph.element("text", {x: middle, y: (names.length > 1 ? 16 : 24) + 14 * i}, name)),
+      ActorGraph.element("text", {x: middle, y: names.length > 1 ? 46 : 40, class: "small"}, what),
       ActorGraph.element("title", {}, `${node.label} of space ${node.space || "none"}`));
     group.dataset.name = node.name;
     return group;
+  }
+
+  /** A name in at most two lines, cut where a word ends if that is possible; its title has all of it. */
+  static lines(name) {
+    const most = ActorGraph.LINE_CHARACTERS;
+    if (name.length <= most) {
+      return [name];
+    }
+    const end = Math.max(...[" ", "/", ":", "-"].map(each => name.lastIndexOf(each, most - 1)));
+    const cut = end > 0 ? end + 1 : most;
+    const rest = name.slice(cut);
+    return [name.slice(0, cut).trimEnd(), rest.length > most ? `${rest.slice(0, 8)}…${rest.slice(9 - most)}` : rest];
   }
 
   static rate(value) {
@@ -205,9 +223,10 @@ class ActorGraph {
     const busiest = [...nodes].sort((a, b) => b.turns - a.turns);
     const used = edges.filter(each => each.calls + each.results > 0)
       .sort((a, b) => b.calls + b.results - a.calls - a.results);
-    this.nodeRows.replaceChildren(...busiest.map(each => row([each.label, each.rate.toFixed(1), each.waiting,
-      `${(each.share * 100).toFixed(1)} %`, `${each.longest.toFixed(1)} ms${each.stalls ? `, ${each.stalls} stalls` : ""}`],
-    each.alarm)));
+    this.nodeRows.replaceChildren(...busiest.map(each => row(each.counted
+      ? [each.label, each.rate.toFixed(1), each.waiting, `${(each.share * 100).toFixed(1)} %`,
+        `${each.longest.toFixed(1)} ms${each.stalls ? `, ${each.stalls} stalls` : ""}`]
+      : [each.label, "", "", "", "on the bus"], each.alarm)));
     this.edgeRows.replaceChildren(...used.flatMap(each => {
       const names = [nodes[each.from].label, nodes[each.to].label];
       const calls = row([...names, each.rate.toFixed(1), each.calls]);

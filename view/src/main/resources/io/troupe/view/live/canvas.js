@@ -17,8 +17,9 @@ class WorldCanvas {
     this.rays = true;
     this.trails = true;
     this.names = true;
-    this.ghost = null;
+    this.ghost = null; // a robot that is being dragged
     this.boxGhost = null;
+    this.dropped = []; // robots and boxes that were dropped while time is paused: they are there after the next interval
     this.fitted = true;
     this.x = 0;
     this.y = 0;
@@ -165,6 +166,7 @@ class WorldCanvas {
   draw(frame, trailEnd = Infinity) {
     const begin = performance.now();
     const to = this.context;
+    this.dropped = this.dropped.filter(each => each.frame === this.model.frame?.number);
     this.resize();
     const centre = [...this.selected][0];
     if (this.follow && frame && centre !== undefined && centre < frame.count) {
@@ -270,12 +272,18 @@ class WorldCanvas {
       to.fill();
       to.stroke();
     }
-    if (this.boxGhost) {
-      const {x, y, side} = this.boxGhost;
+    for (const {x, y, side} of [this.boxGhost, ...this.dropped].filter(each => each?.side)) {
       to.strokeStyle = this.colours.accent;
       to.lineWidth = 2 * this.pixel;
       to.strokeRect(x - side / 2, y - side / 2, side, side);
     }
+  }
+
+  /** Shows where a robot or box was dropped until the next frame has it there. */
+  drop(what) {
+    const same = each => each.side ? each.number === what.number : each.robot === what.robot;
+    this.dropped = this.dropped.filter(each => Boolean(each.side) !== Boolean(what.side) || !same(each));
+    this.dropped.push({...what, frame: this.model.frame.number});
   }
 
   /** The box at a point of the page, or undefined. */
@@ -292,34 +300,53 @@ class WorldCanvas {
       this.trailsMade = now;
     }
     to.lineWidth = (this.scale < 20 ? 1 : 1.6) * this.pixel;
-    for (const [service, path] of this.trailPaths) {
-      to.strokeStyle = this.model.serviceColour(service);
+    for (const [key, path] of this.trailPaths) {
+      to.strokeStyle = this.trailColour(key);
       to.globalAlpha = 0.7;
       to.stroke(path);
     }
     to.globalAlpha = 1;
   }
 
-  /** A path for each service. */
+  /** What gives a robot its colour: its service, or, in a world without services, its own colour as a negative number. */
+  colourKey(robot, state) {
+    return this.model.world.services.length ? state & 0xFF : -1 - this.model.world.robots[robot].colour;
+  }
+
+  colourOf(key) {
+    return key < 0 ? Model.colour(-1 - key) : this.model.serviceColour(key);
+  }
+
+  /** A black robot on a dark floor has an outline, but its trail would not be seen. */
+  trailColour(key) {
+    const light = [16, 8, 0].reduce((sum, shift) => sum + (-1 - key >> shift & 255), 0) / 3;
+    const dark = document.documentElement.dataset.theme === "dark";
+    return key < 0 && (dark ? light < 50 : light > 205) ? "#888888" : this.colourOf(key);
+  }
+
+  /** A path for each colour, by its key. */
   trailsUntil(end) {
     const paths = new Map();
-    for (const trail of this.model.trails) {
+    for (const [robot, trail] of this.model.trails.entries()) {
       let last = null;
-      let joined = null; // the end of the newest line, if the next one begins there
+      let joined = null; // the path whose end is the last point
       for (const point of trail) {
         if (point && point.t > end) {
           break;
         }
         if (last && point) {
-          let path = paths.get(point.service);
+          const key = this.colourKey(robot, point.service);
+          let path = paths.get(key);
           if (!path) {
-            paths.set(point.service, path = new Path2D());
+            paths.set(key, path = new Path2D());
           }
-          if (last !== joined) {
+          if (path !== joined) {
             path.moveTo(last.x, last.y);
           }
           path.lineTo(point.x, point.y);
-          joined = last.service === point.service ? point : null;
+          joined = path;
+        } else {
+          joined = null;
         }
         last = point;
       }
@@ -444,7 +471,7 @@ class WorldCanvas {
       }
       const kindNumber = world.robots[i].kind;
       const radius = this.radius[kindNumber];
-      const key = world.services.length ? frame.state[i] & 0xFF : -1 - world.robots[i].colour;
+      const key = this.colourKey(i, frame.state[i]);
       let path = bodies.get(key);
       if (!path) {
         bodies.set(key, path = new Path2D());
@@ -467,7 +494,7 @@ class WorldCanvas {
     }
     to.lineWidth = this.pixel;
     for (const [key, path] of bodies) {
-      to.fillStyle = key < 0 ? Model.colour(-1 - key) : this.model.serviceColour(key);
+      to.fillStyle = this.colourOf(key);
       to.fill(path);
       if (!small) {
         to.strokeStyle = this.colours.text;
@@ -546,10 +573,10 @@ class WorldCanvas {
         to.stroke();
       }
     }
-    if (this.ghost) {
+    for (const ghost of [this.ghost, ...this.dropped].filter(each => each && !each.side)) {
       to.globalAlpha = 0.5;
-      const shown = {x: [this.ghost.x], y: [this.ghost.y], heading: [this.ghost.heading]};
-      const kindNumber = this.model.world.robots[this.ghost.robot].kind;
+      const shown = {x: [ghost.x], y: [ghost.y], heading: [ghost.heading]};
+      const kindNumber = this.model.world.robots[ghost.robot].kind;
       const path = new Path2D();
       const place = WorldCanvas.placer(shown, 0);
       WorldCanvas.body(path, place, this.model.world.kinds[kindNumber]);

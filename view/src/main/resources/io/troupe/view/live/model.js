@@ -6,11 +6,17 @@ class Model {
   static TOUCHED = 0x200;
   static BY_HAND = 0x400;
   static AWAY = 0x800;
+  static JUMPS_SHIFT = 12;
   static TRAIL_STEP_M = 0.03;
   static CROWD_TRAIL_STEP_M = 0.15;
-  /** A robot that is so much farther away in the next frame has not driven there. */
+  /** An obstacle that is so much farther away in the next frame was not pushed there. */
   static JUMP_M = 0.6;
   static BOX_M = 0.4;
+  /** A viewer who drags or drives sends commands all the time; what comes so soon after the one before belongs to it. */
+  static SAME_ACT_S = 1;
+  static BOX_COLOURS = {red: "ff0000", green: "00ff00", blue: "0000ff", yellow: "ffff00", orange: "ffa500", black: "000000"};
+  /** A trail has a gap where frames are farther apart: the way of the robot is not known. */
+  static TRAIL_GAP_S = 2.5;
 
   constructor() {
     this.clear();
@@ -23,6 +29,7 @@ class Model {
     this.readings = new Map();
     this.events = [];
     this.trails = [];
+    this.trailTime = 0; // of the newest frame
     this.drivers = new Map();
     this.state = null;
     this.boxes = [];
@@ -71,25 +78,27 @@ class Model {
     const crowd = frame.count > 100;
     const most = crowd ? 15 : 4000;
     const step = crowd ? Model.CROWD_TRAIL_STEP_M : Model.TRAIL_STEP_M;
+    const unknown = frame.time - this.trailTime > Model.TRAIL_GAP_S;
+    this.trailTime = frame.time;
     for (let i = 0; i < frame.count; i++) {
-      if (frame.state[i] & Model.AWAY) {
-        continue;
-      }
       const trail = this.trails[i];
       const last = trail[trail.length - 1];
+      const jumps = frame.state[i] >> Model.JUMPS_SHIFT;
       const service = frame.state[i] & 0xFF;
+      if (frame.state[i] & Model.AWAY) {
+        if (last) {
+          trail.push(null); // where it returns, another line begins
+        }
+        continue;
+      }
       if (last && last.t > frame.time) {
         trail.length = 0; // time began again
-      } else if (last) {
-        const way = Math.hypot(frame.x[i] - last.x, frame.y[i] - last.y);
-        if (last.service === service && way < step) {
-          continue;
-        }
-        if (way > Model.JUMP_M && frame.time - last.t < 0.35) {
-          trail.push(null);
-        }
+      } else if (last && (unknown || last.jumps !== jumps)) {
+        trail.push(null);
+      } else if (last && last.service === service && Math.hypot(frame.x[i] - last.x, frame.y[i] - last.y) < step) {
+        continue;
       }
-      trail.push({x: frame.x[i], y: frame.y[i], t: frame.time, service});
+      trail.push({x: frame.x[i], y: frame.y[i], t: frame.time, service, jumps});
       if (trail.length > most) {
         trail.splice(0, trail.length - most);
       }
@@ -98,6 +107,12 @@ class Model {
 
   addEvents(events) {
     for (const event of events) {
+      const act = event.kind === "intervention" ? this.sameAct(event) : undefined;
+      if (act) {
+        act.text = event.text;
+        act.until = event.t;
+        continue;
+      }
       this.events.push(event);
       if (event.kind === "state") {
         this.state = event;
@@ -108,6 +123,14 @@ class Model {
         this.drivers.set(event.robot - 1, event.node);
       }
     }
+  }
+
+  /** The newest intervention, if it does the same with the same robot or box. */
+  sameAct(event) {
+    const act = words => words.split(" ", 2).join(" "); // what is done, and the number of the robot or box
+    const before = this.events.findLast(each => each.kind === "intervention");
+    return before && act(before.text) === act(event.text)
+      && event.t - (before.until ?? before.t) <= Model.SAME_ACT_S ? before : undefined;
   }
 
   /** Where the robots are drawn: between the last two frames, so that they move smoothly. */
@@ -128,7 +151,7 @@ class Model {
     for (let i = 0; i < one.count; i++) {
       const dx = other.x[i] - one.x[i];
       const dy = other.y[i] - one.y[i];
-      const part = Math.abs(dx) + Math.abs(dy) > Model.JUMP_M * 2 ? 1 : share;
+      const part = one.state[i] >> Model.JUMPS_SHIFT !== other.state[i] >> Model.JUMPS_SHIFT ? 1 : share;
       let turn = other.heading[i] - one.heading[i];
       turn -= 2 * Math.PI * Math.round(turn / (2 * Math.PI));
       frame.x[i] = one.x[i] + dx * part;
@@ -176,18 +199,18 @@ class Model {
 
   /** Changes of state, and what else happened to be shown, as text. */
   describe(event) {
-    const robot = event.robot ? this.world.robots[event.robot - 1]?.name ?? `robot ${event.robot}` : "";
+    const robot = event.robot ? this.robotName(event.robot) : "";
     switch (event.kind) {
       case "state":
-        return `state ${event.state}: ${event.text ?? ""}`;
+        return `state ${event.state}: ${robot ? `${robot} sees ${event.colourName ?? "a colour"}` : event.text ?? "start"}`;
       case "contact":
-        return `${robot} touches ${event.otherRobot ? this.world.robots[event.otherRobot - 1]?.name : event.obstacle}`;
+        return `${robot} touches ${event.otherRobot ? this.robotName(event.otherRobot) : event.obstacle}`;
       case "stall":
         return `${robot} is stuck`;
       case "driver":
         return event.node ? `${robot} is driven by ${event.node}` : `${robot} has no driver`;
       case "intervention":
-        return `by hand: ${event.text}`;
+        return this.describeIntervention(event.text.split(" "));
       case "refused":
         return `not possible: ${event.text}`;
       default:
@@ -195,10 +218,39 @@ class Model {
     }
   }
 
+  robotName(number) {
+    return this.world.robots[number - 1]?.name ?? `robot ${number}`;
+  }
+
+  /** What a viewer did, of the words of the command. */
+  describeIntervention([what, number, ...rest]) {
+    const place = (x, y) => `to ${Number(x).toFixed(2)} m, ${Number(y).toFixed(2)} m`;
+    switch (what) {
+      case "place":
+        return `by hand: ${this.robotName(number)} put ${place(...rest)}`;
+      case "drive":
+        return `by hand: ${this.robotName(number)} driven`;
+      case "release":
+        return `by hand: ${this.robotName(number)} released`;
+      case "box":
+        return `by hand: ${Model.colourName(rest[0])} box ${number} put ${place(...rest.slice(1))}`;
+      case "unbox":
+        return `by hand: box ${number} removed`;
+      case "reset":
+        return "by hand: the world is as at its start";
+      default:
+        return `by hand: ${[what, number, ...rest].join(" ")}`;
+    }
+  }
+
   /** A box of its words: number, colour, x and y of its centre. */
   static box(words) {
     const [number, colour, x, y] = words.split(" ");
     return {number: Number(number), colour: parseInt(colour, 16), x: Number(x), y: Number(y), side: Model.BOX_M};
+  }
+
+  static colourName(digits) {
+    return Object.keys(Model.BOX_COLOURS).find(name => Model.BOX_COLOURS[name] === digits) ?? `#${digits}`;
   }
 
   static colour(number) {

@@ -10,7 +10,6 @@ class Page {
   static DRIVE_MPS = 0.4;
   static DRIVE_RADPS = 0.8;
   static SEND_MILLIS = 50;
-  static BOX_COLOURS = {red: "ff0000", green: "00ff00", blue: "0000ff", yellow: "ffff00", orange: "ffa500", black: "000000"};
 
   constructor() {
     this.model = new Model();
@@ -20,6 +19,7 @@ class Page {
       element("calls"), element("actor-figures").tBodies[0], element("call-figures").tBodies[0]);
     this.source = null;
     this.paused = false;
+    this.waitsFor = "";
     this.listed = 0;
     this.keys = new Set();
     this.chooseTheme(window.matchMedia("(prefers-color-scheme: dark)").matches);
@@ -51,6 +51,7 @@ class Page {
         break;
       case Messages.TIME:
         this.paused = value.paused;
+        this.waitsFor = value.waitsFor;
         this.showTime(value.speed);
         break;
     }
@@ -65,14 +66,13 @@ class Page {
     element("events").replaceChildren();
     this.listed = 0;
     document.body.classList.toggle("many", world.robots.length > 20);
-    for (const word of ["step", "reset"]) {
-      element(word).disabled = !world.controls.includes(word);
+    for (const [control, word] of [["play", "pause"], ["step", "step"], ["reset", "reset"], ["speeds", "speed"]]) {
+      element(control).hidden = !world.controls.includes(word);
     }
-    element("play").disabled = !world.controls.includes("pause");
+    element("watched").hidden = world.controls.length > 0;
     for (const what of ["box", "box-colour"]) {
       element(what).hidden = !world.controls.includes("box");
     }
-    element("speed").disabled = !world.controls.includes("speed");
     element("legend").replaceChildren(...world.services.map(each => Page.labelled(each.colour, each.name)));
     this.view.selected = new Set(selected.length ? selected : world.robots.length <= 2 ? world.robots.keys() : []);
     this.listRobots();
@@ -108,7 +108,8 @@ class Page {
   refresh(frame) {
     if (frame) {
       element("clock").textContent = `${frame.time.toFixed(1)} s`;
-      element("rate").textContent = this.paused ? "paused" : this.source.rate(frame);
+      element("rate").textContent = this.paused ? "paused"
+        : this.waitsFor ? `waits for ${this.waitsFor}` : this.source.rate(frame);
     }
     const state = this.source.state();
     element("state").textContent = state ? `state ${state.state}${state.colourName ? ` (${state.colourName})` : ""}` : "";
@@ -200,8 +201,9 @@ class Page {
       return [term, text];
     }));
     this.showCamera(robot, reading);
+    const services = this.model.world.services.length > 0;
     element("help").textContent = this.model.world.controls.includes("drive")
-      ? "Arrow keys drive it, and its service takes over again. Drag it to move it, its ring to turn it." : "";
+      ? `Arrow keys drive it, and its ${services ? "service" : "program"} takes over again. Drag it to move it, its ring to turn it.` : "";
   }
 
   showCamera(robot, reading) {
@@ -222,9 +224,13 @@ class Page {
     }
   }
 
-  /** Lists new events; the newest is the first. */
+  /** Lists new events; the newest is the first. An intervention that goes on is one line. */
   listEvents() {
     const list = element("events");
+    const act = this.model.events.findLast(each => each.kind === "intervention");
+    if (act?.shown) {
+      act.shown.data = this.model.describe(act);
+    }
     for (; this.listed < this.model.events.length; this.listed++) {
       const event = this.model.events[this.listed];
       if (!this.model.isListed(event)) {
@@ -242,7 +248,9 @@ class Page {
         chip.style.background = Model.colour(event.colour);
         what.append(chip);
       }
-      what.append(this.model.describe(event));
+      const text = document.createTextNode(this.model.describe(event));
+      what.append(text);
+      event.shown = text;
       what.classList.toggle("alarm", event.kind === "stall" || event.kind === "refused");
       if (this.source.canSeek) {
         what.onclick = () => this.source.seek(event.t);
@@ -301,7 +309,7 @@ class Page {
     element("reset").onclick = () => this.source?.send("reset");
     element("speed").onchange = event => this.source?.setSpeed(Number(event.target.value));
     element("box-colour").replaceChildren(
-      ...Object.entries(Page.BOX_COLOURS).map(([name, colour]) => new Option(name, colour)));
+      ...Object.entries(Model.BOX_COLOURS).map(([name, colour]) => new Option(name, colour)));
     element("box").onclick = () => this.choosePlaces(!this.putsBox);
     element("find").oninput = () => this.listRobots();
     this.addPointer();
@@ -440,6 +448,9 @@ class Page {
     }
     if (drag.moved && drag.pose) {
       this.place(drag.pose);
+      if (this.paused) {
+        this.view.drop(drag.pose);
+      }
     } else if (!drag.moved && drag.robot >= 0) {
       this.select(drag.robot, event.shiftKey || event.ctrlKey);
     } else if (!drag.moved) {
@@ -472,6 +483,9 @@ class Page {
   putBox(box) {
     this.choosePlaces(false);
     this.box = box.number;
+    if (this.paused) {
+      this.view.drop(box);
+    }
     const colour = box.colour.toString(16).padStart(6, "0");
     this.source.send(`box ${box.number} ${colour} ${box.x.toFixed(3)} ${box.y.toFixed(3)}`);
   }
@@ -542,6 +556,8 @@ class Page {
 
 /** A server's stream: reconnects when it breaks off. */
 class Live {
+  static SILENT_S = 3;
+
   canSeek = false;
 
   constructor(page) {
@@ -614,6 +630,10 @@ class Live {
   }
 
   rate(frame) {
+    const silent = (performance.now() - frame.arrived) / 1000;
+    if (silent > Live.SILENT_S) {
+      return `no new reading for ${silent.toFixed(0)} s`;
+    }
     return frame.speed > 0 ? `${frame.speed.toFixed(frame.speed < 10 ? 1 : 0)} x real time` : "";
   }
 
@@ -696,7 +716,6 @@ class Film {
   begin() {
     const scrub = element("scrub");
     scrub.hidden = false;
-    element("reset").hidden = true;
     scrub.max = this.end();
     scrub.oninput = () => this.seek(Number(scrub.value));
     element("timeline").onclick = event => this.seek(this.page.timeline.timeAt(event.offsetX));

@@ -8,8 +8,12 @@ import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.CallGraph;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.player.PlayerClient;
+import io.troupe.player.structures.PlayerConstants;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.sim.Pace;
 import io.troupe.sim.Simulation;
+import io.troupe.sim.SimulationRunner;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
@@ -18,11 +22,13 @@ import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
 import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
+import io.troupe.view.RunRecorder;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
@@ -153,11 +159,21 @@ class BrowserTest {
             page().await("troupe.paused");
             drag("[troupe.model.frame.x[0], troupe.model.frame.y[0]]", "[3.5, 1]");
             page().await("document.querySelector('#problem').hidden");
+            assertThat(page().get("troupe.view.dropped.map(each => each.robot + ' ' + Math.round(2 * each.x)).join()"))
+                    .as("what is shown until the next interval")
+                    .isEqualTo("0 7");
             run.control.submit(new ViewCommand.Step());
+            page().await("troupe.view.dropped.length === 0");
             page().await("Math.hypot(troupe.model.frame.x[0] - 3.5, troupe.model.frame.y[0] - 1) < 0.1");
             drag("troupe.view.handle(troupe.model.frame, 0)", "[3.5, 3]");
             run.control.submit(new ViewCommand.Step());
             page().await("Math.abs(troupe.model.frame.heading[0] - Math.PI / 2) < 0.2");
+            page().await("document.querySelectorAll('#events li[data-kind=intervention]').length > 0");
+            assertThat(page().get("document.querySelector('#events li[data-kind=intervention] span').textContent"))
+                    .as("the newest event; one line for all the places of a drag")
+                    .matches("by hand: robot1 put to 3\\.\\d\\d m, [01]\\.\\d\\d m");
+            assertThat(page().get("document.querySelectorAll('#events li[data-kind=intervention]').length"))
+                    .isEqualTo("1");
         }
         List<String> lines = Files.readAllLines(folder.resolve("run.jsonl"));
         assertThat(lines).anyMatch(line -> line.contains("\"what\":\"place 1 3."));
@@ -281,6 +297,36 @@ class BrowserTest {
             }
             page().press('a');
             page().await("document.querySelector('#actors').hidden");
+        }
+    }
+
+    @Test
+    void actorsWithSimilarNames_haveDifferentLabels_andThoseOfABusNoTurns() throws Exception {
+        String twice = "a rather long name that is the same until its end, for number ";
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
+                    .onto(view)
+                    .moved(LiveRuns.start());
+            view.callGraph().note("robots", "Arbitrator", twice + 1);
+            view.callGraph().note("bus", "arbitrator", "host-a");
+            view.callGraph().note("robots", "Arbitrator", twice + 2);
+            open(view);
+            page().await("!document.querySelector('#actors-shown').hidden");
+            page().get("document.querySelector('#actors-shown').click()");
+            page().await("document.querySelectorAll('#calls g').length === 5");
+            String boxes = page().get(
+                            "[...document.querySelectorAll('#calls g')]"
+                                    + ".map(box => [...box.querySelectorAll('text')].map(each => each.textContent).join(' ')).join('|')");
+            assertThat(boxes.split("\\|"))
+                    .doesNotHaveDuplicates()
+                    .contains("Arbitrator (robots) 0/s, 0 waiting", "arbitrator (bus) on the bus", "host-a on the bus");
+            assertThat(
+                            page().get(
+                                            "[...document.querySelectorAll('#calls g')].every(box => { const frame ="
+                                                    + " box.querySelector('rect').getBBox(); return [...box.querySelectorAll('text')].every(each =>"
+                                                    + " each.getBBox().width < frame.width && each.getBBox().y + each.getBBox().height < frame.height); })"))
+                    .as("all text is inside of its box")
+                    .isEqualTo("true");
         }
     }
 
@@ -411,6 +457,101 @@ class BrowserTest {
         page().await("document.querySelector('#clock').textContent === '120.0 s'");
         page().get("troupe.chooseTheme(true)");
         picture("watching-file.png");
+    }
+
+    /** Of a run with switches, in which a robot waits and is put elsewhere, and in which the world is reset. */
+    @Test
+    void trails_areWhereRobotsDrove_withoutLinesToWhereTheyWerePut() throws Exception {
+        Path html = folder.resolve("trails.html");
+        var control = new RunControl(0, true);
+        var file = new ViewFile();
+        Map<Long, ViewCommand> commands = Map.of(
+                60_000_000L, new ViewCommand.Drive(0, 0, 0),
+                62_000_000L, new ViewCommand.Place(0, new Pose(4, -3, 0)),
+                62_100_000L, new ViewCommand.Release(0),
+                150_000_000L, new ViewCommand.Reset());
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, control)
+                    .onto(view)
+                    .onto(file);
+            LiveRuns.run(folder.resolve("run.jsonl"), 300, viewed.listener(new RecordedRun.Listener() {
+                @Override
+                public void recorded(Snapshot snapshot, RunRecorder recorder) {
+                    ViewCommand command = commands.get(snapshot.timeMicros());
+                    if (command != null) {
+                        control.submit(command);
+                    }
+                }
+            }));
+            Files.writeString(html, file.html());
+            open(view);
+            page().await("troupe.model.frame.time === 300");
+            assertThat(longestLineM())
+                    .as("of a viewer that comes at the end, who gets two frames a second")
+                    .isLessThan(0.3);
+        }
+        page().open(html.toUri().toString());
+        page().await("troupe.source.frames.length === 3001");
+        assertThat(longestLineM()).isLessThan(0.1);
+        assertThat(page().get("new Set(troupe.model.trails.flat().map(point => point?.service)).size"))
+                .as("two services, and the gaps")
+                .isEqualTo("3");
+        assertThat(page().get("troupe.model.trails.map(trail => trail.filter(point => point === null).length)"))
+                .as("gaps: one robot was put elsewhere twice, the other once")
+                .isEqualTo("2,1");
+    }
+
+    @Test
+    void trails_haveGapsWhereClientsPutRobots_whereTheyWereAway_andWhereTimeIsMissing() throws Exception {
+        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT);
+                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, false)).onto(view);
+            viewed.moved(world.latest());
+            open(view);
+            world.command(0, 0.3, 0);
+            advance(world, viewed, 10);
+            assertThat(trailGaps()).isZero();
+            world.teleport(0, new Pose(3, 1, 0));
+            advance(world, viewed, 5);
+            assertThat(trailGaps()).as("put elsewhere by a client").isEqualTo(1);
+            world.removeRobot(0);
+            advance(world, viewed, 2);
+            world.teleport(0, new Pose(-3, 1, 0));
+            advance(world, viewed, 2);
+            assertThat(trailGaps()).as("away").isEqualTo(2);
+            world.command(0, 0.3, 0);
+            for (int i = 0; i < 30; i++) {
+                world.advance(); // faster than frames are shown
+            }
+            advance(world, viewed, 2);
+            assertThat(trailGaps()).as("three seconds are not known").isEqualTo(3);
+            assertThat(
+                            page().get(
+                                            "[...troupe.view.trailsUntil(Infinity).keys()].map(each => troupe.view.colourOf(each)).join()"))
+                    .as("the robot's colour, as there are no services")
+                    .isEqualTo("#ffa500");
+        }
+    }
+
+    private static void advance(World world, ViewedRun viewed, int ticks) {
+        for (int i = 0; i < ticks; i++) {
+            viewed.moved(world.advance());
+        }
+        page().await("troupe.model.frame.time === " + world.latest().timeMicros() / 1e6);
+    }
+
+    /** Gaps in the trail of the first robot. */
+    private static int trailGaps() {
+        return (int) page().number("troupe.model.trails[0].filter(each => each === null).length");
+    }
+
+    /** Length of the longest straight line of the trails. */
+    private static double longestLineM() {
+        return page().number(
+                        "(() => { const whole = Path2D; let longest = 0;"
+                                + " window.Path2D = class { moveTo(...to) { this.at = to; }"
+                                + " lineTo(...to) { longest = Math.max(longest, Math.hypot(to[0] - this.at[0], to[1] - this.at[1])); this.at = to; } };"
+                                + " try { troupe.view.trailsUntil(Infinity); } finally { window.Path2D = whole; } return longest; })()");
     }
 
     @Test
@@ -568,6 +709,46 @@ class BrowserTest {
                   return (Math.max(a, b) + 0.05) / (Math.min(a, b) + 0.05) < 4.5; })
                 .map(each => each.id || each.className || each.textContent).join();
             })()""";
+
+    @Test
+    void servedWorld_waitsForClients_untilThereIsOne_andWhenItIsGone() throws Exception {
+        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.DEFAULT);
+                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            simulation.lockStep(false);
+            var control = new SimulationControl(simulation, 1);
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, false)).onto(view, control);
+            viewed.moved(simulation.latest());
+            String rate = "document.querySelector('#rate').textContent";
+            try (var runner = SimulationRunner.start(simulation, 1, viewed::moved, new Pace.RealTime(1))) {
+                control.runner(runner);
+                open(view);
+                page().await(rate + " === 'waits for clients'");
+                var client = new PlayerClient("localhost", 6665);
+                try {
+                    client.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
+                    client.runThreaded(-1, -1);
+                    page().await(rate + ".endsWith(' x real time')");
+                } finally {
+                    client.close();
+                }
+                page().await(rate + " === 'waits for clients'");
+            }
+        }
+    }
+
+    @Test
+    void worldThatCanOnlyBeWatched_hasNoControlsOfTime_andSaysWhy() throws Exception {
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
+                    .onto(view, ViewControl.NONE)
+                    .moved(LiveRuns.start());
+            open(view);
+            page().await("document.querySelector('footer').innerText.trim() === 'can only be watched'");
+            assertThat(page().get("[...document.querySelectorAll('footer button, footer select, #box, #box-colour')]"
+                            + ".every(each => each.offsetParent === null)"))
+                    .isEqualTo("true");
+        }
+    }
 
     @Test
     void office_isShown() throws Exception {
