@@ -46,8 +46,8 @@ public final class DeadlockCheck {
     private static final long FIRINGS_PER_TRANSITION = 1_000;
     private static final long LONG_HUNT = 30_000_000;
     private static final int FEW_MARKINGS = 20_000;
-    /** Of the first search, as markings times transitions. */
-    private static final int FEW_STEPS = 2_000_000;
+    /** Of the first search: roughly markings times the time for each, which grows faster than the transitions. */
+    private static final double FEW_STEPS = 16_000_000;
 
     private static final int MAX_SIPHON_PLACES = 400;
     private static final long MAX_SIPHON_STEPS = 2_000;
@@ -92,7 +92,8 @@ public final class DeadlockCheck {
      * The net can deadlock.
      *
      * @param marking a reachable marking in which no transition may fire
-     * @param trace a firing sequence that leads there from the initial marking; no single firing can be left out of it
+     * @param trace a firing sequence that leads there from the initial marking; no single firing can be left out of it,
+     *     unless it has many thousand
      */
     public record CanDeadlock(Marking marking, List<Transition> trace) implements Result {
         public CanDeadlock {
@@ -157,14 +158,16 @@ public final class DeadlockCheck {
         if (neverDead(reduced)) {
             return byReduction();
         }
-        var most = Math.min(
-                FEW_MARKINGS,
-                Math.max(1, FEW_STEPS / (1 + reduced.net().transitions().size())));
+        var most = fewMarkings(reduced.net().transitions().size());
         var few = search(reduced, limits.atMost(most));
         if (!(few instanceof Unknown unknown) || unknown.end() != SearchEnd.LIMIT || unknown.markings() < most) {
             return few;
         }
-        return withoutSearch(reduced).orElseGet(() -> search(reduced, limits));
+        return withoutSearch(reduced).orElseGet(() -> searchDepthFirst(reduced));
+    }
+
+    private static int fewMarkings(int transitions) {
+        return (int) Math.clamp(FEW_STEPS / (transitions * Math.sqrt(transitions)), 1, FEW_MARKINGS);
     }
 
     /** Proofs and hunts that take a second or two. */
@@ -228,17 +231,28 @@ public final class DeadlockCheck {
                 .map(trace -> canDeadlock(reduced, trace));
     }
 
+    /** The nearest dead marking of the reduced net, if there is one among the first markings. */
     private Result search(Reducer.Reduced reduced, SearchLimits within) {
         var search = DeadlockSearch.run(reduced.net(), within);
-        var dead = search.deadlocks();
-        if (!dead.isEmpty()) {
+        var nearest = search.deadlocks().stream().findFirst();
+        return result(reduced, nearest, search.end(), search.visitedMarkings());
+    }
+
+    private Result searchDepthFirst(Reducer.Reduced reduced) {
+        var search = DeadlockSearch.first(reduced.net(), limits);
+        return result(reduced, search.deadlock(), search.end(), search.visitedMarkings());
+    }
+
+    private Result result(
+            Reducer.Reduced reduced, Optional<DeadlockSearch.Deadlock> dead, SearchEnd end, int markings) {
+        if (dead.isPresent()) {
+            var trace = dead.get().trace();
             return canDeadlock(
-                    reduced,
-                    dead.getFirst().trace().stream().mapToInt(Transition::index).toArray());
+                    reduced, trace.stream().mapToInt(Transition::index).toArray());
         }
-        return search.end() == SearchEnd.COMPLETE
-                ? new Proved("all markings of the reduced net by stubborn sets", search.visitedMarkings())
-                : new Unknown(search.end(), search.visitedMarkings());
+        return end == SearchEnd.COMPLETE
+                ? new Proved("all markings of the reduced net by stubborn sets", markings)
+                : new Unknown(end, markings);
     }
 
     private CanDeadlock canDeadlock(Reducer.Reduced reduced, int[] trace) {
