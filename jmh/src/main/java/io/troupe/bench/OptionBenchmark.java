@@ -26,7 +26,7 @@ import org.openjdk.jmh.annotations.Warmup;
 
 /**
  * What the options of a space cost: a message between two actors and a question with its listener, in a space with one
- * option each. {@code NONE} is the cost where nobody asked for them.
+ * option each. {@code NONE} is a space without options.
  */
 @State(Scope.Benchmark)
 @BenchmarkMode(Mode.AverageTime)
@@ -115,23 +115,24 @@ public class OptionBenchmark {
 
     /** The name of the user of a thread, as logging libraries keep it. */
     private static final class UserContext implements TurnContext<String> {
-        private static final ThreadLocal<@Nullable String> USER = new ThreadLocal<>();
+        private final ThreadLocal<@Nullable String> user = new ThreadLocal<>();
 
         @Override
         public @Nullable String capture() {
-            return USER.get();
+            return user.get();
         }
 
         @Override
         public Runnable restore(String captured) {
-            USER.set(captured);
-            return USER::remove;
+            user.set(captured);
+            return user::remove;
         }
     }
 
     @Param
     private Option option;
 
+    private final UserContext context = new UserContext();
     private ActorSpace space;
     private Player player;
 
@@ -140,7 +141,7 @@ public class OptionBenchmark {
         SpaceSettings plain = SpaceSettings.named("options").withHandCrank();
         SpaceSettings settings = switch (option) {
             case NONE, WITHIN -> plain;
-            case CONTEXT_OF_NO_CALLER, CONTEXT -> plain.withContext(new UserContext());
+            case CONTEXT_OF_NO_CALLER, CONTEXT -> plain.withContext(context);
             case CALL_OBSERVER -> plain.withCallObserver(new CallObserver() {});
             case CALL_GRAPH -> plain.withCallObserver(new CallGraph());
             case ACTOR_QUOTA -> plain.withActorQuota(16);
@@ -159,7 +160,7 @@ public class OptionBenchmark {
     /** Of this thread, which turns the crank; the turns before have removed it. */
     private void setUser() {
         if (option == Option.CONTEXT) {
-            UserContext.USER.set("alice");
+            context.user.set("alice");
         }
     }
 
