@@ -28,7 +28,7 @@ import picocli.CommandLine.Parameters;
 /**
  * Asks {@link DeadlockCheck} whether each net of a folder of PNML files can deadlock, and, if they are there, compares
  * the answers with those of verifypn and with the expected ones of the Model Checking Contest. The files are not part
- * of this project; the page about the method says where they are from.
+ * of this project; the page about the method has their sources.
  *
  * <p>Prints a line of values separated by tabs for each file, then the summary.
  */

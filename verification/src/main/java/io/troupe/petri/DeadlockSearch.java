@@ -52,9 +52,8 @@ public final class DeadlockSearch {
      */
     public static First first(PetriNet net, SearchLimits limits) {
         var visited = ReachabilityGraph.toFirstDead(net, new StubbornSets(net), limits);
-        var found = visited.dead().stream()
-                .findFirst()
-                .map(state -> new Deadlock(state.marking(), state.shortestTrace()));
+        var found =
+                visited.dead().stream().findFirst().map(state -> new Deadlock(state.marking(), state.shortestTrace()));
         return new First(found, found.isPresent() ? SearchEnd.COMPLETE : visited.end(), visited.size());
     }
 

@@ -92,7 +92,7 @@ final class DeadlockProgram {
         return simplex.value(variable(place));
     }
 
-    /** Whether the bounds say that the arc disables its transition. */
+    /** Whether the arc disables its transition by the bounds. */
     boolean mustDisable(DisablingArc arc) {
         var variable = variable(arc.place);
         return arc.isInput ? simplex.upper(variable) < arc.weight : simplex.lower(variable) >= arc.weight;
