@@ -1,6 +1,9 @@
 package io.troupe.petri;
 
+import static java.util.Objects.requireNonNull;
+
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Finds all dead markings of a net and a shortest trace to each, without visiting all markings. Where the order of
@@ -42,10 +45,37 @@ public final class DeadlockSearch {
     }
 
     /**
+     * Searches for any dead marking within {@code limits}, depth first. It is often found sooner than by {@link #run},
+     * but its trace is not always a shortest one. The result is that of {@link #run} if there is none.
+     *
+     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     */
+    public static First first(PetriNet net, SearchLimits limits) {
+        var visited = ReachabilityGraph.toFirstDead(net, new StubbornSets(net), limits);
+        var found =
+                visited.dead().stream().findFirst().map(state -> new Deadlock(state.marking(), state.shortestTrace()));
+        return new First(found, found.isPresent() ? SearchEnd.COMPLETE : visited.end(), visited.size());
+    }
+
+    /**
+     * The result of {@link #first}.
+     *
+     * @param deadlock the first dead marking that was found, with the trace to it
+     * @param end why the search ended; {@link SearchEnd#COMPLETE} without a deadlock means that there is none
+     * @param visitedMarkings how many markings were visited
+     */
+    public record First(Optional<Deadlock> deadlock, SearchEnd end, int visitedMarkings) {
+        public First {
+            requireNonNull(deadlock, "deadlock");
+            requireNonNull(end, "end");
+        }
+    }
+
+    /**
      * A dead marking.
      *
      * @param marking the marking, in which no transition may fire
-     * @param trace a shortest firing sequence from the initial marking
+     * @param trace a firing sequence from the initial marking; a shortest one, except from {@link #first}
      */
     public record Deadlock(Marking marking, List<Transition> trace) {
         public Deadlock {

@@ -80,12 +80,7 @@ final class Exploration {
     }
 
     void run() {
-        for (var held : tokens) {
-            widenTo(held);
-        }
-        store.add(store.pack(tokens));
-        parent.add(-1);
-        parentTransition.add(-1);
+        start();
         try {
             search();
         } catch (OutOfMemoryError e) {
@@ -96,28 +91,72 @@ final class Exploration {
         }
     }
 
+    /** Goes on from the newest marking first, and ends at the first dead one; does not tell which markings are open. */
+    void runToFirstDead() {
+        start();
+        try {
+            searchNewestFirst();
+        } catch (OutOfMemoryError e) {
+            end = SearchEnd.MEMORY;
+        }
+    }
+
+    private void start() {
+        for (var held : tokens) {
+            widenTo(held);
+        }
+        store.add(store.pack(tokens));
+        parent.add(-1);
+        parentTransition.add(-1);
+    }
+
     private void search() {
         while (expanded < store.size()) {
-            if (limits.cancelled().getAsBoolean()) {
-                end = SearchEnd.CANCELLED;
+            if (!step(expanded)) {
                 return;
-            }
-            if (!hasRoom(store.bytesWith(chosen.length))) {
-                end = SearchEnd.MEMORY;
-            } else {
-                expand(expanded);
-            }
-            if (end == SearchEnd.MEMORY) {
-                return;
-            }
-            expanded++;
-            if (expanded % limits.markingsPerReport() == 0) {
-                limits.report().accept(new SearchProgress(store.size(), expanded, edgeCount(), dead.size()));
             }
         }
         if (!open.isEmpty()) {
             end = SearchEnd.LIMIT;
         }
+    }
+
+    private void searchNewestFirst() {
+        var waiting = new IntList();
+        waiting.add(0);
+        while (waiting.size() > 0 && dead.size() == 0) {
+            var known = store.size();
+            if (!step(waiting.removeLast())) {
+                return;
+            }
+            for (var id = known; id < store.size(); id++) {
+                waiting.add(id);
+            }
+        }
+        if (!open.isEmpty()) {
+            end = SearchEnd.LIMIT;
+        }
+    }
+
+    /** Expands a marking; false if the search has ended. */
+    private boolean step(int from) {
+        if (limits.cancelled().getAsBoolean()) {
+            end = SearchEnd.CANCELLED;
+            return false;
+        }
+        if (!hasRoom(store.bytesWith(chosen.length))) {
+            end = SearchEnd.MEMORY;
+        } else {
+            expand(from);
+        }
+        if (end == SearchEnd.MEMORY) {
+            return false;
+        }
+        expanded++;
+        if (expanded % limits.markingsPerReport() == 0) {
+            limits.report().accept(new SearchProgress(store.size(), expanded, edgeCount(), dead.size()));
+        }
+        return true;
     }
 
     /** Whether the memory limit allows another step, after which the marking store takes {@code storeBytes}. */

@@ -60,6 +60,13 @@ final class IntList {
         return chunks[index >>> CHUNK_BITS][index & CHUNK - 1];
     }
 
+    /** Removes the last value and returns it; its memory stays reserved. */
+    int removeLast() {
+        var last = get(size - 1);
+        size--;
+        return last;
+    }
+
     int size() {
         return size;
     }

@@ -75,6 +75,13 @@ public final class ReachabilityGraph {
         return explore(net, expansion, limits, false);
     }
 
+    /** Ends at the first dead marking; its trace is not always a shortest one. */
+    static ReachabilityGraph toFirstDead(PetriNet net, Expansion expansion, SearchLimits limits) {
+        var exploration = new Exploration(net, expansion, limits, false);
+        exploration.runToFirstDead();
+        return new ReachabilityGraph(exploration);
+    }
+
     private static ReachabilityGraph explore(
             PetriNet net, Expansion expansion, SearchLimits limits, boolean keepsEdges) {
         var exploration = new Exploration(net, expansion, limits, keepsEdges);

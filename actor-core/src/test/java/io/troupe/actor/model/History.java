@@ -4,9 +4,10 @@ import io.troupe.actor.ActorEnd;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
-/** The visible events of one run, in order. */
+/** The visible events of one run, in order, and what was reported meanwhile. */
 final class History {
     /** Thrown by scripts. */
     static final class Boom extends RuntimeException {
@@ -20,6 +21,7 @@ final class History {
     private static final int LIMIT = 4_000;
 
     private final List<String> events = new ArrayList<>();
+    private final List<String> unheard = new ArrayList<>();
 
     void add(String event) {
         if (!isFull()) {
@@ -27,13 +29,22 @@ final class History {
         }
     }
 
+    /**
+     * Adds the report of a rejection without a listener. Reports come between two passes of the space. Where a pass
+     * ends is not part of the contract, so reports keep their order, but not their place among the other events.
+     */
+    void addUnheard(String what) {
+        unheard.add("unheard " + what);
+    }
+
     /** A program may grow without bound; from this point it does nothing more. */
     boolean isFull() {
         return events.size() >= LIMIT;
     }
 
+    /** All events, then all reports. */
     List<String> events() {
-        return events;
+        return Stream.concat(events.stream(), unheard.stream()).toList();
     }
 
     static String outcome(Promise<?> promise) {

@@ -47,9 +47,11 @@ final class LibraryRun {
     }
 
     private void failed(String who, String where, Throwable error) {
-        boolean unheard = where.startsWith("a rejected promise without a listener");
-        String what = unheard ? "unheard" : "failed " + where.substring(where.lastIndexOf(' ') + 1);
-        history.add(who + what + " " + History.name(error));
+        if (where.startsWith("a rejected promise without a listener")) {
+            history.addUnheard(who + History.name(error));
+        } else {
+            history.add(who + "failed " + where.substring(where.lastIndexOf(' ') + 1) + " " + History.name(error));
+        }
     }
 
     private void died(DeadLetter letter) {

@@ -23,6 +23,7 @@ final class ModelPromise {
     private final boolean local;
     final boolean atHome;
     final boolean madeOutside;
+    boolean tellsOnlyListener; // of a request that has just been answered
     final boolean isRequest;
     private final List<Listener> listeners = new ArrayList<>();
 
@@ -111,7 +112,9 @@ final class ModelPromise {
             var told = List.copyOf(listeners);
             listeners.clear();
             onTheirWay += (int) told.stream().filter(Listener::hasTurn).count();
+            tellsOnlyListener = isRequest && told.size() == 1;
             told.forEach(each -> each.tell.accept(false));
+            tellsOnlyListener = false;
         } while (!listeners.isEmpty());
         telling = false;
     }

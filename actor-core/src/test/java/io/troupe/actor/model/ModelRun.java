@@ -598,7 +598,7 @@ final class ModelRun {
                 hear(String.valueOf(source.outcome), result, act, self, owner);
             }
         };
-        source.register(new ModelPromise.Listener(result, true, behind -> notify(result, turn, behind)));
+        source.register(new ModelPromise.Listener(result, true, behind -> notify(source, result, turn, behind)));
         return result;
     }
 
@@ -606,11 +606,11 @@ final class ModelRun {
      * The source is settled: from now on the listener is in its callback queue. A listener without a space is queued in
      * the space of the thread that settles the source, if there is one.
      */
-    private void notify(ModelPromise result, Runnable turn, boolean behind) {
+    private void notify(ModelPromise source, ModelPromise result, Runnable turn, boolean behind) {
         if (behind && result.atHome) {
             space.enqueueBehind(Task.callback(turn));
         } else if (result.atHome || space.inside) {
-            space.enqueue(Task.listener(turn));
+            space.enqueue(source.tellsOnlyListener ? Task.onlyListener(turn) : Task.callback(turn));
         } else {
             space.runDetached(turn);
         }

@@ -20,13 +20,13 @@ final class ModelSpace {
      * @param message true if it is a message, false if it is a callback
      * @param ifClosed what runs instead after the space has stopped
      */
-    record Task(boolean message, boolean listener, Runnable action, Runnable ifClosed) {
+    record Task(boolean message, boolean onlyListener, Runnable action, Runnable ifClosed) {
         static Task callback(Runnable action) {
             return new Task(false, false, action, action);
         }
 
-        /** A listener of a promise. */
-        static Task listener(Runnable action) {
+        /** The only listener of a request, which was answered just now. */
+        static Task onlyListener(Runnable action) {
             return new Task(false, true, action, action);
         }
 
@@ -232,12 +232,11 @@ final class ModelSpace {
                     owed = before;
                     return true;
                 }
+                boolean isNext = callbacks.isEmpty();
                 turn(messages.removeFirst().action());
-                if (served == limit
-                        && callbacks.size() == 1
-                        && callbacks.getFirst().listener()
-                        && !stopping) {
+                if (isNext && callbacks.size() == 1 && callbacks.getFirst().onlyListener() && !stopping) {
                     turn(callbacks.removeFirst().action()); // in the pass of the request that it listens to
+                    owed = callbacks.isEmpty() ? QUOTA : QUOTA - 1;
                 }
             }
             if (served == limit) {
@@ -375,7 +374,7 @@ final class ModelSpace {
         lost.clear();
         for (var promise : reported) {
             if (!promise.heard) {
-                history.add("unheard " + String.valueOf(promise.outcome).substring(1));
+                history.addUnheard(String.valueOf(promise.outcome).substring(1));
             }
         }
     }

@@ -9,6 +9,9 @@ import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Transition;
+import io.troupe.petri.structure.DeadlockEquation;
+import io.troupe.petri.structure.DeadlockEquation.Candidate;
+import io.troupe.petri.structure.DeadlockEquation.NoDeadMarking;
 import io.troupe.petri.structure.Siphons;
 import java.util.Arrays;
 import java.util.EnumSet;
@@ -43,8 +46,14 @@ public final class DeadlockCheck {
     private static final long FIRINGS_PER_TRANSITION = 1_000;
     private static final long LONG_HUNT = 30_000_000;
     private static final int FEW_MARKINGS = 20_000;
+    /** Of the first search: roughly markings times the time for each, which grows faster than the transitions. */
+    private static final double FEW_STEPS = 16_000_000;
+
     private static final int MAX_SIPHON_PLACES = 400;
     private static final long MAX_SIPHON_STEPS = 2_000;
+    private static final long MAX_EQUATION_WORK = 1_000_000_000;
+    private static final long GUIDED_FIRINGS = 300_000;
+    private static final int MAX_COUNT = 1_000_000;
 
     private final PetriNet net;
     private final FlatNet flat;
@@ -83,7 +92,8 @@ public final class DeadlockCheck {
      * The net can deadlock.
      *
      * @param marking a reachable marking in which no transition may fire
-     * @param trace a firing sequence that leads there from the initial marking; no single firing can be left out of it
+     * @param trace a firing sequence that leads there from the initial marking; no single firing can be left out of it,
+     *     unless it has many thousand
      */
     public record CanDeadlock(Marking marking, List<Transition> trace) implements Result {
         public CanDeadlock {
@@ -148,16 +158,45 @@ public final class DeadlockCheck {
         if (neverDead(reduced)) {
             return byReduction();
         }
-        var few = search(reduced, limits.atMost(FEW_MARKINGS));
-        if (!(few instanceof Unknown unknown)
-                || unknown.end() != SearchEnd.LIMIT
-                || unknown.markings() < FEW_MARKINGS) {
+        var most = fewMarkings(reduced.net().transitions().size());
+        var few = search(reduced, limits.atMost(most));
+        if (!(few instanceof Unknown unknown) || unknown.end() != SearchEnd.LIMIT || unknown.markings() < most) {
             return few;
         }
-        if (holdsTraps(reduced.net())) {
-            return new Proved("every siphon of the reduced net contains a marked trap", 0);
+        return withoutSearch(reduced).orElseGet(() -> searchDepthFirst(reduced));
+    }
+
+    private static int fewMarkings(int transitions) {
+        return (int) Math.clamp(FEW_STEPS / (transitions * Math.sqrt(transitions)), 1, FEW_MARKINGS);
+    }
+
+    /** Proofs and hunts that take a second or two. */
+    private Optional<Result> withoutSearch(Reducer.Reduced reduced) {
+        var answer = DeadlockEquation.solve(reduced.net(), MAX_EQUATION_WORK, limits.cancelled());
+        if (answer instanceof NoDeadMarking found) {
+            return Optional.of(new Proved(
+                    "no dead marking of the reduced net satisfies the state equation: "
+                            + found.proof().contradictions() + " cases",
+                    0));
         }
-        return hunt(reduced, LONG_HUNT).<Result>map(dead -> dead).orElseGet(() -> search(reduced, limits));
+        if (answer instanceof Candidate candidate) {
+            var found = guided(reduced, candidate);
+            if (found.isPresent()) {
+                return found.map(dead -> dead);
+            }
+        } else if (holdsTraps(reduced.net())) {
+            return Optional.of(new Proved("every siphon of the reduced net contains a marked trap", 0));
+        }
+        return hunt(reduced, LONG_HUNT).map(dead -> dead);
+    }
+
+    private Optional<CanDeadlock> guided(Reducer.Reduced reduced, Candidate candidate) {
+        var counts = reduced.net().transitions().stream()
+                .mapToInt(t -> Math.clamp(candidate.counts().getOrDefault(t, 0L), 0, MAX_COUNT))
+                .toArray();
+        return new GuidedSearch(FlatNet.of(reduced.net()), counts, limits.cancelled())
+                .run(GUIDED_FIRINGS)
+                .map(trace -> canDeadlock(reduced, trace));
     }
 
     /** Whether siphons prove that no marking is dead: in a dead marking the places without tokens are a siphon. */
@@ -192,17 +231,28 @@ public final class DeadlockCheck {
                 .map(trace -> canDeadlock(reduced, trace));
     }
 
+    /** The nearest dead marking of the reduced net, if there is one among the first markings. */
     private Result search(Reducer.Reduced reduced, SearchLimits within) {
         var search = DeadlockSearch.run(reduced.net(), within);
-        var dead = search.deadlocks();
-        if (!dead.isEmpty()) {
+        var nearest = search.deadlocks().stream().findFirst();
+        return result(reduced, nearest, search.end(), search.visitedMarkings());
+    }
+
+    private Result searchDepthFirst(Reducer.Reduced reduced) {
+        var search = DeadlockSearch.first(reduced.net(), limits);
+        return result(reduced, search.deadlock(), search.end(), search.visitedMarkings());
+    }
+
+    private Result result(
+            Reducer.Reduced reduced, Optional<DeadlockSearch.Deadlock> dead, SearchEnd end, int markings) {
+        if (dead.isPresent()) {
+            var trace = dead.get().trace();
             return canDeadlock(
-                    reduced,
-                    dead.getFirst().trace().stream().mapToInt(Transition::index).toArray());
+                    reduced, trace.stream().mapToInt(Transition::index).toArray());
         }
-        return search.end() == SearchEnd.COMPLETE
-                ? new Proved("all markings of the reduced net by stubborn sets", search.visitedMarkings())
-                : new Unknown(search.end(), search.visitedMarkings());
+        return end == SearchEnd.COMPLETE
+                ? new Proved("all markings of the reduced net by stubborn sets", markings)
+                : new Unknown(end, markings);
     }
 
     private CanDeadlock canDeadlock(Reducer.Reduced reduced, int[] trace) {

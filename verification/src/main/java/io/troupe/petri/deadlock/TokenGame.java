@@ -1,7 +1,11 @@
 package io.troupe.petri.deadlock;
 
 import java.util.Arrays;
+import java.util.Comparator;
+import java.util.List;
 import java.util.SplittableRandom;
+import java.util.stream.IntStream;
+import java.util.stream.Stream;
 
 /**
  * One marking of a net, changed by firing and by taking firings back. Which transitions are ready is kept up to date: a
@@ -119,6 +123,15 @@ final class TokenGame {
             count += tokens[net.inhibitors()[t][i]] >= net.inhibitorWeights()[t][i] ? 1 : 0;
         }
         return count;
+    }
+
+    /** Equal for transitions with the same effect: the places that a firing changes, each with the change. */
+    List<Integer> effect(int t) {
+        return IntStream.range(0, changed[t].length)
+                .boxed()
+                .sorted(Comparator.comparingInt(i -> changed[t][i]))
+                .flatMap(i -> Stream.of(changed[t][i], changes[t][i]))
+                .toList();
     }
 
     /** Whether t has its tokens and is not inhibited; priorities are ignored. */

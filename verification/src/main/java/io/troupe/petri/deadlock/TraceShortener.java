@@ -8,6 +8,9 @@ final class TraceShortener {
     /** Enough for a trace of some thousand firings. */
     private static final long MAX_FIRINGS = 60_000_000;
 
+    /** In a longer trace firings are not left out one by one: the limit would allow this for a few of them only. */
+    private static final int MAX_LENGTH = 20_000;
+
     private final TokenGame game;
     private long firings;
 
@@ -15,12 +18,16 @@ final class TraceShortener {
         game = new TokenGame(net);
     }
 
-    /** A trace that is at most as long, and in which no single firing can be left out with what depends on it. */
+    /**
+     * A trace that is at most as long. Unless it is very long, no single firing can be left out with what depends on
+     * it.
+     */
     int[] shorten(int[] trace) {
         var shorter = trace;
         for (var length = Integer.MAX_VALUE; shorter.length < length && firings < MAX_FIRINGS; ) {
             length = shorter.length;
-            shorter = withoutOneByOne(withoutLoops(shorter));
+            shorter = withoutLoops(shorter);
+            shorter = shorter.length > MAX_LENGTH ? shorter : withoutOneByOne(shorter);
         }
         return shorter;
     }
