@@ -21,6 +21,10 @@ import java.util.Optional;
  * visits more than all markings; if the components are mostly independent, it visits about the square root of their
  * number. A net with priorities is searched in full.
  *
+ * <p>With a {@link Symmetry} the search keeps one marking of each orbit. Both reductions go together: the stubborn set
+ * of a marking leads on to each dead marking that can be reached from it, and from the marking that stands for the
+ * orbit of the next one, an equal dead marking is as near.
+ *
  * <p><b>Source.</b> A. Valmari, Stubborn sets for reduced state space generation, 1989.
  */
 public final class DeadlockSearch {
@@ -41,7 +45,17 @@ public final class DeadlockSearch {
      * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
      */
     public static DeadlockSearch run(PetriNet net, SearchLimits limits) {
-        return new DeadlockSearch(ReachabilityGraph.withoutEdges(net, new StubbornSets(net), limits));
+        return run(net, Symmetry.none(net), limits);
+    }
+
+    /**
+     * Searches within {@code limits} for one dead marking of each orbit of {@code symmetry}; {@link #visitedMarkings}
+     * and {@link #visitedEdges} are those of orbits.
+     *
+     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     */
+    public static DeadlockSearch run(PetriNet net, Symmetry symmetry, SearchLimits limits) {
+        return new DeadlockSearch(ReachabilityGraph.withoutEdges(net, new StubbornSets(net), symmetry, limits));
     }
 
     /**
@@ -51,7 +65,12 @@ public final class DeadlockSearch {
      * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
      */
     public static First first(PetriNet net, SearchLimits limits) {
-        var visited = ReachabilityGraph.toFirstDead(net, new StubbornSets(net), limits);
+        return first(net, Symmetry.none(net), limits);
+    }
+
+    /** Searches as {@link #first(PetriNet, SearchLimits)} does, with one marking of each orbit of {@code symmetry}. */
+    public static First first(PetriNet net, Symmetry symmetry, SearchLimits limits) {
+        var visited = ReachabilityGraph.toFirstDead(net, new StubbornSets(net), symmetry, limits);
         var found =
                 visited.dead().stream().findFirst().map(state -> new Deadlock(state.marking(), state.shortestTrace()));
         return new First(found, found.isPresent() ? SearchEnd.COMPLETE : visited.end(), visited.size());
@@ -122,7 +141,10 @@ public final class DeadlockSearch {
     @Override
     public String toString() {
         var text = new StringBuilder(net().name()).append(": ");
-        text.append(visitedMarkings()).append(" markings visited, ");
+        var symmetry = visited.symmetry();
+        text.append(visitedMarkings())
+                .append(symmetry.isTrivial() ? " markings" : " orbits of markings (" + symmetry + ")")
+                .append(" visited, ");
         var dead = deadlocks();
         text.append(dead.size()).append(" dead");
         switch (end()) {

@@ -1,6 +1,7 @@
 package io.troupe.petri;
 
 import java.util.BitSet;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The breadth-first search over the markings of a net. {@link ReachabilityGraph} and {@link DeadlockSearch} report what
@@ -41,6 +42,9 @@ final class Exploration {
     private final int maxMarkings;
     private final boolean keepsEdges;
     private final Expansion expansion;
+    final Symmetry symmetry;
+    private final Symmetry.@Nullable Sorter sorter;
+    private final int[] unsorted;
     private final int[] chosen;
     /** By transition: the places to which it adds more tokens than it takes, and how many more. */
     private final int[][] gains;
@@ -51,12 +55,15 @@ final class Exploration {
     private long[] successor;
 
     /**
-     * Creates a search that stores the markings and the first way to each; with {@code keepsEdges} it stores all edges
-     * too.
+     * Creates a search that stores one marking of each orbit of {@code symmetry} and the first way to it; with
+     * {@code keepsEdges} it stores all edges too.
      */
-    Exploration(PetriNet net, Expansion expansion, SearchLimits limits, boolean keepsEdges) {
+    Exploration(PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits, boolean keepsEdges) {
         this.net = net;
         this.expansion = expansion;
+        this.symmetry = symmetry;
+        sorter = symmetry.isTrivial() ? null : new Symmetry.Sorter(symmetry);
+        unsorted = new int[net.places().size()];
         this.limits = limits;
         this.keepsEdges = keepsEdges;
         maxMarkings = Math.min(limits.maxMarkings(), MarkingStore.MAX_SIZE);
@@ -241,6 +248,11 @@ final class Exploration {
             widenTo(held);
         }
         store.plus(from, packedChanges[t], successor);
+        if (sorter != null) {
+            store.unpack(successor, unsorted);
+            sorter.sort(unsorted);
+            store.pack(unsorted, successor);
+        }
         var known = store.find(successor);
         if (known >= 0 || store.size() == maxMarkings) {
             return known;

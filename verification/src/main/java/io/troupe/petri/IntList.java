@@ -60,6 +60,10 @@ final class IntList {
         return chunks[index >>> CHUNK_BITS][index & CHUNK - 1];
     }
 
+    void set(int index, int value) {
+        chunks[index >>> CHUNK_BITS][index & CHUNK - 1] = value;
+    }
+
     /** Removes the last value and returns it; its memory stays reserved. */
     int removeLast() {
         var last = get(size - 1);

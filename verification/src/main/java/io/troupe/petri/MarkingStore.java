@@ -57,10 +57,15 @@ final class MarkingStore {
 
     long[] pack(int[] tokens) {
         var packed = new long[words];
+        pack(tokens, packed);
+        return packed;
+    }
+
+    void pack(int[] tokens, long[] packed) {
+        Arrays.fill(packed, 0);
         for (var place = 0; place < places; place++) {
             packed[word(place)] += (long) tokens[place] << shift(place);
         }
-        return packed;
     }
 
     /** The words to add to a marking to fire {@code transition}. */
@@ -78,11 +83,17 @@ final class MarkingStore {
     }
 
     void read(int id, int[] tokens) {
-        var chunk = chunks.get(id >>> CHUNK_BITS);
-        var start = offset(id);
+        unpack(chunks.get(id >>> CHUNK_BITS), offset(id), tokens);
+    }
+
+    void unpack(long[] packed, int[] tokens) {
+        unpack(packed, 0, tokens);
+    }
+
+    private void unpack(long[] packed, int start, int[] tokens) {
         var mask = capacity();
         for (var place = 0; place < places; place++) {
-            tokens[place] = (int) (chunk[start + word(place)] >>> shift(place)) & mask;
+            tokens[place] = (int) (packed[start + word(place)] >>> shift(place)) & mask;
         }
     }
 

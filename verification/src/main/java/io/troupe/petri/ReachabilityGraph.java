@@ -1,10 +1,10 @@
 package io.troupe.petri;
 
-import java.util.ArrayList;
 import java.util.Arrays;
-import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.function.IntUnaryOperator;
+import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 
 /**
@@ -64,29 +64,51 @@ public final class ReachabilityGraph {
      * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
      */
     public static ReachabilityGraph exploreMarkings(PetriNet net, SearchLimits limits) {
-        return withoutEdges(net, new FiringRules(net), limits);
+        return withoutEdges(net, new FiringRules(net), Symmetry.none(net), limits);
+    }
+
+    /**
+     * Explores within {@code limits} one marking of each orbit of {@code symmetry}, without storing the edges. Every
+     * reachable marking differs from one of these only in which of the equal parts is in which state, so the graph has
+     * a dead marking if the net has one, at the same distance. Its edges lead to the marking that stands for the orbit
+     * of the successor. The numbers of markings and edges are those of the orbits; all other results are those of the
+     * net. Questions about one of the equal parts need the graph of all markings, or {@link Symmetry#fixing}.
+     *
+     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     */
+    public static ReachabilityGraph exploreOrbits(PetriNet net, Symmetry symmetry, SearchLimits limits) {
+        return withoutEdges(net, new FiringRules(net), symmetry, limits);
     }
 
     static ReachabilityGraph explore(PetriNet net, Expansion expansion, SearchLimits limits) {
-        return explore(net, expansion, limits, true);
+        return explore(net, expansion, Symmetry.none(net), limits, true);
     }
 
-    static ReachabilityGraph withoutEdges(PetriNet net, Expansion expansion, SearchLimits limits) {
-        return explore(net, expansion, limits, false);
+    static ReachabilityGraph withoutEdges(
+            PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits) {
+        return explore(net, expansion, symmetry, limits, false);
     }
 
     /** Ends at the first dead marking; its trace is not always a shortest one. */
-    static ReachabilityGraph toFirstDead(PetriNet net, Expansion expansion, SearchLimits limits) {
-        var exploration = new Exploration(net, expansion, limits, false);
+    static ReachabilityGraph toFirstDead(PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits) {
+        var exploration = new Exploration(net, expansion, requireOf(net, symmetry), limits, false);
         exploration.runToFirstDead();
         return new ReachabilityGraph(exploration);
     }
 
-    private static ReachabilityGraph explore(
-            PetriNet net, Expansion expansion, SearchLimits limits, boolean keepsEdges) {
-        var exploration = new Exploration(net, expansion, limits, keepsEdges);
+    static ReachabilityGraph explore(
+            PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits, boolean keepsEdges) {
+        var exploration = new Exploration(net, expansion, requireOf(net, symmetry), limits, keepsEdges);
         exploration.run();
         return new ReachabilityGraph(exploration);
+    }
+
+    private static Symmetry requireOf(PetriNet net, Symmetry symmetry) {
+        if (symmetry.net() != net) {
+            throw new IllegalArgumentException(
+                    "the symmetry is of net " + symmetry.net().name() + ", expected one of net " + net.name());
+        }
+        return symmetry;
     }
 
     /** A reachable marking and its position in the graph. */
@@ -103,19 +125,30 @@ public final class ReachabilityGraph {
         }
 
         public Marking marking() {
-            var tokens = new int[net().places().size()];
-            found.store.read(index, tokens);
-            return new Marking(net().places(), tokens);
+            return new Marking(net().places(), tokens(index));
         }
 
         /** A shortest firing sequence from the initial marking to this one. */
         public List<Transition> shortestTrace() {
-            var trace = new ArrayList<Transition>();
+            var way = new IntList();
             for (var at = index; at != 0; at = found.parent.get(at)) {
-                trace.add(net().transitions().get(found.parentTransition.get(at)));
+                way.add(at);
             }
-            Collections.reverse(trace);
-            return List.copyOf(trace);
+            var length = way.size();
+            IntUnaryOperator fired = i -> found.parentTransition.get(way.get(length - 1 - i));
+            if (found.symmetry.isTrivial()) {
+                return IntStream.range(0, length)
+                        .map(fired)
+                        .mapToObj(net().transitions()::get)
+                        .toList();
+            }
+            return found.symmetry.trace(length, i -> tokens(i == 0 ? 0 : way.get(length - i)), fired);
+        }
+
+        private int[] tokens(int id) {
+            var tokens = new int[net().places().size()];
+            found.store.read(id, tokens);
+            return tokens;
         }
 
         /**
@@ -201,6 +234,11 @@ public final class ReachabilityGraph {
         return found.openCount();
     }
 
+    /** The symmetry whose orbits have one marking each in this graph. */
+    public Symmetry symmetry() {
+        return found.symmetry;
+    }
+
     /** Whether edges are stored; if not, successors are computed on each access. */
     public boolean hasEdges() {
         return found.keepsEdges();
@@ -220,12 +258,12 @@ public final class ReachabilityGraph {
     }
 
     /**
-     * The state of a marking; empty if the marking was not reached, which in a complete graph means that it is
-     * unreachable.
+     * The state of a marking, or of the marking that stands for its orbit; empty if the marking was not reached, which
+     * in a complete graph means that it is unreachable.
      */
     public Optional<State> find(Marking marking) {
         marking.requirePlaces(net().places(), net().name());
-        var tokens = marking.toArray();
+        var tokens = found.symmetry.representative(marking).toArray();
         if (Arrays.stream(tokens).anyMatch(held -> held > found.store.capacity())) {
             return Optional.empty();
         }
@@ -256,7 +294,14 @@ public final class ReachabilityGraph {
         if (!net().places().contains(place)) {
             throw new IllegalArgumentException("place " + place + " is not of net " + net().name());
         }
-        return found.most[place.index()];
+        return most(place);
+    }
+
+    private int most(Place place) {
+        return found.symmetry.orbit(place).stream()
+                .mapToInt(each -> found.most[each.index()])
+                .max()
+                .orElseThrow();
     }
 
     /**
@@ -281,7 +326,7 @@ public final class ReachabilityGraph {
      */
     public List<Place> neverMarked() {
         return net().places().stream()
-                .filter(place -> found.most[place.index()] == 0)
+                .filter(place -> most(place) == 0)
                 .toList();
     }
 
@@ -290,22 +335,26 @@ public final class ReachabilityGraph {
      * fire in markings not visited.
      */
     public List<Transition> neverFired() {
-        return net().transitions().stream().filter(t -> !found.fired[t.index()]).toList();
+        var fired = net().transitions().stream()
+                .filter(t -> found.fired[t.index()])
+                .collect(Collectors.toSet());
+        var all = found.symmetry.isTrivial() ? fired : found.symmetry.orbits(fired);
+        return net().transitions().stream().filter(t -> !all.contains(t)).toList();
     }
 
     /** In a few lines: the result and, if the search ended early, what is not known. */
     public String summary() {
         var text = new StringBuilder(net().name()).append(": ");
         if (isComplete()) {
-            text.append(size()).append(" markings, ").append(edgeCount()).append(" edges, all of them");
+            text.append(size()).append(markings()).append(", ").append(edgeCount()).append(" edges, all of them");
         } else if (end() == SearchEnd.MEMORY) {
-            text.append("out of memory at ").append(size()).append(" markings; ");
+            text.append("out of memory at ").append(size()).append(markings()).append("; ");
             text.append(openCount()).append(" of them may have successors that were not visited");
         } else if (end() == SearchEnd.LIMIT) {
-            text.append("stopped at the limit of ").append(size()).append(" markings; ");
+            text.append("stopped at the limit of ").append(size()).append(markings()).append("; ");
             text.append(openCount()).append(" of them have successors beyond it, which were not visited");
         } else {
-            text.append("cancelled at ").append(size()).append(" markings; ");
+            text.append("cancelled at ").append(size()).append(markings()).append("; ");
             text.append(openCount()).append(" of them may have successors that were not visited");
         }
         var soFar = isComplete() ? "" : " so far";
@@ -323,6 +372,10 @@ public final class ReachabilityGraph {
         text.append("\n  places never marked").append(soFar).append(": ").append(Shortened.list(neverMarked()));
         text.append("\n  transitions never enabled").append(soFar).append(": ").append(Shortened.list(neverFired()));
         return text.toString();
+    }
+
+    private String markings() {
+        return found.symmetry.isTrivial() ? " markings" : " orbits of markings (" + found.symmetry + ")";
     }
 
     /** The first line of {@link #summary}. */

@@ -4,8 +4,12 @@ import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
 import io.troupe.petri.PaperNets.Reading;
+import java.util.ArrayList;
+import java.util.Collections;
+import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Random;
 import java.util.Set;
 import java.util.TreeSet;
@@ -142,6 +146,88 @@ public final class Nets {
             }
         }
         return copy.build();
+    }
+
+    /** An arc of a step: its kind (0 in, 1 out, 2 inhibitor), and the place of this part, another one, or all. */
+    private record Leg(int kind, int owner, int place, int weight) {
+        static final int THIS = 0;
+        static final int OTHER = 1;
+        static final int ALL = 2;
+
+        String place(int part, int other) {
+            return owner == ALL ? "all" + place : "own" + place + "." + (owner == THIS ? part : other);
+        }
+    }
+
+    /**
+     * So many equal parts, which share places and may take steps of two parts, with weights, inhibitor arcs and
+     * priorities; places and transitions come in any order.
+     */
+    public static PetriNet parts(int parts, Random random) {
+        var size = 1 + random.nextInt(3);
+        var shared = random.nextInt(3);
+        var places = new ArrayList<Map.Entry<String, Integer>>();
+        for (var p = 0; p < size; p++) {
+            var tokens = p == 0 || random.nextInt(5) == 0 ? 1 : 0;
+            for (var i = 0; i < parts; i++) {
+                places.add(Map.entry("own" + p + "." + i, tokens));
+            }
+        }
+        for (var p = 0; p < shared; p++) {
+            places.add(Map.entry("all" + p, random.nextInt(3)));
+        }
+        Collections.shuffle(places, random);
+        var net = PetriNet.builder("parts");
+        places.forEach(place -> net.place(place.getKey(), place.getValue()));
+        var steps = new ArrayList<Runnable>();
+        var isPrioritised = random.nextInt(4) == 0;
+        for (var kind = 1 + random.nextInt(4); kind > 0; kind--) {
+            var isOfTwo = random.nextInt(4) == 0;
+            var legs = legs(size, shared, isOfTwo, random);
+            var priority = isPrioritised ? random.nextInt(2) : 0;
+            for (var i = 0; i < parts; i++) {
+                for (var j = 0; j < parts; j++) {
+                    if (isOfTwo ? i != j : j == 0) {
+                        var name = "t" + kind + "." + i + "." + j;
+                        var part = i;
+                        var other = j;
+                        steps.add(() -> step(net, name, priority, legs, part, other));
+                    }
+                }
+            }
+        }
+        Collections.shuffle(steps, random);
+        steps.forEach(Runnable::run);
+        return net.build();
+    }
+
+    private static List<Leg> legs(int size, int shared, boolean isOfTwo, Random random) {
+        var legs = new ArrayList<Leg>();
+        for (var kind = 0; kind < 3; kind++) {
+            var count = kind == 2 ? random.nextInt(5) / 3 : random.nextInt(8) == 0 ? 0 : 1 + random.nextInt(2);
+            for (; count > 0; count--) {
+                var isShared = shared > 0 && random.nextInt(3) == 0;
+                var owner = isShared ? Leg.ALL : isOfTwo && random.nextBoolean() ? Leg.OTHER : Leg.THIS;
+                legs.add(new Leg(kind, owner, random.nextInt(isShared ? shared : size), 1 + random.nextInt(4) / 3));
+            }
+        }
+        return legs;
+    }
+
+    private static void step(
+            PetriNetBuilder net, String name, int priority, List<Leg> legs, int part, int other) {
+        net.transition(name).priority(name, priority);
+        var seen = new HashSet<String>();
+        for (var leg : legs) {
+            var place = leg.place(part, other);
+            if (seen.add(leg.kind() + place)) {
+                switch (leg.kind()) {
+                    case 0 -> net.arc(place, name, leg.weight());
+                    case 1 -> net.arc(name, place, leg.weight());
+                    default -> net.inhibitor(place, name, leg.weight());
+                }
+            }
+        }
     }
 
     /** Any arcs and weights, often unbounded. */

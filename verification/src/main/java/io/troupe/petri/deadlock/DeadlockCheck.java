@@ -8,6 +8,7 @@ import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.Symmetry;
 import io.troupe.petri.Transition;
 import io.troupe.petri.structure.DeadlockEquation;
 import io.troupe.petri.structure.DeadlockEquation.Candidate;
@@ -26,7 +27,8 @@ import java.util.Set;
  *
  * <p>The net is reduced first, by rules that keep whether it can deadlock. Then come, from cheap to dear, a short hunt
  * for a counterexample, proofs without a search, a longer hunt, and last all markings of the reduced net by stubborn
- * sets. A trace that was found is translated to the net, and firings that it does not need are left out.
+ * sets; of markings that differ only in which of some equal parts is in which state, one ({@link Symmetry}). A trace
+ * that was found is translated to the net, and firings that it does not need are left out.
  *
  * {@snippet :
  * var result = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
@@ -67,7 +69,7 @@ public final class DeadlockCheck {
         flat = FlatNet.of(net);
     }
 
-    /** A rule that makes a net smaller and keeps whether it can deadlock. */
+    /** A rule that makes a net, or its search, smaller and keeps whether it can deadlock. */
     public enum Reduction {
         /** Leaves out transitions that never fire, because nothing puts the tokens that they need. */
         DEAD_TRANSITIONS,
@@ -82,7 +84,9 @@ public final class DeadlockCheck {
         /** Fuses transitions with those behind, if they do nothing else. */
         FUSED_BEFORE,
         /** Leaves out places that always hold at least as many tokens as some others together. */
-        IMPLIED_PLACES
+        IMPLIED_PLACES,
+        /** Keeps the net, but searches one marking of each orbit of a {@link Symmetry}. */
+        EQUAL_PARTS
     }
 
     /** The result of {@link #decide}. */
@@ -106,7 +110,8 @@ public final class DeadlockCheck {
      * No reachable marking is dead.
      *
      * @param reason in words
-     * @param markings how many markings of the reduced net were visited for the proof; 0 without a search
+     * @param markings how many markings of the reduced net were visited for the proof, or orbits of these if it has
+     *     equal parts; 0 without a search
      */
     public record Proved(String reason, int markings) implements Result {
         public Proved {
@@ -118,7 +123,7 @@ public final class DeadlockCheck {
      * Not known.
      *
      * @param end why the search ended
-     * @param markings how many markings of the reduced net were visited; none of them is dead
+     * @param markings how many markings of the reduced net, or orbits of these, were visited; none of them is dead
      */
     public record Unknown(SearchEnd end, int markings) implements Result {
         public Unknown {
@@ -158,12 +163,15 @@ public final class DeadlockCheck {
         if (neverDead(reduced)) {
             return byReduction();
         }
+        var symmetry = reductions.contains(Reduction.EQUAL_PARTS)
+                ? Symmetry.find(reduced.net())
+                : Symmetry.none(reduced.net());
         var most = fewMarkings(reduced.net().transitions().size());
-        var few = search(reduced, limits.atMost(most));
+        var few = search(reduced, symmetry, limits.atMost(most));
         if (!(few instanceof Unknown unknown) || unknown.end() != SearchEnd.LIMIT || unknown.markings() < most) {
             return few;
         }
-        return withoutSearch(reduced).orElseGet(() -> searchDepthFirst(reduced));
+        return withoutSearch(reduced).orElseGet(() -> searchDepthFirst(reduced, symmetry));
     }
 
     private static int fewMarkings(int transitions) {
@@ -232,26 +240,34 @@ public final class DeadlockCheck {
     }
 
     /** The nearest dead marking of the reduced net, if there is one among the first markings. */
-    private Result search(Reducer.Reduced reduced, SearchLimits within) {
-        var search = DeadlockSearch.run(reduced.net(), within);
+    private Result search(Reducer.Reduced reduced, Symmetry symmetry, SearchLimits within) {
+        var search = DeadlockSearch.run(reduced.net(), symmetry, within);
         var nearest = search.deadlocks().stream().findFirst();
-        return result(reduced, nearest, search.end(), search.visitedMarkings());
+        return result(reduced, symmetry, nearest, search.end(), search.visitedMarkings());
     }
 
-    private Result searchDepthFirst(Reducer.Reduced reduced) {
-        var search = DeadlockSearch.first(reduced.net(), limits);
-        return result(reduced, search.deadlock(), search.end(), search.visitedMarkings());
+    private Result searchDepthFirst(Reducer.Reduced reduced, Symmetry symmetry) {
+        var search = DeadlockSearch.first(reduced.net(), symmetry, limits);
+        return result(reduced, symmetry, search.deadlock(), search.end(), search.visitedMarkings());
     }
 
     private Result result(
-            Reducer.Reduced reduced, Optional<DeadlockSearch.Deadlock> dead, SearchEnd end, int markings) {
+            Reducer.Reduced reduced,
+            Symmetry symmetry,
+            Optional<DeadlockSearch.Deadlock> dead,
+            SearchEnd end,
+            int markings) {
         if (dead.isPresent()) {
             var trace = dead.get().trace();
             return canDeadlock(
                     reduced, trace.stream().mapToInt(Transition::index).toArray());
         }
         return end == SearchEnd.COMPLETE
-                ? new Proved("all markings of the reduced net by stubborn sets", markings)
+                ? new Proved(
+                        symmetry.isTrivial()
+                                ? "all markings of the reduced net by stubborn sets"
+                                : "all orbits of markings of the reduced net (" + symmetry + ") by stubborn sets",
+                        markings)
                 : new Unknown(end, markings);
     }
 

@@ -184,6 +184,7 @@ final class Reducer {
             case FUSED_AFTER -> fuseAll(true);
             case FUSED_BEFORE -> fuseAll(false);
             case IMPLIED_PLACES -> removeImpliedPlaces();
+            case EQUAL_PARTS -> false; // of the search, not of the net
         };
     }
 

@@ -18,6 +18,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Random;
 import java.util.Set;
+import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -25,6 +26,7 @@ import org.junit.jupiter.params.provider.CsvSource;
 /** The whole decision, and the reductions, hunts and proofs by themselves, compared with the full graph. */
 class DeadlockCheckTest {
     private static final SearchLimits LIMITS = SearchLimits.markings(3000);
+    private static final Set<Reduction> RULES = EnumSet.complementOf(EnumSet.of(Reduction.EQUAL_PARTS));
 
     /**
      * Each philosopher takes the fork of the same number first; with {@code leftHanded} the last one takes it second.
@@ -90,7 +92,10 @@ class DeadlockCheckTest {
                 .isEmpty();
     }
 
-    /** Every rule alone and all together: the same verdict as the full graph, and traces that can be translated. */
+    /**
+     * Every rule of the net alone and all together: the same verdict as the full graph, and traces that can be
+     * translated.
+     */
     @Test
     void reductions_ofRandomNets_keepWhetherTheyCanDeadlock() {
         var used = new EnumMap<Reduction, Integer>(Reduction.class);
@@ -104,13 +109,13 @@ class DeadlockCheckTest {
             if (!graph.isComplete()) {
                 continue;
             }
-            for (var rule : Reduction.values()) {
+            for (var rule : RULES) {
                 used.merge(rule, compare(seed, net, graph, Set.of(rule)) ? 1 : 0, Integer::sum);
             }
-            smaller += compare(seed, net, graph, EnumSet.allOf(Reduction.class)) ? 1 : 0;
+            smaller += compare(seed, net, graph, RULES) ? 1 : 0;
             dead += graph.dead().isEmpty() ? 0 : 1;
         }
-        assertThat(used).as("uses of the rules").hasSize(Reduction.values().length);
+        assertThat(used).as("uses of the rules").hasSameSizeAs(RULES);
         assertThat(used.values()).as("%s", used).allMatch(count -> count > 60);
         assertThat(smaller).isGreaterThan(1000);
         assertThat(dead).isGreaterThan(500);
@@ -166,5 +171,62 @@ class DeadlockCheckTest {
         }
         assertThat(found).isGreaterThan(400);
         assertThat(proved).isGreaterThan(200);
+    }
+
+    /** The same question with all rules, with none, and with each alone; also of nets with equal parts. */
+    @Test
+    void decisions_withEachRuleAlone_areThoseOfTheFullGraph() {
+        var found = 0;
+        var proved = 0;
+        var byOrbits = 0;
+        for (var seed = 1L; seed <= 1200; seed++) {
+            var random = new Random(seed);
+            var net = seed % 2 == 0 ? Nets.inhibited(Nets.any(random), random) : Nets.parts(2 + (int) seed % 3, random);
+            var graph = ReachabilityGraph.explore(net, LIMITS);
+            if (!graph.isComplete()) {
+                continue;
+            }
+            found += graph.dead().isEmpty() ? 0 : 1;
+            proved += graph.dead().isEmpty() ? 1 : 0;
+            for (var rules : alternatives()) {
+                switch (DeadlockCheck.decide(net, rules, LIMITS)) {
+                    case CanDeadlock dead ->
+                        assertThat(isDead(net, dead.trace())).as("seed %d, %s", seed, rules).isTrue();
+                    case Proved proof -> {
+                        assertThat(graph.dead()).as("seed %d, %s: %s", seed, rules, proof).isEmpty();
+                        byOrbits += proof.reason().contains("equal parts") ? 1 : 0;
+                    }
+                    case Unknown unknown -> assertThat(unknown).as("seed %d, %s", seed, rules).isNull();
+                }
+            }
+        }
+        assertThat(List.of(found, proved, byOrbits)).as("dead, proved, by orbits").isEqualTo(List.of(0));
+    }
+
+    private static List<Set<Reduction>> alternatives() {
+        return Stream.concat(
+                        Stream.of(Set.<Reduction>of(), EnumSet.allOf(Reduction.class)),
+                        Stream.of(Reduction.values()).map(Set::of))
+                .toList();
+    }
+
+    /**
+     * Each of n equal clients takes two of n + 1 units, one after the other: one of them can always take its second.
+     * Neither the other rules nor the state equation reduce the markings to fewer than 2^n.
+     */
+    @ParameterizedTest
+    @CsvSource({"3", "30"})
+    void equalClients_areProvedByOrbits(int count) {
+        var net = PetriNet.builder("units").place("units", count + 1);
+        for (var i = 0; i < count; i++) {
+            net.place("idle" + i, 1).place("one" + i).place("both" + i);
+            net.transition("first" + i, List.of("idle" + i, "units"), List.of("one" + i));
+            net.transition("second" + i, List.of("one" + i, "units"), List.of("both" + i));
+            net.transition("back" + i, List.of("both" + i), List.of("idle" + i)).arc("back" + i, "units", 2);
+        }
+        assertThat(DeadlockCheck.decide(net.build(), SearchLimits.markings(100)))
+                .isEqualTo(new Proved(
+                        "all orbits of markings of the reduced net (" + count + " equal parts) by stubborn sets",
+                        count + 1));
     }
 }
