@@ -1,6 +1,8 @@
 package io.troupe.bench;
 
+import static io.troupe.petri.wiring.Protocol.acquires;
 import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.releases;
 import static io.troupe.petri.wiring.Protocol.requests;
 
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
@@ -13,6 +15,7 @@ import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.RobotTeams;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.Symmetry;
 import io.troupe.petri.deadlock.DeadlockCheck;
 import io.troupe.petri.structure.Siphons;
 import io.troupe.petri.wiring.PaperWiring;
@@ -51,7 +54,7 @@ public final class MeasureNets implements Callable<Integer> {
 
     @Option(
             names = "--large",
-            description = "measures only the full graph of 14 million markings and 143 million edges, once")
+            description = "measures only the full graph of 14 million markings and 167 million edges, once")
     boolean large;
 
     public static void main(String... arguments) {
@@ -68,8 +71,9 @@ public final class MeasureNets implements Callable<Integer> {
                 mebibytes(Runtime.getRuntime().maxMemory()),
                 WARM_UPS,
                 repetitions);
-        System.out.println("| search | found | ms, median (quartiles) | per second | MiB kept by the result |");
-        System.out.println("|---|---|---|---|---|");
+        System.out.println("| search | found | ms, median (quartiles) | per second | MiB kept by the result "
+                + "| bytes for each marking beside itself |");
+        System.out.println("|---|---|---|---|---|---|");
         if (large) {
             System.out.println(measure(NetTask.large(), 0, 1));
             return 0;
@@ -102,7 +106,7 @@ public final class MeasureNets implements Callable<Integer> {
         var spread = SampleStatistics.of(millis);
         return String.format(
                 Locale.ROOT,
-                "| %s | %,d %s; %s | %.1f (%.1f..%.1f) | %,.0f | %d |",
+                "| %s | %,d %s; %s | %.1f (%.1f..%.1f) | %,.0f | %d | %s |",
                 task.name(),
                 found.items(),
                 found.unit(),
@@ -111,7 +115,10 @@ public final class MeasureNets implements Callable<Integer> {
                 spread.lowerQuartile(),
                 spread.upperQuartile(),
                 found.items() / (spread.median() / 1000),
-                mebibytes(kept));
+                mebibytes(kept),
+                found.bytesPerMarking() == 0
+                        ? ""
+                        : "%.1f".formatted((double) kept / found.items() - found.bytesPerMarking()));
     }
 
     private static long mebibytes(long bytes) {
@@ -132,10 +139,17 @@ public final class MeasureNets implements Callable<Integer> {
          * @param unit what these are
          * @param text the result in words
          * @param kept the result itself, to measure the heap it takes
+         * @param bytesPerMarking what a marking itself takes of this; 0 unless it is a large search without edges
          */
-        record Found(long items, String unit, String text, Object kept) {}
+        record Found(long items, String unit, String text, Object kept, int bytesPerMarking) {
+            Found(long items, String unit, String text, Object kept) {
+                this(items, unit, text, kept, 0);
+            }
+        }
 
         private static final SearchLimits LIMITS = SearchLimits.markings(2_000_000);
+        /** From so many markings on the bytes for each can be measured. */
+        private static final int MANY = 50_000;
 
         static List<NetTask> all() {
             return List.of(
@@ -147,7 +161,7 @@ public final class MeasureNets implements Callable<Integer> {
                             "paper's net, minimal siphons", () -> siphons(PaperNets.uncorrected(PaperNets.Reading.A))),
                     new NetTask(
                             "corrected net, minimal siphons", () -> siphons(PaperNets.corrected(PaperNets.Reading.A))),
-                    new NetTask("6 robots, WiringCheck and its proposal", NetTask::check),
+                    new NetTask("6 robots, WiringCheck and its proposal", () -> check(PaperWiring.robots(6))),
                     new NetTask("12 robots stopping together, decision", () -> decide(RobotTeams.stoppingTogether(12))),
                     new NetTask(
                             "12 robots stopping one by one, decision", () -> decide(RobotTeams.stoppingOneByOne(12))),
@@ -161,18 +175,64 @@ public final class MeasureNets implements Callable<Integer> {
                             () -> decide(table(50, false).net())),
                     new NetTask(
                             "50 as a wiring, one left-handed, decision",
-                            () -> decide(table(50, true).net())));
+                            () -> decide(table(50, true).net())),
+                    new NetTask("3 robots, all markings without edges", () -> withoutEdges(
+                            RobotTeams.uncorrected(3), false)),
+                    new NetTask("3 robots, orbits of all markings", () -> withoutEdges(
+                            RobotTeams.uncorrected(3), true)),
+                    new NetTask("10 workers, by stubborn sets alone", () -> dead(workers(10))),
+                    new NetTask("20 workers, by stubborn sets alone", () -> dead(workers(20))),
+                    new NetTask("10 workers, by orbits", () -> deadByOrbits(workers(10))),
+                    new NetTask("20 workers, by orbits", () -> deadByOrbits(workers(20))),
+                    new NetTask("50 workers, by orbits", () -> deadByOrbits(workers(50))),
+                    new NetTask("50 workers, decision", () -> decide(workers(50))),
+                    new NetTask("50 workers, WiringCheck", () -> check(workerWiring(50))),
+                    new NetTask("6 robots of the paper, by orbits", () -> deadByOrbits(RobotTeams.uncorrected(6))));
         }
 
         static NetTask large() {
-            return new NetTask("15 philosophers, either fork first, markings without edges", () -> {
-                var graph = ReachabilityGraph.exploreMarkings(
-                        eitherForkFirst(15), SearchLimits.markings(Integer.MAX_VALUE));
-                return markings(
-                        graph.size(),
-                        graph.edgeCount() + " edges, " + graph.dead().size() + " dead, " + graph.end(),
-                        graph);
-            });
+            return new NetTask(
+                    "15 philosophers, either fork first, markings without edges",
+                    () -> withoutEdges(eitherForkFirst(15), false));
+        }
+
+        /** Each of n workers takes two of n + 1 tools, one after the other; one of them can always take its second. */
+        private static Wiring workerWiring(int count) {
+            var worker = Protocol.of("worker")
+                    .in("idle", acquires("tool").then("one"))
+                    .in("one", acquires("tool").then("both"))
+                    .in("both", releases("tool").then("back"))
+                    .in("back", releases("tool").then("idle"))
+                    .build();
+            return Wiring.of(count + " workers")
+                    .components("worker", count, worker)
+                    .resource("tool", count + 1)
+                    .build();
+        }
+
+        private static PetriNet workers(int count) {
+            return workerWiring(count).net();
+        }
+
+        private static Found withoutEdges(PetriNet net, boolean byOrbits) {
+            var symmetry = byOrbits ? Symmetry.find(net) : Symmetry.none(net);
+            var graph = ReachabilityGraph.exploreMarkings(net, symmetry, SearchLimits.markings(Integer.MAX_VALUE));
+            return new Found(
+                    graph.size(),
+                    byOrbits ? "orbits of " + symmetry : "markings",
+                    graph.edgeCount() + " edges, " + graph.dead().size() + " dead, " + graph.end(),
+                    graph,
+                    graph.size() > MANY ? graph.bytesPerMarking() : 0);
+        }
+
+        private static Found deadByOrbits(PetriNet net) {
+            var symmetry = Symmetry.find(net);
+            var search = DeadlockSearch.run(net, symmetry, LIMITS);
+            return new Found(
+                    search.visitedMarkings(),
+                    "orbits of " + symmetry,
+                    search.deadlocks().size() + " dead, " + search.end(),
+                    search);
         }
 
         /** Each takes the left fork, then the right one, and puts both down. */
@@ -262,7 +322,12 @@ public final class MeasureNets implements Callable<Integer> {
 
         private static Found dead(PetriNet net) {
             var search = DeadlockSearch.run(net, LIMITS);
-            return markings(search.visitedMarkings(), search.deadlocks().size() + " dead, " + search.end(), search);
+            return new Found(
+                    search.visitedMarkings(),
+                    "markings",
+                    search.deadlocks().size() + " dead, " + search.end(),
+                    search,
+                    search.visitedMarkings() > MANY ? search.bytesPerMarking() : 0);
         }
 
         private static Found live(PetriNet net) {
@@ -285,8 +350,8 @@ public final class MeasureNets implements Callable<Integer> {
         }
 
         /** The markings are those of the whole and of the repaired wiring, by stubborn sets and in the full graph. */
-        private static Found check() {
-            var result = WiringCheck.check(PaperWiring.robots(6));
+        private static Found check(Wiring wiring) {
+            var result = WiringCheck.check(wiring);
             var text =
                     result.getClass().getSimpleName() + ", " + result.reduced().deadMarkings() + " dead";
             var markings = visited(result);

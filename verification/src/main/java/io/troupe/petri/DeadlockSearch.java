@@ -132,6 +132,11 @@ public final class DeadlockSearch {
         return visited.size();
     }
 
+    /** The bytes that a visited marking itself takes. */
+    public int bytesPerMarking() {
+        return visited.bytesPerMarking();
+    }
+
     /** How many firings were followed. */
     public int visitedEdges() {
         return visited.edgeCount();

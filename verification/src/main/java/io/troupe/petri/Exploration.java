@@ -30,6 +30,9 @@ final class Exploration {
     /** The markings whose successors are incomplete because of the limit. */
     private final BitSet open = new BitSet();
 
+    /** The markings to expand, newest last; only if the newest come first. */
+    private final IntList waiting = new IntList(0);
+
     /** How many markings are expanded, that is: their successors were computed. All others are open. */
     private int expanded;
 
@@ -129,7 +132,6 @@ final class Exploration {
     }
 
     private void searchNewestFirst() {
-        var waiting = new IntList();
         waiting.add(0);
         while (waiting.size() > 0 && dead.size() == 0) {
             var known = store.size();
@@ -173,6 +175,7 @@ final class Exploration {
         }
         var steps = chosen.length;
         var ways = parent.bytesWith(steps) * 2 + dead.bytesWith(1);
+        ways += waiting.size() > 0 ? waiting.bytesWith(steps) : 0;
         var kept = keepsEdges ? edgeTarget.bytesWith(steps) * 2 + edgeStart.bytesWith(1) : 0;
         return storeBytes + ways + kept <= limits.maxBytes();
     }

@@ -36,12 +36,16 @@ public final class Liveness {
     /**
      * Computes the terminal components.
      *
-     * @throws IllegalArgumentException if the graph was explored without edges
+     * @throws IllegalArgumentException if the graph was explored without edges, or by the orbits of a symmetry
      */
     public static Liveness of(ReachabilityGraph graph) {
         if (!graph.hasEdges()) {
             throw new IllegalArgumentException("the graph of net " + graph.net().name()
                     + " has no edges, expected one made by ReachabilityGraph.explore");
+        }
+        if (!graph.symmetry().isTrivial()) {
+            throw new IllegalArgumentException("the graph of net " + graph.net().name()
+                    + " has one marking of each orbit, expected one with all markings");
         }
         return new Liveness(graph);
     }

@@ -21,7 +21,7 @@ import java.util.stream.IntStream;
  *
  * <p><b>Order.</b> Breadth first; at equal distance in the order of the transitions of the net.
  *
- * <p><b>Cost.</b> For each marking 16 to 24 bytes, and one bit for every place of a safe net (more bits if the tokens
+ * <p><b>Cost.</b> For each marking 16 to 24 bytes (while the hash table grows at most 40), and one bit for every place of a safe net (more bits if the tokens
  * require it); 8 bytes for each edge, unless edges are not stored. Time in proportion to markings x transitions.
  */
 public final class ReachabilityGraph {
@@ -68,15 +68,25 @@ public final class ReachabilityGraph {
     }
 
     /**
-     * Explores within {@code limits} one marking of each orbit of {@code symmetry}, without storing the edges. Every
-     * reachable marking differs from one of these only in which of the equal parts is in which state, so the graph has
-     * a dead marking if the net has one, at the same distance. Its edges lead to the marking that stands for the orbit
-     * of the successor. The numbers of markings and edges are those of the orbits; all other results are those of the
-     * net. Questions about one of the equal parts need the graph of all markings, or {@link Symmetry#fixing}.
+     * Explores within {@code limits} one marking of each orbit of {@code symmetry}, and stores the edges between these.
+     * Every reachable marking differs from one of these only in which of the equal parts is in which state, so the
+     * graph has a dead marking if the net has one, at the same distance. An edge leads to the marking that stands for
+     * the orbit of the successor. The numbers of markings and edges are those of the orbits; all other results are
+     * those of the net. Questions about one of the equal parts need {@link Symmetry#fixing}; {@link Liveness} refuses
+     * this graph.
      *
      * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
      */
-    public static ReachabilityGraph exploreOrbits(PetriNet net, Symmetry symmetry, SearchLimits limits) {
+    public static ReachabilityGraph explore(PetriNet net, Symmetry symmetry, SearchLimits limits) {
+        return explore(net, new FiringRules(net), symmetry, limits, true);
+    }
+
+    /**
+     * Explores as {@link #explore(PetriNet, Symmetry, SearchLimits)} does, without storing the edges.
+     *
+     * @throws ArithmeticException if a place can hold more than {@link Integer#MAX_VALUE} tokens
+     */
+    public static ReachabilityGraph exploreMarkings(PetriNet net, Symmetry symmetry, SearchLimits limits) {
         return withoutEdges(net, new FiringRules(net), symmetry, limits);
     }
 
@@ -222,6 +232,11 @@ public final class ReachabilityGraph {
     /** The number of markings. */
     public int size() {
         return found.store.size();
+    }
+
+    /** The bytes that a marking itself takes, without its place in the search. */
+    public int bytesPerMarking() {
+        return Long.BYTES * found.store.words();
     }
 
     /** The number of edges between these markings. */

@@ -25,13 +25,14 @@ import java.util.stream.Stream;
  *
  * {@snippet :
  * var symmetry = Symmetry.find(net);
- * var graph = ReachabilityGraph.exploreOrbits(net, symmetry, SearchLimits.markings(1_000_000));
+ * var graph = ReachabilityGraph.exploreMarkings(net, symmetry, SearchLimits.markings(1_000_000));
  * assertThat(graph.dead()).isEmpty();
  * }
  *
  * <p><b>Role.</b> Found by {@link #find} or declared by {@link #of}, and checked in both cases: every exchange of two
  * blocks of a group maps transitions to transitions with the same priority, arcs, weights and inhibitor arcs, and keeps
- * the initial marking. Used by {@link ReachabilityGraph#exploreOrbits} and {@link DeadlockSearch}. The turns of a ring
+ * the initial marking. Used by {@link ReachabilityGraph#explore(PetriNet, Symmetry,
+ * SearchLimits)} and {@link DeadlockSearch}. The turns of a ring
  * are not used, only groups whose blocks may come in any order.
  *
  * <p><b>Threads.</b> Immutable.
@@ -234,6 +235,29 @@ public final class Symmetry {
                         .toList());
     }
 
+    /** Whether every exchange of equal parts maps these transitions to each other. */
+    public boolean keeps(Set<Transition> some) {
+        return orbits(some).equals(withEqual(some));
+    }
+
+    /** Whether the exchange of two equal parts maps {@code ones} to {@code others}, and these to {@code ones}. */
+    public boolean exchanges(Set<Transition> ones, Set<Transition> others) {
+        var wanted = withEqual(others);
+        var from = withEqual(ones);
+        for (var group : blocks) {
+            for (var i = 0; i < group.length; i++) {
+                for (var j = i + 1; j < group.length; j++) {
+                    var exchange = exchange(group[i], group[j]);
+                    var moved = from.stream().map(t -> image(t, exchange)).collect(Collectors.toSet());
+                    if (moved.size() == wanted.size() && withEqual(moved).equals(wanted)) {
+                        return true;
+                    }
+                }
+            }
+        }
+        return false;
+    }
+
     /** The marking that stands for the orbit of {@code marking}. */
     public Marking representative(Marking marking) {
         marking.requirePlaces(net.places(), net.name());
@@ -379,8 +403,19 @@ public final class Symmetry {
                 }
             }
         }
+        return with(known);
+    }
+
+    /** The transitions of {@code some}, and all with the same arcs. */
+    private Set<Transition> withEqual(Set<Transition> some) {
+        return with(some.stream()
+                .map(t -> Effect.of(t, IntUnaryOperator.identity()))
+                .collect(Collectors.toSet()));
+    }
+
+    private Set<Transition> with(Set<Effect> effects) {
         return net.transitions().stream()
-                .filter(t -> known.contains(Effect.of(t, IntUnaryOperator.identity())))
+                .filter(t -> effects.contains(Effect.of(t, IntUnaryOperator.identity())))
                 .collect(Collectors.toSet());
     }
 

@@ -423,6 +423,26 @@ class SearchTest {
                 "the graph of net switches has no edges, expected one made by ReachabilityGraph.explore");
     }
 
+    /** The same limit for the searches for dead markings, of a net of which stubborn sets leave out nothing. */
+    @Test
+    void searches_withoutEdges_takeAtMost40BytesForEachMarkingBesideItself() {
+        var toggles = Nets.switches(17).toBuilder().place("key").transition("last", List.of("key"), List.of());
+        for (var i = 0; i < 17; i++) {
+            toggles.transition("back" + i, List.of("on" + i), List.of("off" + i));
+        }
+        var net = toggles.priority("last", 1).build();
+        var markings = 1 << 17;
+        var chunks = 3 << 18; // the last one of each of three lists is not full
+        var limits = SearchLimits.markings(markings).within(markings * (8L + 40) + chunks);
+        var search = DeadlockSearch.run(net, limits);
+        var first = DeadlockSearch.first(net, limits);
+        assertThat(List.of(search.end(), first.end())).containsOnly(SearchEnd.COMPLETE);
+        assertThat(List.of(search.visitedMarkings(), first.visitedMarkings())).containsOnly(markings);
+        assertThat(search.bytesPerMarking()).isEqualTo(8);
+        assertThat(DeadlockSearch.first(net, limits.within(markings * (8L + 20) + chunks)).end())
+                .isEqualTo(SearchEnd.MEMORY);
+    }
+
     @Test
     void deadlocks_areMadeWhenTheyAreAskedFor() {
         var search = DeadlockSearch.run(Nets.choices(12));

@@ -2,12 +2,14 @@ package io.troupe.petri.wiring;
 
 import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ProgressSearch;
+import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
+import io.troupe.petri.Symmetry;
 import io.troupe.petri.deadlock.DeadlockCheck;
 
 /**
  * The figures of a search that visits some of the markings: by stubborn sets, which miss no dead one; or, for a large
- * net, those of {@link DeadlockCheck}.
+ * net, those of {@link DeadlockCheck}, or of one marking of each orbit of equal components.
  *
  * @param method how these markings were chosen
  * @param markings the number of visited markings
@@ -34,6 +36,12 @@ public record ReducedFigures(
     static ReducedFigures of(ProgressSearch search) {
         return new ReducedFigures(
                 STUBBORN_SETS, search.visitedMarkings(), search.visitedEdges(), 0, search.end(), true);
+    }
+
+    /** The figures of a search of a wiring without dead markings by orbits of markings. */
+    static ReducedFigures of(ReachabilityGraph graph, Symmetry symmetry) {
+        return new ReducedFigures(
+                "orbits of " + symmetry, graph.size(), graph.edgeCount(), 0, SearchEnd.COMPLETE, true);
     }
 
     /** The figures of a proof that there are no dead markings. */

@@ -5,6 +5,8 @@ import io.troupe.petri.ProgressSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.Symmetry;
+import io.troupe.petri.Transition;
 import io.troupe.petri.deadlock.DeadlockCheck;
 import io.troupe.petri.deadlock.DeadlockCheck.CanDeadlock;
 import java.util.ArrayList;
@@ -14,6 +16,8 @@ import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
+import java.util.Set;
+import java.util.stream.Collectors;
 
 /**
  * Checks whether the components of a {@link Wiring} can come to wait for each other for ever.
@@ -21,8 +25,8 @@ import java.util.Optional;
  * <p>The nets of the components are melded, first of every two that call each other, then of all. A pair is searched in
  * full. In the whole, a search by stubborn sets finds all dead markings, with a shortest trace to each, among a small
  * part of the markings. If the net is too large for that, {@link DeadlockCheck} finds one of them, or proves that there
- * is none. If there are none, another search decides whether some components can be blocked while others go on. The
- * full graph, within the limit, adds its figures and how a block begins, and decides what the other searches could not.
+ * is none. If there are none, another search decides whether some components can be blocked while others go on; if it
+ * is too large and components are equal, one marking is searched of each orbit of a {@link Symmetry}. The full graph, within the limit, adds its figures and how a block begins, and decides what the other searches could not.
  * The result reports what was beyond all limits. In a unit test:
  *
  * {@snippet :
@@ -122,26 +126,33 @@ public final class WiringCheck {
                 ? Optional.of(ProgressSearch.run(net.net(), affordable(limits, work)))
                 : Optional.<ProgressSearch>empty();
         var settled = progress.filter(found -> found.end() == SearchEnd.COMPLETE);
-        var isKnown = settled.isPresent() || !dead.isEmpty();
+        var byOrbits = dead.isEmpty() && settled.isEmpty()
+                ? new OrbitCheck(wiring, net, affordable(limits, work)).result()
+                : Optional.<OrbitCheck.Result>empty();
+        var isKnown = settled.isPresent() || byOrbits.isPresent() || !dead.isEmpty();
         var graph = ReachabilityGraph.explore(
                 net.net(),
                 isKnown ? affordable(limits.atMost(MAX_MARKINGS_IF_KNOWN), DEFAULT_WORK) : affordable(limits, work));
         var whole = new WiringSearch(wiring, net, graph);
         var figures = whole.figures();
-        var reduced = settled.map(ReducedFigures::of).orElse(dead.figures());
+        var reduced = settled.map(ReducedFigures::of)
+                .or(() -> byOrbits.map(OrbitCheck.Result::figures))
+                .orElse(dead.figures());
         var deadlocks = dead.found()
                 .map(each -> List.of(whole.deadlock(each)))
                 .orElseGet(() -> dead.isEmpty() ? whole.deadlocks() : whole.deadlocks(dead.nearest()));
         var blocks = figures.isComplete()
                 ? whole.blocks()
-                : whole.blocks(settled.map(ProgressSearch::losses).orElse(List.of()));
+                : settled.map(found -> whole.blocks(found.losses()))
+                        .or(() -> byOrbits.map(OrbitCheck.Result::blocks))
+                        .orElse(List.of());
         if (!deadlocks.isEmpty()) {
             return new WiringResult.Deadlock(figures, reduced, pairs, deadlocks, blocks, repair());
         }
         if (!blocks.isEmpty()) {
             return new WiringResult.Blocked(figures, reduced, pairs, blocks, repair());
         }
-        if (figures.isComplete() || settled.isPresent()) {
+        if (figures.isComplete() || settled.isPresent() || byOrbits.isPresent()) {
             return new WiringResult.Proved(figures, reduced, pairs);
         }
         return reduced.isComplete()
@@ -187,6 +198,72 @@ public final class WiringCheck {
             return Optional.empty();
         }
         return Optional.of(new Repair(together, stops, new WiringCheck(together, limits, work).result()));
+    }
+
+    /**
+     * Decides whether every component can always go on, by one marking of each orbit. A component stays where it is,
+     * and the others equal to it are exchanged; what is found for it holds for these too.
+     */
+    static final class OrbitCheck {
+        private final Wiring wiring;
+        private final WiringNet net;
+        private final SearchLimits limits;
+        private final Symmetry symmetry;
+
+        OrbitCheck(Wiring wiring, WiringNet net, SearchLimits limits) {
+            this.wiring = wiring;
+            this.net = net;
+            this.limits = limits;
+            symmetry = Symmetry.find(net.net());
+        }
+
+        /** What was found in complete searches without dead markings. */
+        record Result(ReducedFigures figures, List<Counterexample> blocks) {}
+
+        /** Empty if there are no equal components, or too many orbits, or a dead marking. */
+        Optional<Result> result() {
+            var blocks = new ArrayList<Counterexample>();
+            var largest = Optional.<ReachabilityGraph>empty();
+            for (var component : symmetry.isTrivial() ? List.<String>of() : different()) {
+                var left = leaving(component);
+                var graph = ReachabilityGraph.explore(net.net(), left, limits);
+                if (!graph.isComplete() || !graph.dead().isEmpty() || !left.keeps(steps(component))) {
+                    return Optional.empty();
+                }
+                new WiringSearch(wiring, net, graph).block(component).ifPresent(blocks::add);
+                largest = largest.filter(most -> most.size() >= graph.size()).or(() -> Optional.of(graph));
+            }
+            return largest.map(graph -> new Result(ReducedFigures.of(graph, symmetry), blocks));
+        }
+
+        /** Components such that every other one is equal to one of them. */
+        private List<String> different() {
+            var different = new ArrayList<String>();
+            for (var component : wiring.components()) {
+                var steps = steps(component);
+                if (different.stream().noneMatch(other -> symmetry.exchanges(steps(other), steps))) {
+                    different.add(component);
+                }
+            }
+            return different;
+        }
+
+        private Set<Transition> steps(String component) {
+            return net.net().transitions().stream()
+                    .filter(t -> net.event(t).who().contains(component))
+                    .collect(Collectors.toSet());
+        }
+
+        /** The symmetry that leaves a component where it is. */
+        private Symmetry leaving(String component) {
+            var left = symmetry;
+            for (var place : net.net().places()) {
+                if (net.owner(place).filter(component::equals).isPresent()) {
+                    left = left.fixing(place);
+                }
+            }
+            return left;
+        }
     }
 
     /**

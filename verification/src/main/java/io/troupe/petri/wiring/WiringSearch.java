@@ -14,9 +14,11 @@ import java.util.LinkedHashMap;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Finds the dead markings and blocks in the graph of some components of a wiring. */
 final class WiringSearch {
@@ -84,6 +86,16 @@ final class WiringSearch {
             found.add(explainer.explain(state.marking(), state.shortestTrace(), true, stuck));
         });
         return withCircles(found);
+    }
+
+    /** How a component can come to wait for ever, for a complete graph; the nearest such marking. */
+    Optional<Counterexample> block(String component) {
+        var canMove = requireNonNull(moves().get(component));
+        return IntStream.range(0, canMove.length)
+                .filter(i -> !canMove[i])
+                .mapToObj(graph.states()::get)
+                .findFirst()
+                .map(state -> explainer.explain(state.marking(), state.shortestTrace(), true, Set.of(component)));
     }
 
     /** The counterexamples of the losses after which a component never takes a step again. */

@@ -200,7 +200,9 @@ class DeadlockCheckTest {
                 }
             }
         }
-        assertThat(List.of(found, proved, byOrbits)).as("dead, proved, by orbits").isEqualTo(List.of(0));
+        assertThat(List.of(found, proved, byOrbits))
+                .as("can deadlock, cannot, proved by orbits")
+                .allMatch(count -> count > 100);
     }
 
     private static List<Set<Reduction>> alternatives() {
