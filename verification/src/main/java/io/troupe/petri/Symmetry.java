@@ -25,8 +25,7 @@ import java.util.stream.Stream;
  *
  * {@snippet :
  * var symmetry = Symmetry.find(net);
- * var graph = ReachabilityGraph.exploreMarkings(net, symmetry, SearchLimits.markings(1_000_000));
- * assertThat(graph.dead()).isEmpty();
+ * var graph = ReachabilityGraph.exploreMarkings(net, symmetry, LIMITS);
  * }
  *
  * <p><b>Role.</b> Found by {@link #find} or declared by {@link #of}, and checked in both cases: every exchange of two

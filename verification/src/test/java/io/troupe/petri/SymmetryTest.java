@@ -48,6 +48,7 @@ class SymmetryTest {
     void equalClients_areFound_andCountedOnce(int count) {
         var net = clients(count);
         var symmetry = Symmetry.find(net);
+        var graph = ReachabilityGraph.exploreMarkings(net, symmetry, LIMITS);
         assertThat(symmetry).hasToString(count + " equal parts");
         assertThat(symmetry.groups()).singleElement().satisfies(group -> assertThat(group.blocks())
                 .hasSize(count)
