@@ -181,10 +181,11 @@ public final class MeasureNets implements Callable<Integer> {
                     new NetTask(
                             "50 as a wiring, one left-handed, decision",
                             () -> decide(table(50, true).net())),
-                    new NetTask("3 robots, all markings without edges", () -> withoutEdges(
-                            RobotTeams.uncorrected(3), false)),
-                    new NetTask("3 robots, orbits of all markings", () -> withoutEdges(
-                            RobotTeams.uncorrected(3), true)),
+                    new NetTask(
+                            "3 robots, all markings without edges",
+                            () -> withoutEdges(RobotTeams.uncorrected(3), false)),
+                    new NetTask(
+                            "3 robots, orbits of all markings", () -> withoutEdges(RobotTeams.uncorrected(3), true)),
                     new NetTask("10 workers, by stubborn sets alone", () -> dead(workers(10))),
                     new NetTask("10 workers, by orbits", () -> deadByOrbits(workers(10))),
                     new NetTask("20 workers, by orbits", () -> deadByOrbits(workers(20))),

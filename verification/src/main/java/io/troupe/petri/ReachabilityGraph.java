@@ -21,8 +21,9 @@ import java.util.stream.IntStream;
  *
  * <p><b>Order.</b> Breadth first; at equal distance in the order of the transitions of the net.
  *
- * <p><b>Cost.</b> For each marking 16 to 24 bytes (while the hash table grows at most 40), and one bit for every place of a safe net (more bits if the tokens
- * require it); 8 bytes for each edge, unless edges are not stored. Time in proportion to markings x transitions.
+ * <p><b>Cost.</b> For each marking 16 to 24 bytes (while the hash table grows at most 40), and one bit for every place
+ * of a safe net (more bits if the tokens require it); 8 bytes for each edge, unless edges are not stored. Time in
+ * proportion to markings x transitions.
  */
 public final class ReachabilityGraph {
     /** The limit of {@link #explore(PetriNet)}. */
@@ -94,8 +95,7 @@ public final class ReachabilityGraph {
         return explore(net, expansion, Symmetry.none(net), limits, true);
     }
 
-    static ReachabilityGraph withoutEdges(
-            PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits) {
+    static ReachabilityGraph withoutEdges(PetriNet net, Expansion expansion, Symmetry symmetry, SearchLimits limits) {
         return explore(net, expansion, symmetry, limits, false);
     }
 
@@ -340,9 +340,7 @@ public final class ReachabilityGraph {
      * marked in markings not visited.
      */
     public List<Place> neverMarked() {
-        return net().places().stream()
-                .filter(place -> most(place) == 0)
-                .toList();
+        return net().places().stream().filter(place -> most(place) == 0).toList();
     }
 
     /**
@@ -350,9 +348,8 @@ public final class ReachabilityGraph {
      * fire in markings not visited.
      */
     public List<Transition> neverFired() {
-        var fired = net().transitions().stream()
-                .filter(t -> found.fired[t.index()])
-                .collect(Collectors.toSet());
+        var fired =
+                net().transitions().stream().filter(t -> found.fired[t.index()]).collect(Collectors.toSet());
         var all = found.symmetry.isTrivial() ? fired : found.symmetry.orbits(fired);
         return net().transitions().stream().filter(t -> !all.contains(t)).toList();
     }
@@ -361,12 +358,19 @@ public final class ReachabilityGraph {
     public String summary() {
         var text = new StringBuilder(net().name()).append(": ");
         if (isComplete()) {
-            text.append(size()).append(markings()).append(", ").append(edgeCount()).append(" edges, all of them");
+            text.append(size())
+                    .append(markings())
+                    .append(", ")
+                    .append(edgeCount())
+                    .append(" edges, all of them");
         } else if (end() == SearchEnd.MEMORY) {
             text.append("out of memory at ").append(size()).append(markings()).append("; ");
             text.append(openCount()).append(" of them may have successors that were not visited");
         } else if (end() == SearchEnd.LIMIT) {
-            text.append("stopped at the limit of ").append(size()).append(markings()).append("; ");
+            text.append("stopped at the limit of ")
+                    .append(size())
+                    .append(markings())
+                    .append("; ");
             text.append(openCount()).append(" of them have successors beyond it, which were not visited");
         } else {
             text.append("cancelled at ").append(size()).append(markings()).append("; ");

@@ -20,8 +20,8 @@ import java.util.stream.Stream;
 /**
  * Equal parts of a net: parts that can be exchanged for each other without a change of the net or of its initial
  * marking. A search then needs one marking of each <em>orbit</em>, that is, of all markings that differ only in which
- * of the equal parts is in which state. Of n equal parts with k states each there are fewer than (n + 1)^(k-1)
- * orbits, but up to k^n markings.
+ * of the equal parts is in which state. Of n equal parts with k states each there are fewer than (n + 1)^(k-1) orbits,
+ * but up to k^n markings.
  *
  * {@snippet :
  * var symmetry = Symmetry.find(net);
@@ -30,9 +30,8 @@ import java.util.stream.Stream;
  *
  * <p><b>Role.</b> Found by {@link #find} or declared by {@link #of}, and checked in both cases: every exchange of two
  * blocks of a group maps transitions to transitions with the same priority, arcs, weights and inhibitor arcs, and keeps
- * the initial marking. Used by {@link ReachabilityGraph#explore(PetriNet, Symmetry,
- * SearchLimits)} and {@link DeadlockSearch}. The turns of a ring
- * are not used, only groups whose blocks may come in any order.
+ * the initial marking. Used by {@link ReachabilityGraph#explore(PetriNet, Symmetry, SearchLimits)} and
+ * {@link DeadlockSearch}. The turns of a ring are not used, only groups whose blocks may come in any order.
  *
  * <p><b>Threads.</b> Immutable.
  *
@@ -97,11 +96,12 @@ public final class Symmetry {
             counts.merge(effect, 1, Integer::sum);
         }
         around = net.places().stream().map(place -> new IntList(4)).toArray(IntList[]::new);
-        net.transitions().forEach(t -> Stream.of(t.inputs(), t.outputs(), t.inhibitors())
-                .flatMap(List::stream)
-                .map(arc -> arc.place().index())
-                .distinct()
-                .forEach(place -> around[place].add(t.index())));
+        net.transitions()
+                .forEach(t -> Stream.of(t.inputs(), t.outputs(), t.inhibitors())
+                        .flatMap(List::stream)
+                        .map(arc -> arc.place().index())
+                        .distinct()
+                        .forEach(place -> around[place].add(t.index())));
     }
 
     /** No equal parts: every marking is an orbit by itself. */
@@ -205,7 +205,9 @@ public final class Symmetry {
     }
 
     private String names(int[] block) {
-        return Arrays.stream(block).mapToObj(p -> net.places().get(p).name()).collect(Collectors.joining(", ", "[", "]"));
+        return Arrays.stream(block)
+                .mapToObj(p -> net.places().get(p).name())
+                .collect(Collectors.joining(", ", "[", "]"));
     }
 
     public PetriNet net() {
@@ -379,7 +381,9 @@ public final class Symmetry {
             for (var block : group.blocks()) {
                 var position = block.indexOf(place);
                 if (position >= 0) {
-                    return group.blocks().stream().map(each -> each.get(position)).toList();
+                    return group.blocks().stream()
+                            .map(each -> each.get(position))
+                            .toList();
                 }
             }
         }

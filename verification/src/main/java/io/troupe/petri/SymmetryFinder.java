@@ -17,8 +17,8 @@ import java.util.TreeSet;
  *
  * <p>Places and transitions are coloured, first by tokens and priorities, and then by the colours of their neighbours
  * and the arcs to these, until no colour splits any more. Equal parts have equal colours. If one place is then given a
- * colour alone, other colours split because of it. The places of its part are then those that are apart from most others
- * of their old colour. If these are more than half of the places, as in a ring, they are no part.
+ * colour alone, other colours split because of it. The places of its part are then those that are apart from most
+ * others of their old colour. If these are more than half of the places, as in a ring, they are no part.
  *
  * <p><b>Source.</b> B. D. McKay, Practical graph isomorphism (1981), for the refinement of colours.
  */
@@ -65,10 +65,12 @@ final class SymmetryFinder {
         sums = new long[size];
         var first = new TreeMap<List<Integer>, IntList>(
                 Comparator.comparing((List<Integer> key) -> key.get(0)).thenComparing(key -> key.get(1)));
-        net.places().forEach(place -> first.computeIfAbsent(List.of(0, place.tokens()), key -> new IntList(4))
-                .add(place.index()));
-        net.transitions().forEach(t -> first.computeIfAbsent(List.of(1, t.priority()), key -> new IntList(4))
-                .add(places + t.index()));
+        net.places()
+                .forEach(place -> first.computeIfAbsent(List.of(0, place.tokens()), key -> new IntList(4))
+                        .add(place.index()));
+        net.transitions()
+                .forEach(t -> first.computeIfAbsent(List.of(1, t.priority()), key -> new IntList(4))
+                        .add(places + t.index()));
         first.values().forEach(this::newColour);
         refine(Integer.MAX_VALUE);
     }
@@ -223,7 +225,8 @@ final class SymmetryFinder {
         var found = new IntList(16);
         for (var parts : split.values()) {
             // of two parts of the same size the one with the old colour
-            var largest = parts.stream().max(Comparator.comparingInt(sizes::get).thenComparing(Comparator.reverseOrder()));
+            var largest =
+                    parts.stream().max(Comparator.comparingInt(sizes::get).thenComparing(Comparator.reverseOrder()));
             parts.remove(largest.orElseThrow());
             for (var part : parts) {
                 Arrays.stream(nodes.get(part).toArray())

@@ -214,8 +214,7 @@ public final class Nets {
         return legs;
     }
 
-    private static void step(
-            PetriNetBuilder net, String name, int priority, List<Leg> legs, int part, int other) {
+    private static void step(PetriNetBuilder net, String name, int priority, List<Leg> legs, int part, int other) {
         net.transition(name).priority(name, priority);
         var seen = new HashSet<String>();
         for (var leg : legs) {

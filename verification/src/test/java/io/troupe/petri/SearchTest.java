@@ -439,7 +439,8 @@ class SearchTest {
         assertThat(List.of(search.end(), first.end())).containsOnly(SearchEnd.COMPLETE);
         assertThat(List.of(search.visitedMarkings(), first.visitedMarkings())).containsOnly(markings);
         assertThat(search.bytesPerMarking()).isEqualTo(8);
-        assertThat(DeadlockSearch.first(net, limits.within(markings * (8L + 20) + chunks)).end())
+        assertThat(DeadlockSearch.first(net, limits.within(markings * (8L + 20) + chunks))
+                        .end())
                 .isEqualTo(SearchEnd.MEMORY);
     }
 

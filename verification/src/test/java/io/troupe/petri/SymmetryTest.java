@@ -50,10 +50,11 @@ class SymmetryTest {
         var symmetry = Symmetry.find(net);
         var graph = ReachabilityGraph.exploreMarkings(net, symmetry, LIMITS);
         assertThat(symmetry).hasToString(count + " equal parts");
-        assertThat(symmetry.groups()).singleElement().satisfies(group -> assertThat(group.blocks())
-                .hasSize(count)
-                .allSatisfy(block -> assertThat(block).hasSize(3)));
-        var graph = ReachabilityGraph.exploreMarkings(net, symmetry, LIMITS);
+        assertThat(symmetry.groups())
+                .singleElement()
+                .satisfies(group -> assertThat(group.blocks())
+                        .hasSize(count)
+                        .allSatisfy(block -> assertThat(block).hasSize(3)));
         // none or one is served; of the others any number asks
         assertThat(graph.size()).isEqualTo(count + 1 + count);
         assertThat(graph.toString())
@@ -94,7 +95,9 @@ class SymmetryTest {
         for (var i = 0; i < count; i++) {
             ring.transition("take" + i, List.of("waits" + i, "fork" + i), List.of("holds" + i));
             ring.transition(
-                    "put" + i, List.of("holds" + i, "fork" + (i + 1) % count), List.of("waits" + i, "fork" + i, "fork" + (i + 1) % count));
+                    "put" + i,
+                    List.of("holds" + i, "fork" + (i + 1) % count),
+                    List.of("waits" + i, "fork" + i, "fork" + (i + 1) % count));
         }
         var net = ring.build();
         assertThat(Symmetry.find(net).isTrivial()).isTrue();
@@ -128,7 +131,8 @@ class SymmetryTest {
                 () -> Symmetry.of(more, List.of(group(more, "a", "b"))),
                 "net more: blocks [a] and [b] are not equal: place a holds 1 tokens, place b 2");
         for (var net : List.of(heavy, twice)) {
-            assertThat(Nets.refusals(() -> Symmetry.of(net, List.of(group(net, "a", "b"))))).contains("no counterpart");
+            assertThat(Nets.refusals(() -> Symmetry.of(net, List.of(group(net, "a", "b")))))
+                    .contains("no counterpart");
         }
         assertThat(Symmetry.of(clients, List.of(group(clients, blocks.get(0), blocks.get(1)))))
                 .hasToString("2 equal parts");
@@ -174,7 +178,8 @@ class SymmetryTest {
         var symmetry = Symmetry.find(net).fixing(net.place("asks2"));
         assertThat(symmetry).hasToString("3 equal parts");
         assertThat(symmetry.groups().getFirst().blocks()).noneMatch(block -> block.contains(net.place("idle2")));
-        assertThat(Symmetry.find(clients(2)).fixing(clients(2).place("idle0")).isTrivial()).isTrue();
+        assertThat(Symmetry.find(clients(2)).fixing(clients(2).place("idle0")).isTrivial())
+                .isTrue();
         assertThat(symmetry.fixing(net.place("free"))).hasToString("3 equal parts");
     }
 
@@ -264,7 +269,9 @@ class SymmetryTest {
             counts.merge("smaller by stubborn sets", search.visitedMarkings() < graph.size() ? 1 : 0, Integer::sum);
         }
         assertThat(counts.remove("missed parts")).isLessThan(5);
-        assertThat(counts).hasSize(6).allSatisfy((what, count) -> assertThat(count).as(what).isGreaterThan(100));
+        assertThat(counts)
+                .hasSize(6)
+                .allSatisfy((what, count) -> assertThat(count).as(what).isGreaterThan(100));
         assertThat(counts.get("nets")).isGreaterThan(1500);
     }
 
@@ -310,11 +317,8 @@ class SymmetryTest {
         return graph;
     }
 
-    private static void requireShortest(
-            String as, Marking marking, List<Transition> trace, ReachabilityGraph whole) {
+    private static void requireShortest(String as, Marking marking, List<Transition> trace, ReachabilityGraph whole) {
         assertThat(whole.net().fire(whole.net().initialMarking(), trace)).as(as).isEqualTo(marking);
-        assertThat(trace)
-                .as(as)
-                .hasSameSizeAs(whole.find(marking).orElseThrow().shortestTrace());
+        assertThat(trace).as(as).hasSameSizeAs(whole.find(marking).orElseThrow().shortestTrace());
     }
 }

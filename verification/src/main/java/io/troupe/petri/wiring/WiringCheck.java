@@ -26,8 +26,9 @@ import java.util.stream.Collectors;
  * full. In the whole, a search by stubborn sets finds all dead markings, with a shortest trace to each, among a small
  * part of the markings. If the net is too large for that, {@link DeadlockCheck} finds one of them, or proves that there
  * is none. If there are none, another search decides whether some components can be blocked while others go on; if it
- * is too large and components are equal, one marking is searched of each orbit of a {@link Symmetry}. The full graph, within the limit, adds its figures and how a block begins, and decides what the other searches could not.
- * The result reports what was beyond all limits. In a unit test:
+ * is too large and components are equal, one marking is searched of each orbit of a {@link Symmetry}. The full graph,
+ * within the limit, adds its figures and how a block begins, and decides what the other searches could not. The result
+ * reports what was beyond all limits. In a unit test:
  *
  * {@snippet :
  * @Test

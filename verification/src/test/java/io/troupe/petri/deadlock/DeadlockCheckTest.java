@@ -191,12 +191,17 @@ class DeadlockCheckTest {
             for (var rules : alternatives()) {
                 switch (DeadlockCheck.decide(net, rules, LIMITS)) {
                     case CanDeadlock dead ->
-                        assertThat(isDead(net, dead.trace())).as("seed %d, %s", seed, rules).isTrue();
+                        assertThat(isDead(net, dead.trace()))
+                                .as("seed %d, %s", seed, rules)
+                                .isTrue();
                     case Proved proof -> {
-                        assertThat(graph.dead()).as("seed %d, %s: %s", seed, rules, proof).isEmpty();
+                        assertThat(graph.dead())
+                                .as("seed %d, %s: %s", seed, rules, proof)
+                                .isEmpty();
                         byOrbits += proof.reason().contains("equal parts") ? 1 : 0;
                     }
-                    case Unknown unknown -> assertThat(unknown).as("seed %d, %s", seed, rules).isNull();
+                    case Unknown unknown ->
+                        assertThat(unknown).as("seed %d, %s", seed, rules).isNull();
                 }
             }
         }

@@ -8,7 +8,6 @@ import static io.troupe.petri.wiring.Protocol.requests;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.petri.ReachabilityGraph;
-import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Symmetry;
 import io.troupe.petri.wiring.WiringResult.Blocked;
@@ -37,8 +36,10 @@ class EqualComponentsTest {
         var worker = Protocol.of("worker")
                 .in("idle", acquires("tool").then("one"))
                 .in("one", acquires("tool").then("both"))
-                .in("both", Stream.concat(Stream.of(releases("tool").then("back")), Stream.of(whileHoldingBoth))
-                        .toArray(Branch[]::new))
+                .in(
+                        "both",
+                        Stream.concat(Stream.of(releases("tool").then("back")), Stream.of(whileHoldingBoth))
+                                .toArray(Branch[]::new))
                 .in("back", releases("tool").then("idle"));
         if (whileHoldingBoth.length > 0) {
             worker.in("gone", does("rest").then("gone"));
@@ -118,17 +119,25 @@ class EqualComponentsTest {
             var next = "s" + (steps.size() + 1);
             var kind = random.nextInt(4);
             held += kind == 0 ? 1 : 0;
-            steps.add(kind == 0 ? acquires("tool").then(next) : kind == 1 ? requests("server.begin").then(next)
-                    : kind == 2 ? requests("server.end").then(next) : does("step").then(next));
+            steps.add(
+                    kind == 0
+                            ? acquires("tool").then(next)
+                            : kind == 1
+                                    ? requests("server.begin").then(next)
+                                    : kind == 2
+                                            ? requests("server.end").then(next)
+                                            : does("step").then(next));
         }
         for (; held > 0; held--) {
             steps.add(releases("tool").then("s" + (steps.size() + 1)));
         }
         var leaving = random.nextInt(2 * steps.size());
         for (var i = 0; i < steps.size(); i++) {
-            protocol.in("s" + i, i == leaving
-                    ? new Branch[] {steps.get(i), does("leave").then("gone")}
-                    : new Branch[] {steps.get(i)});
+            protocol.in(
+                    "s" + i,
+                    i == leaving
+                            ? new Branch[] {steps.get(i), does("leave").then("gone")}
+                            : new Branch[] {steps.get(i)});
         }
         protocol.in("s" + steps.size(), does("begin again").then("s0"));
         if (leaving < steps.size()) {
