@@ -90,18 +90,23 @@ public final class Symmetry {
                         .map(block -> block.stream().mapToInt(Place::index).toArray())
                         .toArray(int[][]::new))
                 .toArray(int[][][]::new);
+        around = net.places().stream().map(place -> new IntList(0)).toArray(IntList[]::new);
+    }
+
+    /** Called before parts are compared or exchanged. */
+    private Symmetry indexed() {
         for (var t : net.transitions()) {
             var effect = Effect.of(t, IntUnaryOperator.identity());
             transitions.putIfAbsent(effect, t.index());
             counts.merge(effect, 1, Integer::sum);
         }
-        around = net.places().stream().map(place -> new IntList(4)).toArray(IntList[]::new);
         net.transitions()
                 .forEach(t -> Stream.of(t.inputs(), t.outputs(), t.inhibitors())
                         .flatMap(List::stream)
                         .map(arc -> arc.place().index())
                         .distinct()
                         .forEach(place -> around[place].add(t.index())));
+        return this;
     }
 
     /** No equal parts: every marking is an orbit by itself. */
@@ -117,7 +122,7 @@ public final class Symmetry {
      *     initial marking: the message names a transition or a place that has no counterpart
      */
     public static Symmetry of(PetriNet net, List<Group> groups) {
-        var symmetry = new Symmetry(net, groups);
+        var symmetry = new Symmetry(net, groups).indexed();
         symmetry.requireBlocks();
         for (var group : symmetry.blocks) {
             for (var i = 1; i < group.length; i++) {
@@ -133,7 +138,7 @@ public final class Symmetry {
 
     /** Looks for groups of equal parts. It may miss some, for example equal parts inside of equal parts. */
     public static Symmetry find(PetriNet net) {
-        var none = none(net);
+        var none = none(net).indexed();
         var found = new ArrayList<Group>();
         for (var group : new SymmetryFinder(net).groups()) {
             if (none.areEqual(group)) {
@@ -143,7 +148,7 @@ public final class Symmetry {
                         .toList()));
             }
         }
-        return new Symmetry(net, found);
+        return found.isEmpty() ? none(net) : new Symmetry(net, found).indexed();
     }
 
     private void requireBlocks() {
@@ -233,7 +238,8 @@ public final class Symmetry {
                                 .filter(block -> !block.contains(place))
                                 .toList()))
                         .filter(group -> group.blocks().size() > 1)
-                        .toList());
+                        .toList())
+                .indexed();
     }
 
     /** Whether every exchange of equal parts maps these transitions to each other. */
@@ -262,6 +268,9 @@ public final class Symmetry {
     /** The marking that stands for the orbit of {@code marking}. */
     public Marking representative(Marking marking) {
         marking.requirePlaces(net.places(), net.name());
+        if (isTrivial()) {
+            return marking;
+        }
         var tokens = marking.toArray();
         new Sorter(this).sort(tokens);
         return new Marking(net.places(), tokens);
