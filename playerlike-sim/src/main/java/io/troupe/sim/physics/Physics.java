@@ -61,6 +61,11 @@ public final class Physics {
     private static final float FRICTION = 0.3f;
     private static final int VELOCITY_ITERATIONS = 8;
     private static final int POSITION_ITERATIONS = 3;
+    /**
+     * Objects of each type in jbox2d's pools, which by default have 100. At most three are in use at a time; if there
+     * were too few, jbox2d would throw.
+     */
+    private static final int POOLED = 8;
 
     private final BodyCells cells = new BodyCells();
     private final World world;
@@ -116,7 +121,7 @@ public final class Physics {
         this.mayGlide = mayGlide;
         touches = new TouchTracker(robotCount, movers);
         world = new World(
-                new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), cells);
+                new Vec2(0, 0), new DefaultWorldPool(POOLED, POOLED), cells);
         world.setAllowSleep(false);
         world.setContinuousPhysics(false);
         world.setContactListener(touches);
