@@ -136,7 +136,8 @@ public final class MeasureStart implements Callable<Integer> {
                 var zip = new JarOutputStream(out);
                 Stream<Path> files = Files.walk(classes)) {
             for (Path file : files.filter(Files::isRegularFile).sorted().toList()) {
-                zip.putNextEntry(new ZipEntry(classes.relativize(file).toString().replace(File.separatorChar, '/')));
+                zip.putNextEntry(
+                        new ZipEntry(classes.relativize(file).toString().replace(File.separatorChar, '/')));
                 Files.copy(file, zip);
                 zip.closeEntry();
             }
@@ -150,15 +151,17 @@ public final class MeasureStart implements Callable<Integer> {
         command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
         command.addAll(options);
         command.addAll(List.of(Child.class.getName(), world.toString()));
-        Process process =
-                new ProcessBuilder(command).redirectErrorStream(true).start();
+        Process process = new ProcessBuilder(command).redirectErrorStream(true).start();
         String output = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8).strip();
         int status = process.waitFor();
         if (status != 0) {
             throw new IOException("the JVM has ended with status " + status + ": " + output);
         }
-        return output.lines().filter(line -> line.matches("[0-9. ]+")).findFirst().orElseThrow(() -> new IOException(
-                "the JVM has printed \"" + output + "\", expected the times of its start"));
+        return output.lines()
+                .filter(line -> line.matches("[0-9. ]+"))
+                .findFirst()
+                .orElseThrow(() ->
+                        new IOException("the JVM has printed \"" + output + "\", expected the times of its start"));
     }
 
     private static String row(Kind kind) {

@@ -120,8 +120,7 @@ public final class Physics {
         this.stepMicros = stepMicros;
         this.mayGlide = mayGlide;
         touches = new TouchTracker(robotCount, movers);
-        world = new World(
-                new Vec2(0, 0), new DefaultWorldPool(POOLED, POOLED), cells);
+        world = new World(new Vec2(0, 0), new DefaultWorldPool(POOLED, POOLED), cells);
         world.setAllowSleep(false);
         world.setContinuousPhysics(false);
         world.setContactListener(touches);
