@@ -3,12 +3,14 @@ package io.troupe.sim.physics;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Shape;
+import java.nio.ByteBuffer;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.zip.CRC32;
 import org.jbox2d.callbacks.ContactImpulse;
 import org.jbox2d.callbacks.ContactListener;
 import org.jbox2d.collision.Manifold;
@@ -61,6 +63,11 @@ public final class Physics {
     private static final float FRICTION = 0.3f;
     private static final int VELOCITY_ITERATIONS = 8;
     private static final int POSITION_ITERATIONS = 3;
+    /**
+     * Objects of each type in jbox2d's pools, which by default have 100. At most three are in use at a time; if there
+     * were too few, jbox2d would throw.
+     */
+    private static final int POOLED = 8;
 
     private final BodyCells cells = new BodyCells();
     private final World world;
@@ -115,8 +122,7 @@ public final class Physics {
         this.stepMicros = stepMicros;
         this.mayGlide = mayGlide;
         touches = new TouchTracker(robotCount, movers);
-        world = new World(
-                new Vec2(0, 0), new DefaultWorldPool(World.WORLD_POOL_SIZE, World.WORLD_POOL_CONTAINER_SIZE), cells);
+        world = new World(new Vec2(0, 0), new DefaultWorldPool(POOLED, POOLED), cells);
         world.setAllowSleep(false);
         world.setContinuousPhysics(false);
         world.setContactListener(touches);
@@ -132,15 +138,17 @@ public final class Physics {
     }
 
     private static final class SineTable {
-        static final boolean STANDARD = compare();
+        /** Of the sines by StrictMath in single precision. The checksum takes far less time than those in a new JVM. */
+        private static final long CHECKSUM = 0xB5A468BAL;
 
-        private static boolean compare() {
-            for (int i = 0; i < MathUtils.sinLUT.length; i++) {
-                if (MathUtils.sinLUT[i] != (float) StrictMath.sin(i * Settings.SINCOS_LUT_PRECISION)) {
-                    return false;
-                }
-            }
-            return true;
+        static final boolean STANDARD = checksum() == CHECKSUM;
+
+        private static long checksum() {
+            ByteBuffer bytes = ByteBuffer.allocate(Float.BYTES * MathUtils.sinLUT.length);
+            bytes.asFloatBuffer().put(MathUtils.sinLUT);
+            var checksum = new CRC32();
+            checksum.update(bytes);
+            return checksum.getValue();
         }
     }
 

@@ -34,8 +34,8 @@ final class Served implements AutoCloseable {
     private final List<RawClient> clients = new ArrayList<>();
 
     /** @param port 0 for any */
-    private Served(Scenario scenario, int port, TcpServer.Shared shared) {
-        simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+    private Served(Scenario scenario, WorldSettings settings, int port, TcpServer.Shared shared) {
+        simulation = Simulation.open(scenario, settings);
         server = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), port, InetAddress.getLoopbackAddress(), shared);
     }
 
@@ -44,15 +44,19 @@ final class Served implements AutoCloseable {
     }
 
     static Served open(int port) {
-        return new Served(oneRobot(), port, ofMachine());
+        return new Served(oneRobot(), WorldSettings.DEFAULT, port, ofMachine());
     }
 
     static Served open(Scenario scenario) {
-        return new Served(scenario, 0, ofMachine());
+        return open(scenario, WorldSettings.DEFAULT);
+    }
+
+    static Served open(Scenario scenario, WorldSettings settings) {
+        return new Served(scenario, settings, 0, ofMachine());
     }
 
     static Served open(TcpServer.Settings settings, Clock clock) {
-        return new Served(oneRobot(), 0, new TcpServer.Shared(settings, clock));
+        return new Served(oneRobot(), WorldSettings.DEFAULT, 0, new TcpServer.Shared(settings, clock));
     }
 
     private static TcpServer.Shared ofMachine() {

@@ -23,6 +23,7 @@ import java.util.stream.Stream;
 import org.jbox2d.collision.AABB;
 import org.jbox2d.collision.broadphase.DynamicTree;
 import org.jbox2d.collision.shapes.PolygonShape;
+import org.jbox2d.common.MathUtils;
 import org.jbox2d.common.Settings;
 import org.jbox2d.common.Vec2;
 import org.jbox2d.dynamics.BodyDef;
@@ -84,6 +85,9 @@ class PhysicsTest {
     @Test
     void jbox2d_hasOurSineTableAndSkin_andObstaclesComeBeforeRobots() {
         assertThat(Physics.hasStandardSineTable()).isTrue();
+        for (int i = 0; i < MathUtils.sinLUT.length; i++) {
+            assertThat(MathUtils.sinLUT[i]).isEqualTo((float) StrictMath.sin(i * Settings.SINCOS_LUT_PRECISION));
+        }
         assertThat(Physics.SKIN_M).isCloseTo(2.0 * Settings.polygonRadius, within(1e-8));
         Physics physics = circling(1, 2, -9);
         assertThatThrownBy(() -> physics.addObstacle(Pose.ORIGIN, Specs.box(1, 1)))
