@@ -53,7 +53,7 @@ class FaultsTest {
         long seed = System.nanoTime() % 1_000_000;
         History history;
         try (Hosts hosts = Hosts.open(Hosts.Kind.AUTO);
-                var run = new FaultRun(hosts, folder, seed, fault -> {})) {
+                var run = new BusFaultRun(hosts, folder, seed, fault -> {})) {
             history = run.run(FAULTS);
         }
         assertThat(brokenRules(history)).as("seed %d", seed).isEmpty();
@@ -62,7 +62,7 @@ class FaultsTest {
         assertThat(count(history, Delivered.class)).isPositive();
         assertThat(count(history, StreamEnded.class)).isPositive();
         assertThat(HistoryChecker.commands(history)).as("commands of robots").isPositive();
-        var report = new BusFaultReport();
+        var report = new FaultReport.OfBus();
         report.add(seed, history, HistoryChecker.check(history));
         assertThat(report.toString()).contains("fault", "all  ", "seeds " + seed);
         assertThat(report.json()).startsWith("{\"faults\": {\"").contains("\"violations\": ");
@@ -84,7 +84,7 @@ class FaultsTest {
         assertThat(count(history, DriverFaultBegan.class)).isEqualTo(DRIVER_FAULTS);
         assertThat(count(history, Commanded.class)).isPositive();
         assertThat(count(history, Rolled.class)).isPositive();
-        var report = new DriverFaultReport();
+        var report = new FaultReport.OfDrivers();
         report.add(seed, history, HistoryChecker.check(history));
         assertThat(report.toString()).contains("next driver", "all  ", "seeds " + seed);
         assertThat(report.json()).startsWith("{\"driverFaults\": {\"").contains("\"violations\": ");
