@@ -12,7 +12,7 @@ import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The time limit that a question shares with all questions that are asked to answer it; see {@link ActorSpace#within}.
+ * The time limit of a request and of all requests that are sent to answer it; see {@link ActorSpace#within}.
  *
  * <p>A turn with a limit passes it on to the requests that it sends and to the listeners that it registers. When the
  * limit is over, the requests that are not answered are rejected, so those that are still queued are not begun.
