@@ -66,7 +66,10 @@ final class TimeLimit {
                 Math.max(0, deadlineNanos - home.settings.clock().nanos()));
     }
 
-    /** Rejects this promise, too, when the limit is over: that of the question itself. On the thread of its caller. */
+    /**
+     * Rejects this promise, too, when the limit is over: that of {@link ActorSpace#within}. On the thread of its
+     * caller.
+     */
     synchronized void limit(Deferred<?> question) {
         questions.add(question);
         setTimer();
@@ -100,7 +103,7 @@ final class TimeLimit {
         open.removeIf(each -> each.request.isDone());
     }
 
-    /** Called when the question has been answered: removes the timer, unless other requests still need it. */
+    /** Called when the function's promise is settled: removes the timer, unless other requests still need it. */
     synchronized void answered() {
         if (over) {
             return;

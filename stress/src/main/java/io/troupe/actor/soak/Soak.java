@@ -154,9 +154,9 @@ final class Soak {
      */
     private static final class Producer implements Runnable {
         private static final Duration PATIENCE = Duration.ofSeconds(60);
-        private static final int QUESTIONS_OPEN = 1;
+        private static final int REQUESTS_OPEN = 1;
 
-        private record Question(Sink sink, long sent, Promise<Long> taken) {}
+        private record OpenRequest(Sink sink, long sent, Promise<Long> taken) {}
 
         private final int number;
         private final long messagesPerSink;
@@ -164,7 +164,7 @@ final class Soak {
         private final List<Sink> sinks;
         private final List<Sink> paced;
         private final Consumer<String> fault;
-        private final ArrayDeque<Question> open = new ArrayDeque<>();
+        private final ArrayDeque<OpenRequest> open = new ArrayDeque<>();
 
         /**
          * Creates a producer.
@@ -195,7 +195,7 @@ final class Soak {
                     }
                     if ((message + 1) % window == 0) {
                         ask(paced, message + 1);
-                        check(QUESTIONS_OPEN * paced.size());
+                        check(REQUESTS_OPEN * paced.size());
                     }
                 }
                 ask(sinks, messagesPerSink);
@@ -210,16 +210,16 @@ final class Soak {
         }
 
         private void ask(List<Sink> asked, long sent) {
-            asked.forEach(sink -> open.add(new Question(sink, sent, sink.taken(number))));
+            asked.forEach(sink -> open.add(new OpenRequest(sink, sent, sink.taken(number))));
         }
 
         private void check(int mayStayOpen) throws TimeoutException, InterruptedException {
             while (open.size() > mayStayOpen) {
-                Question question = open.remove();
-                long taken = question.taken.get(PATIENCE);
-                if (taken != question.sent) {
+                OpenRequest request = open.remove();
+                long taken = request.taken.get(PATIENCE);
+                if (taken != request.sent) {
                     fault.accept("producer %d had sent %,d messages to %s, and %,d had arrived"
-                            .formatted(number, question.sent, question.sink, taken));
+                            .formatted(number, request.sent, request.sink, taken));
                 }
             }
         }
