@@ -245,7 +245,7 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     }
 
     /**
-     * Asks a question with a time limit that is inherited by the questions asked to answer it.
+     * Sends requests with a time limit that is inherited by the requests sent to answer them.
      *
      * {@snippet :
      * Promise<String> receipt = space.within(Duration.ofSeconds(2), () -> shop.buy("lamp", 20));
@@ -274,7 +274,7 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
 
     /**
      * The time that is left for the current turn, by the shortest limit of {@link #within} that it has inherited; zero
-     * if that is over, null if there is none. For questions to others than actors.
+     * if that is over, null if there is none. For requests to others than actors.
      */
     public static @Nullable Duration timeLeft() {
         TimeLimit limit = TimeLimit.current();

@@ -27,8 +27,8 @@ import java.util.concurrent.atomic.LongAdder;
  * <p><b>Role.</b> Unnamed actors of one type count as one node, so that a graph is small however many actors there are.
  * Beyond {@value #MOST_NODES} nodes, those that follow count as the node {@value #OTHERS} of their space.
  *
- * <p><b>Threads.</b> Any thread. <b>Cost.</b> A call or a listener in such a space reads the clock twice, adds to some
- * counters, and takes the way of calls with a context; nothing in other spaces.
+ * <p><b>Threads.</b> Any thread. <b>Cost.</b> A call or a listener in such a space reads the clock twice and adds to
+ * some counters; a call is wrapped, like one with a {@link TurnContext}. None in other spaces.
  */
 public final class CallGraph implements CallObserver {
     /** The name of the node of threads that belong to no space. */

@@ -25,7 +25,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> A call is observed before it is in the mailbox, then when it leaves the mailbox, then when its
  * promise is settled.
  *
- * <p><b>Cost.</b> Calls in such a space take the way of calls with a context; nothing in other spaces.
+ * <p><b>Cost.</b> Each call in such a space is wrapped, like a call with a {@link TurnContext}; none in other spaces.
  *
  * <p><b>Errors.</b> An exception is reported to the error handler of the space, and has no effect on the call.
  */

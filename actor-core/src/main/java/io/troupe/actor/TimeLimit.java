@@ -12,7 +12,7 @@ import java.util.concurrent.TimeoutException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The time limit that a question shares with all questions that are asked to answer it; see {@link ActorSpace#within}.
+ * The time limit of a request and of all requests that are sent to answer it; see {@link ActorSpace#within}.
  *
  * <p>A turn with a limit passes it on to the requests that it sends and to the listeners that it registers. When the
  * limit is over, the requests that are not answered are rejected, so those that are still queued are not begun.
@@ -66,7 +66,10 @@ final class TimeLimit {
                 Math.max(0, deadlineNanos - home.settings.clock().nanos()));
     }
 
-    /** Rejects this promise, too, when the limit is over: that of the question itself. On the thread of its caller. */
+    /**
+     * Rejects this promise, too, when the limit is over: that of {@link ActorSpace#within}. On the thread of its
+     * caller.
+     */
     synchronized void limit(Deferred<?> question) {
         questions.add(question);
         setTimer();
@@ -100,7 +103,7 @@ final class TimeLimit {
         open.removeIf(each -> each.request.isDone());
     }
 
-    /** Called when the question has been answered: removes the timer, unless other requests still need it. */
+    /** Called when the function's promise is settled: removes the timer, unless other requests still need it. */
     synchronized void answered() {
         if (over) {
             return;

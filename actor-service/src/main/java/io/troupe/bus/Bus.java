@@ -216,7 +216,7 @@ public final class Bus implements AutoCloseable {
         }
     }
 
-    /** @param isShared true if the questions that the handler asks share the limit */
+    /** @param isShared true if the requests that the handler sends share the limit */
     void request(BusMessage message, Duration limit, boolean isShared) {
         notifier.passed(message);
         var request = (Purpose.Request) message.purpose();

@@ -71,7 +71,7 @@ final class Frames {
         return out.toBytes();
     }
 
-    /** @param isShared true if the questions that the handler asks share the limit */
+    /** @param isShared true if the requests that the handler sends share the limit */
     byte[] request(BusMessage message, Purpose.Request request, long limitMicros, boolean isShared) {
         var out = begin(REQUEST, message.from(), message.sequence(), isShared ? REQUEST_FIELDS + 1 : REQUEST_FIELDS);
         out.writeText(request.to().name());
@@ -193,7 +193,7 @@ final class Frames {
             }
         }
 
-        /** @param isShared true if the questions that the handler asks share the limit */
+        /** @param isShared true if the requests that the handler sends share the limit */
         record Requested(Purpose.Request purpose, Kind kind, long limitMicros, boolean isShared) implements Body {}
 
         record Noticed(Purpose.Notice purpose, Kind kind) implements Body {}

@@ -10,7 +10,7 @@ import java.time.Duration;
  * @param ageNanos how long it had been on its way then
  * @param limitNanos how long after its arrival the requester waits for a reply; {@link Long#MAX_VALUE} if that is not
  *     limited, or known otherwise
- * @param isLimitShared true if the questions that the handler asks share the limit
+ * @param isLimitShared true if the requests that the handler sends share the limit
  */
 record MessageDelivery(
         BusMessage message,

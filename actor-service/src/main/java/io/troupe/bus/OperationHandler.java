@@ -98,7 +98,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
                 .whenComplete((value, error) -> settle(request, value, error));
     }
 
-    /** Calls the handler. If the requester has asked for that, the questions that the handler asks share the limit. */
+    /** Calls the handler. If the requester has asked for that, the requests that the handler sends share the limit. */
     private @Nullable Promise<A> call(MessageDelivery request) throws Throwable {
         Q question = operation.request().cast(request.message().payload());
         ActorSpace here = ActorSpace.current();

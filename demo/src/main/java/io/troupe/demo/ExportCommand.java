@@ -2,6 +2,7 @@ package io.troupe.demo;
 
 import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.sim.model.WorldSpec;
@@ -44,8 +45,6 @@ import picocli.CommandLine.Spec;
         })
 final class ExportCommand implements Callable<Integer> {
     private static final int COLOURS = 8;
-    /** Directory of the installation. The start script sets the property; builds run in that directory. */
-    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
 
     @Spec
     private CommandSpec spec;
@@ -165,7 +164,7 @@ final class ExportCommand implements Callable<Integer> {
                         spec.commandLine(),
                         "--colours is " + colours + ", but there is no crowd: expected --crowd as well");
             }
-            Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
+            Path file = world == null ? Installation.world("paper-arena.world") : world;
             return loader.read(file).world();
         }
         if (world != null) {

@@ -10,6 +10,7 @@ import io.troupe.bus.nats.NatsBus;
 import io.troupe.bus.nats.NatsSettings;
 import io.troupe.common.process.NatsServerProcess;
 import io.troupe.demo.hosts.HostProcesses;
+import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
@@ -60,9 +61,6 @@ import picocli.CommandLine.Spec;
         showDefaultValues = true)
 final class HostsCommand implements Callable<Integer> {
     private static final int MOST_SECONDS = 3600;
-    /** The installation; the start script sets the property, and builds run in that directory. */
-    private static final String HOME = "troupe.home";
-
     private static final Pattern SERVED = Pattern.compile("^127\\.0\\.0\\.1:(\\d+) offers ");
     private static final Pattern OFFERED = Pattern.compile(" offers .* for the robots at ");
 
@@ -108,14 +106,13 @@ final class HostsCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException, InterruptedException {
         OptionRange.checkSeconds(spec, seconds, MOST_SECONDS);
-        Path home = Path.of(System.getProperty(HOME, ""));
-        Path file = world == null ? home.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
+        Path file = world == null ? Installation.world("paper-arena.world") : world;
         WorldSpec read = loader.read(file).world();
         if (!NatsServerProcess.isInstalled()) {
             throw new ParameterException(spec.commandLine(), NatsServerProcess.HOW_TO_GET);
         }
         OutputDirectory.make(spec, out);
-        Path configuration = home.resolve(Path.of("docs", "hosts", "nats.conf"));
+        Path configuration = Installation.folder().resolve(Path.of("docs", "hosts", "nats.conf"));
         try (var interruption = Interruption.open();
                 var processes = HostProcesses.start(out, Main.class.getName(), configuration)) {
             new Job(processes, file, read, interruption).run();

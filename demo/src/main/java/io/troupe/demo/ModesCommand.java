@@ -1,5 +1,6 @@
 package io.troupe.demo;
 
+import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
@@ -43,7 +44,7 @@ final class ModesCommand implements Callable<Integer> {
             paramLabel = "FILE",
             description = "a .world or .cfg file; the paper's arena unless given",
             showDefaultValue = Visibility.NEVER)
-    private Path world = Path.of(System.getProperty("troupe.home", ""), "demo", "worlds", "paper-arena.world");
+    private Path world = Installation.world("paper-arena.world");
 
     @Mixin
     private WorldLoader loader;

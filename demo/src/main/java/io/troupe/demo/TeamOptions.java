@@ -3,6 +3,7 @@ package io.troupe.demo;
 import io.troupe.demo.crowd.CrowdTable;
 import io.troupe.demo.hosts.RobotAddress;
 import io.troupe.demo.table.ServiceJars;
+import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
@@ -28,9 +29,6 @@ final class TeamOptions implements AutoCloseable {
     private static final int COLOURS = 8;
     private static final int SERVICES = 3;
     private static final double MOST_HOLD_SECONDS = 3600;
-    /** Directory of the installation. The start script sets the property; builds run in that directory. */
-    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
-
     /** A world and the table of services of its robots. */
     record Team(Scenario scenario, SubsumptionTable table) {}
 
@@ -128,7 +126,7 @@ final class TeamOptions implements AutoCloseable {
         refuseWithoutCrowd("--colours", colours);
         refuseWithoutCrowd("--services", services);
         refuseWithoutCrowd("--hold", holdSeconds);
-        Path file = world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.world")) : world;
+        Path file = world == null ? Installation.world("paper-arena.world") : world;
         var services =
                 table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table, catalogue);
         return new Team(loader.read(file), services);

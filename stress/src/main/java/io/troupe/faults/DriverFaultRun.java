@@ -28,7 +28,7 @@ import java.util.function.Consumer;
  * One run of the main job: a server, a world with two robots, three providers and an arbitrator are started, and broken
  * at random, one at a time.
  */
-final class DriverFaultRun implements AutoCloseable {
+final class DriverFaultRun implements FaultRun {
     private static final int ROBOTS = 2;
     private static final int READY_SECONDS = 60;
     private static final int FREEZE_MILLIS = 5_000;
@@ -41,7 +41,7 @@ final class DriverFaultRun implements AutoCloseable {
     private final Path folder;
     private final Random random;
     private final History.Writer history;
-    private final Consumer<FaultRun.Progress> progress;
+    private final Consumer<Progress> progress;
     private final BusServer server;
     private final Map<String, HostProcess> processes = new HashMap<>();
     private final Map<String, Integer> lives = new HashMap<>();
@@ -54,7 +54,7 @@ final class DriverFaultRun implements AutoCloseable {
      * @param folder gets the histories
      * @param progress is called at each fault
      */
-    DriverFaultRun(Hosts hosts, Path folder, long seed, Consumer<FaultRun.Progress> progress) throws IOException {
+    DriverFaultRun(Hosts hosts, Path folder, long seed, Consumer<Progress> progress) throws IOException {
         this.hosts = hosts;
         this.folder = Files.createDirectories(folder);
         this.random = new Random(seed);
@@ -64,8 +64,9 @@ final class DriverFaultRun implements AutoCloseable {
         this.mode = random.nextBoolean() ? Mode.PROMISE : Mode.CALLBACK;
     }
 
-    /** Breaks that many things, one after the other, and repairs each. */
-    History run(int faults) throws IOException, InterruptedException {
+    /** Breaks one thing after the other: the next one when the robots are driven again. */
+    @Override
+    public History run(int faults) throws IOException, InterruptedException {
         startWorld();
         startServer();
         for (String host : Hosts.NODES) {
@@ -78,7 +79,7 @@ final class DriverFaultRun implements AutoCloseable {
             Fault fault = next();
             var began = new DriverFaultBegan(number, fault.kind, String.join(",", fault.hosts), fault.details);
             history.add(began);
-            progress.accept(new FaultRun.Progress(number, fault.kind + " " + began.target() + " " + fault.details));
+            progress.accept(new Progress(number, fault.kind + " " + began.target() + " " + fault.details));
             fault.act.run();
             history.add(new Broken(number));
             Thread.sleep(fault.millis);

@@ -14,6 +14,7 @@ import java.util.EnumMap;
 import java.util.List;
 import java.util.Map;
 import java.util.concurrent.Callable;
+import java.util.function.Consumer;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
@@ -89,17 +90,20 @@ public final class FaultsMain implements Callable<Integer> {
         }
         long first = seed == null ? System.nanoTime() % 1_000_000 : seed;
         Path folder = Files.createTempDirectory("troupe-faults-");
-        var report = new BusFaultReport();
-        var drivers = new DriverFaultReport();
+        var report = new FaultReport.OfBus();
+        var drivers = new FaultReport.OfDrivers();
         try (Hosts hosts = Hosts.open(kind);
                 var line = ProgressLine.open()) {
             System.out.println("hosts: " + hosts);
             for (int done = 0; done < faults; done += faultsPerRun) {
                 int number = done / faultsPerRun;
+                long runSeed = first + number;
                 if (work == Work.DRIVERS || work == Work.BOTH && number % 2 == 1) {
-                    runDrivers(hosts, folder, first + number, done, line, drivers);
+                    Opener opener = (histories, progress) -> new DriverFaultRun(hosts, histories, runSeed, progress);
+                    run(opener, folder, runSeed, done, line, drivers);
                 } else {
-                    run(hosts, folder, first + number, done, line, report);
+                    Opener opener = (histories, progress) -> new BusFaultRun(hosts, histories, runSeed, progress);
+                    run(opener, folder, runSeed, done, line, report);
                 }
             }
         }
@@ -111,37 +115,30 @@ public final class FaultsMain implements Callable<Integer> {
         return report.violations().isEmpty() && drivers.violations().isEmpty() ? 0 : 1;
     }
 
-    /** One run, of which the histories are kept if they break a rule. */
-    private void run(Hosts hosts, Path folder, long its, int done, ProgressLine line, BusFaultReport report)
+    /** Opens a run with a folder for its histories. */
+    private interface Opener {
+        FaultRun open(Path histories, Consumer<FaultRun.Progress> progress) throws IOException;
+    }
+
+    /** Does one run. Its histories are kept if they break a rule. */
+    private void run(Opener opener, Path folder, long runSeed, int done, ProgressLine line, FaultReport<?> report)
             throws IOException, InterruptedException {
-        Path histories = folder.resolve("" + its);
+        Path histories = folder.resolve("" + runSeed);
         History history;
-        try (var run = new FaultRun(
-                hosts, histories, its, fault -> line.show((done + fault.number()) + " of " + faults, fault.text()))) {
+        try (var run =
+                opener.open(histories, fault -> line.show((done + fault.number()) + " of " + faults, fault.text()))) {
             history = run.run(Math.min(faultsPerRun, faults - done));
         }
         List<Violation> violations = HistoryChecker.check(history);
-        report.add(its, history, violations);
-        show(its, history, violations, histories, line);
+        report.add(runSeed, history, violations);
+        show(runSeed, history, violations, histories, line);
     }
 
-    private void runDrivers(Hosts hosts, Path folder, long its, int done, ProgressLine line, DriverFaultReport report)
-            throws IOException, InterruptedException {
-        Path histories = folder.resolve("" + its);
-        History history;
-        try (var run = new DriverFaultRun(
-                hosts, histories, its, fault -> line.show((done + fault.number()) + " of " + faults, fault.text()))) {
-            history = run.run(Math.min(faultsPerRun, faults - done));
-        }
-        List<Violation> violations = HistoryChecker.check(history);
-        report.add(its, history, violations);
-        show(its, history, violations, histories, line);
-    }
-
-    private static void show(long its, History history, List<Violation> violations, Path histories, ProgressLine line)
+    private static void show(
+            long runSeed, History history, List<Violation> violations, Path histories, ProgressLine line)
             throws IOException {
         line.interrupt(() -> {
-            System.out.println("seed " + its + ": " + history.entries().size() + " lines, " + violations.size()
+            System.out.println("seed " + runSeed + ": " + history.entries().size() + " lines, " + violations.size()
                     + " violations" + (violations.isEmpty() ? "" : ", histories in " + histories));
             Map<Rule, Integer> printed = new EnumMap<>(Rule.class);
             violations.stream()

@@ -15,6 +15,7 @@ import io.troupe.faults.history.HistoryChecker;
 import io.troupe.faults.history.Violation;
 import io.troupe.faults.history.Violation.Rule;
 import io.troupe.faults.hosts.Hosts;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;
 import java.util.List;
@@ -41,28 +42,21 @@ class FaultsTest {
             Rule.DRIVEN_AGAIN,
             Rule.CLEAR_END);
 
+    private final long seed = System.nanoTime() % 1_000_000;
+
     @TempDir
     Path folder;
 
     @Test
     @Timeout(value = 5, unit = TimeUnit.MINUTES)
     void applicationOverHosts_keepsItsPromises_whateverBreaks() throws Exception {
-        assumeTrue(
-                FaultsMain.isServerInstalled(),
-                "nats-server is not installed (Debian: apt-get install nats-server): no faults are tested");
-        long seed = System.nanoTime() % 1_000_000;
-        History history;
-        try (Hosts hosts = Hosts.open(Hosts.Kind.AUTO);
-                var run = new FaultRun(hosts, folder, seed, fault -> {})) {
-            history = run.run(FAULTS);
-        }
-        assertThat(brokenRules(history)).as("seed %d", seed).isEmpty();
+        History history = run(FAULTS, hosts -> new BusFaultRun(hosts, folder, seed, fault -> {}));
         assertThat(count(history, FaultBegan.class)).isEqualTo(FAULTS);
         assertThat(count(history, Called.class)).isPositive();
         assertThat(count(history, Delivered.class)).isPositive();
         assertThat(count(history, StreamEnded.class)).isPositive();
         assertThat(HistoryChecker.commands(history)).as("commands of robots").isPositive();
-        var report = new BusFaultReport();
+        var report = new FaultReport.OfBus();
         report.add(seed, history, HistoryChecker.check(history));
         assertThat(report.toString()).contains("fault", "all  ", "seeds " + seed);
         assertThat(report.json()).startsWith("{\"faults\": {\"").contains("\"violations\": ");
@@ -71,23 +65,32 @@ class FaultsTest {
     @Test
     @Timeout(value = 5, unit = TimeUnit.MINUTES)
     void robots_areDrivenAgain_byOneDriver_whateverBreaks() throws Exception {
-        assumeTrue(
-                FaultsMain.isServerInstalled(),
-                "nats-server is not installed (Debian: apt-get install nats-server): no faults are tested");
-        long seed = System.nanoTime() % 1_000_000;
-        History history;
-        try (Hosts hosts = Hosts.open(Hosts.Kind.AUTO);
-                var run = new DriverFaultRun(hosts, folder, seed, fault -> {})) {
-            history = run.run(DRIVER_FAULTS);
-        }
-        assertThat(brokenRules(history)).as("seed %d", seed).isEmpty();
+        History history = run(DRIVER_FAULTS, hosts -> new DriverFaultRun(hosts, folder, seed, fault -> {}));
         assertThat(count(history, DriverFaultBegan.class)).isEqualTo(DRIVER_FAULTS);
         assertThat(count(history, Commanded.class)).isPositive();
         assertThat(count(history, Rolled.class)).isPositive();
-        var report = new DriverFaultReport();
+        var report = new FaultReport.OfDrivers();
         report.add(seed, history, HistoryChecker.check(history));
         assertThat(report.toString()).contains("next driver", "all  ", "seeds " + seed);
         assertThat(report.json()).startsWith("{\"driverFaults\": {\"").contains("\"violations\": ");
+    }
+
+    private interface Opener {
+        FaultRun open(Hosts hosts) throws IOException;
+    }
+
+    /** Does one run, in which no rule may be broken. */
+    private History run(int faults, Opener opener) throws IOException, InterruptedException {
+        assumeTrue(
+                FaultsMain.isServerInstalled(),
+                "nats-server is not installed (Debian: apt-get install nats-server): no faults are tested");
+        History history;
+        try (Hosts hosts = Hosts.open(Hosts.Kind.AUTO);
+                FaultRun run = opener.open(hosts)) {
+            history = run.run(faults);
+        }
+        assertThat(brokenRules(history)).as("seed %d", seed).isEmpty();
+        return history;
     }
 
     private static List<Violation> brokenRules(History history) {

@@ -43,13 +43,13 @@ import org.jspecify.annotations.Nullable;
 public final class Probe<A> {
     private record Call(String text, List<@Nullable Object> arguments) {}
 
-    private record Question(String text, Method method, Deferred<@Nullable Object> answer) {}
+    private record OpenRequest(String text, Method method, Deferred<@Nullable Object> answer) {}
 
     private final TestSpace test;
     private final Class<A> type;
     private final A actor;
     private final List<Call> calls = new ArrayList<>();
-    private final Deque<Question> unanswered = new ArrayDeque<>();
+    private final Deque<OpenRequest> unanswered = new ArrayDeque<>();
     private int expected;
 
     Probe(TestSpace test, Class<A> type) {
@@ -102,23 +102,23 @@ public final class Probe<A> {
 
     /** Fulfils the oldest pending request, even if its caller has cancelled it, and runs what follows from that. */
     public void answer(@Nullable Object value) {
-        Question question = oldest("answer(" + value + ")");
-        Class<?> wanted = answerType(question.method);
+        OpenRequest request = oldest("answer(" + value + ")");
+        Class<?> wanted = answerType(request.method);
         if (value != null && !wanted.isInstance(value)) {
-            throw failure("answer(" + value + ") is a " + value.getClass().getName() + ", and " + question.text
+            throw failure("answer(" + value + ") is a " + value.getClass().getName() + ", and " + request.text
                     + " answers a " + wanted.getName());
         }
         unanswered.remove();
-        question.answer.resolve(value);
+        request.answer.resolve(value);
         test.crank();
     }
 
     /** Rejects the oldest pending request; see {@link #answer}. */
     public void reject(Throwable error) {
         Objects.requireNonNull(error, "error");
-        Question question = oldest("reject(" + error + ")");
+        OpenRequest request = oldest("reject(" + error + ")");
         unanswered.remove();
-        question.answer.reject(error);
+        request.answer.reject(error);
         test.crank();
     }
 
@@ -134,18 +134,18 @@ public final class Probe<A> {
     }
 
     List<String> removeUnanswered() {
-        var taken = unanswered.stream().map(Question::text).toList();
+        var taken = unanswered.stream().map(OpenRequest::text).toList();
         unanswered.clear();
         return taken;
     }
 
-    private Question oldest(String what) {
+    private OpenRequest oldest(String what) {
         test.crank();
-        Question question = unanswered.peek();
-        if (question == null) {
+        OpenRequest request = unanswered.peek();
+        if (request == null) {
             throw failure(what + " came when no request waited for an answer");
         }
-        return question;
+        return request;
     }
 
     private List<String> texts() {
@@ -179,7 +179,7 @@ public final class Probe<A> {
             return null;
         }
         var answer = new Deferred<@Nullable Object>();
-        unanswered.add(new Question(text, method, answer));
+        unanswered.add(new OpenRequest(text, method, answer));
         return answer;
     }
 

@@ -31,3 +31,23 @@ public interface Clock {
         return SystemClock.INSTANCE;
     }
 }
+
+/** The machine's monotonic clock. */
+enum SystemClock implements Clock {
+    INSTANCE;
+
+    @Override
+    public long nanos() {
+        return System.nanoTime();
+    }
+
+    @Override
+    public Runnable onMove(Runnable wake) {
+        return () -> {};
+    }
+
+    @Override
+    public boolean runsByItself() {
+        return true;
+    }
+}

@@ -136,13 +136,13 @@ final class ChainRaces {
                 }
                 var link = random.nextBoolean() ? toFirst.get() : toSecond.get();
                 int depth = random.nextInt(3);
-                var answer = link.count(depth, random.nextInt());
+                var answer = seen(link.count(depth, random.nextInt()));
                 assertThat(Round.get(random.nextBoolean() ? answer : answer.thenApply(value -> value)))
                         .isEqualTo(depth);
             }
         });
         round.end();
-        assertThat(promises).allMatch(Promise::isDone);
+        assertThat(promises).isNotEmpty().allMatch(Promise::isDone);
         assertThat(round.leftovers(first).isEmpty()).isTrue();
         assertThat(round.errors).isEmpty();
     }

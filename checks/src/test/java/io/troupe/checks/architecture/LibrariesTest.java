@@ -51,7 +51,6 @@ class LibrariesTest {
                 .should()
                 .dependOnClassesThat()
                 .resideInAPackage(library)
-                .allowEmptyShould(classes == Classes.STRESS)
                 .check(classes);
     }
 }

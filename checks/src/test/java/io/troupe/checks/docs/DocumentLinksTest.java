@@ -15,6 +15,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 
@@ -111,6 +112,36 @@ class DocumentLinksTest {
         assertThat(packages)
                 .hasSizeGreaterThan(20)
                 .allSatisfy(name -> assertThat(drawing).contains(">" + name + "<"));
+    }
+
+    /** Each package is named in full, or by its last parts: {@code `.promise`}; those of structures as one. */
+    @Test
+    void readmesOfTheModules_nameTheirPackages() throws IOException {
+        List<String> unnamed = new ArrayList<>();
+        int packages = 0;
+        for (Path module : Repository.modules()) {
+            String page = Files.readString(module.resolve("README.md"));
+            for (Path source : Repository.files(module.resolve("src/main/java"), "package-info.java")) {
+                String name = module.resolve("src/main/java")
+                        .relativize(source.getParent())
+                        .toString()
+                        .replace('\\', '.')
+                        .replace('/', '.')
+                        .replaceAll("structures\\..*", "structures");
+                packages++;
+                boolean isNamed = page.contains("`" + name + "`")
+                        || IntStream.range(0, name.length())
+                                .filter(at -> name.charAt(at) == '.')
+                                .anyMatch(at -> page.contains("`" + name.substring(at) + "`"));
+                if (!isNamed) {
+                    unnamed.add(module.getFileName() + ": " + name);
+                }
+            }
+        }
+        assertThat(packages).isGreaterThan(50);
+        assertThat(unnamed)
+                .as("packages that the README of their module does not name")
+                .isEmpty();
     }
 
     @Test

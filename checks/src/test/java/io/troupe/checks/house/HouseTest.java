@@ -22,8 +22,8 @@ class HouseTest {
     @BeforeAll
     static void read() throws IOException {
         sources = HouseFigures.read(Repository.root());
-        assertThat(sources).filteredOn(SourceFile::isMain).hasSizeGreaterThan(400);
-        assertThat(sources).filteredOn(each -> !each.isMain()).hasSizeGreaterThan(200);
+        assertThat(sources).filteredOn(SourceFile::isMain).hasSizeGreaterThan(1_000);
+        assertThat(sources).filteredOn(each -> !each.isMain()).hasSizeGreaterThan(300);
     }
 
     @Test

@@ -6,6 +6,7 @@ import io.troupe.demo.hosts.RobotAddress;
 import io.troupe.demo.monitor.AppMonitor;
 import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.demo.terminal.WorldLoader;
@@ -40,9 +41,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class AppCommand implements Callable<Integer> {
-    /** Directory of the installation. The start script sets the property; builds run in that directory. */
-    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
-
     @Spec
     private CommandSpec spec;
 
@@ -60,7 +58,7 @@ public final class AppCommand implements Callable<Integer> {
             paramLabel = "FILE",
             description = "a .world or .cfg file; the paper's arena unless given",
             showDefaultValue = Visibility.NEVER)
-    private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
+    private Path world = Installation.world("paper-arena.cfg");
 
     @Mixin
     private WorldLoader loader;

@@ -3,6 +3,7 @@ package io.troupe.demo.evaluate;
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.FileProblems;
+import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
@@ -34,7 +35,6 @@ import picocli.CommandLine.Spec;
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class EvaluateCommand implements Callable<Integer> {
-    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
     private static final int MOST_LOOPS = 1_000_000;
     private static final int MOST_CORES = 64;
     private static final int MOST_REPETITIONS = 1000;
@@ -98,7 +98,7 @@ public final class EvaluateCommand implements Callable<Integer> {
             paramLabel = "FILE",
             description = "a .world or .cfg file with two robots; the paper's arena unless given",
             showDefaultValue = Visibility.NEVER)
-    private Path world = HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg"));
+    private Path world = Installation.world("paper-arena.cfg");
 
     @Mixin
     private WorldLoader loader;

@@ -1,5 +1,6 @@
 package io.troupe.demo.evaluate;
 
+import io.troupe.common.measure.MeasuringJvm;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.services.subsumption.Mode;
@@ -235,6 +236,50 @@ final class Evaluation {
             }
             boolean oneAfterTheOther = job.mode() == Mode.SYNC && job.kind() == Kind.LOOPS;
             return job.loops() * CYCLE_SECONDS * (oneAfterTheOther ? 2 : 1);
+        }
+    }
+
+    /**
+     * A child JVM that executes jobs with a configured number of processors.
+     *
+     * <p><b>Errors.</b> {@link IOException} if the JVM cannot be started, fails, exits, or has a different number of
+     * processors. Its log output goes to a file.
+     */
+    static final class MeasuringProcess implements AutoCloseable {
+        private final int cores;
+        private final MeasuringJvm jvm;
+
+        private MeasuringProcess(int cores, MeasuringJvm jvm) {
+            this.cores = cores;
+            this.jvm = jvm;
+        }
+
+        static MeasuringProcess start(int cores, Path world, Path log) throws IOException {
+            return new MeasuringProcess(
+                    cores,
+                    MeasuringJvm.running(JobRunner.class, world.toString())
+                            .withProcessors(cores)
+                            .withOptions("-Xms256m", "-Xmx256m")
+                            .withLog(log)
+                            .start());
+        }
+
+        int cores() {
+            return cores;
+        }
+
+        Job.Result measure(Job job) throws IOException {
+            return Job.Result.parse(jvm.ask(job.line(), job.title()));
+        }
+
+        /** Kills the process in any state. May be called by any thread. */
+        void end() {
+            jvm.end();
+        }
+
+        @Override
+        public void close() {
+            jvm.close();
         }
     }
 }

@@ -13,7 +13,7 @@ import java.nio.file.Path;
 import java.util.List;
 
 /**
- * Executes jobs. The main class of the JVM of a {@link MeasuringProcess}.
+ * Executes jobs. The main class of the JVM of a {@link Evaluation.MeasuringProcess}.
  *
  * <p><b>Threads.</b> The calling thread advances the world if the job has a separate one. The services run on a
  * separate thread.

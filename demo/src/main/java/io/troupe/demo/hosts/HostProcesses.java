@@ -1,6 +1,7 @@
 package io.troupe.demo.hosts;
 
 import io.troupe.common.process.NatsServerProcess;
+import io.troupe.demo.terminal.Installation;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintWriter;
@@ -119,7 +120,7 @@ public final class HostProcesses implements AutoCloseable {
                 "-XX:+UseSerialGC",
                 "-XX:TieredStopAtLevel=1", // it starts sooner
                 "-Xmx256m",
-                "-Dtroupe.home=" + System.getProperty("troupe.home", ""),
+                "-D" + Installation.PROPERTY + "=" + Installation.folder(),
                 "-cp",
                 System.getProperty("java.class.path"),
                 Guarded.class.getName(),

@@ -143,8 +143,8 @@ class EvaluateCommandTest extends CommandLineBench {
     private static final Job ALONE = new Job(Kind.ALONE, Mode.SYNC, "wallFollower", 20, 2.5, 7, 6665);
     private static final Job LOOPS = new Job(Kind.LOOPS, Mode.PROMISE, "both", 2, 1, 1, 0);
 
-    private MeasuringProcess start(int cores, Path world) throws IOException {
-        return MeasuringProcess.start(cores, world, directory.resolve("log"));
+    private Evaluation.MeasuringProcess start(int cores, Path world) throws IOException {
+        return Evaluation.MeasuringProcess.start(cores, world, directory.resolve("log"));
     }
 
     @Test

@@ -76,9 +76,8 @@ public final class RemoteProvider implements Provider {
     }
 
     /** Converts a timeout to an overdue error, since the component may still complete the request after the limit. */
-    private <Q extends Record, A extends Record> Promise<A> ask(
-            Operation<Q, A> operation, Q question, Duration within) {
-        return port.ask(component, operation, question, within)
+    private <Q extends Record, A extends Record> Promise<A> ask(Operation<Q, A> operation, Q request, Duration within) {
+        return port.ask(component, operation, request, within)
                 .exceptionallyCompose(error -> Promise.failed(
                         error instanceof BusTimeoutException
                                 ? ProviderException.overdue(String.valueOf(error.getMessage()), error)

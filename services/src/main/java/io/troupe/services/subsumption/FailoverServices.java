@@ -26,8 +26,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Robot services on other hosts, for an arbitrator: each through the connection for its service. When a provider is
- * gone, another one drives the robot on, in the same state; it is called when the lease of the one before is certainly
- * over. If there is none for {@link #PATIENCE}, the call is rejected with a {@link MissingServiceException}.
+ * lost, another one continues to drive the robot, in the same state; it is called when the lease of the lost one is
+ * certainly over. If there is none for {@link #PATIENCE}, the call is rejected with a {@link MissingServiceException}.
  */
 final class FailoverServices extends Actor implements RobotServices {
     private static final Duration PATIENCE = Duration.ofSeconds(5);

@@ -62,7 +62,7 @@ public final class HostedRun implements AutoCloseable {
 
     private static final System.Logger LOG = System.getLogger(HostedRun.class.getName());
 
-    /** How long providers may take to answer the question for their offers. */
+    /** How long providers may take to answer the request for their offers. */
     private static final Duration DISCOVERY = Duration.ofSeconds(2);
 
     private static final Duration ASK_EVERY = Duration.ofMillis(100);

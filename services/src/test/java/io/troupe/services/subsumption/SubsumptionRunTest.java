@@ -15,6 +15,7 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
 import java.util.Optional;
+import java.util.concurrent.CopyOnWriteArrayList;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
@@ -47,7 +48,14 @@ class SubsumptionRunTest extends RobotsBench {
 
     @Test
     void servicesThatAnswerNothing_areNoFailure() throws InterruptedException {
-        runCallbacks(SilentServices::new);
+        List<String> driven = new CopyOnWriteArrayList<>();
+        runCallbacks(() -> new SilentServices() {
+            @Override
+            public void drive(int robot, String service, Callback<ColourReport> reports) {
+                driven.add(robot + " " + service);
+            }
+        });
+        assertThat(driven).containsExactly("0 wallFollower", "1 spaceWanderer");
     }
 
     @Test

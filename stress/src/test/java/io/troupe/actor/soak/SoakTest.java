@@ -28,7 +28,7 @@ class SoakTest {
     @Test
     void messagesLostDoubledOrOvertaken_areFaults() {
         try (var test = new TestSpace()) {
-            Sink sink = test.spawn(Sink.class, () -> new Receiver("sink", 2));
+            Soak.Sink sink = test.spawn(Soak.Sink.class, () -> new Soak.Receiver("sink", 2));
             sink.take(0, 0);
             sink.take(1, 0);
             sink.take(0, 2); // 1 is lost
@@ -43,7 +43,7 @@ class SoakTest {
 
     @Test
     void heapThatGrows_isSeen() {
-        var heap = new HeapWatch(4);
+        var heap = new Soak.HeapWatch(4);
         var kept = new byte[16 << 20];
         assertThat(heap.sampleMib()).isPositive();
         assertThat(heap.isExceeded())

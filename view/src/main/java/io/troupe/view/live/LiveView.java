@@ -7,6 +7,8 @@ import io.troupe.actor.CallGraph;
 import io.troupe.actor.time.Clock;
 import io.troupe.view.Json;
 import io.troupe.view.tools.FoxgloveConnection;
+import io.troupe.view.tools.FoxgloveConnection.Events;
+import io.troupe.view.tools.FoxgloveConnection.Frame;
 import java.io.IOException;
 import java.io.InputStream;
 import java.io.OutputStream;
@@ -18,6 +20,7 @@ import java.nio.charset.StandardCharsets;
 import java.security.MessageDigest;
 import java.security.SecureRandom;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.HexFormat;
 import java.util.List;
@@ -42,9 +45,9 @@ import org.jspecify.annotations.Nullable;
  * }
  * }
  *
- * <p><b>Threads.</b> Each viewer has a virtual thread, which looks for a newer frame at most
- * {@value #MOST_FRAMES_PER_S} times a second and skips those in between. The thread that shows frames never waits for a
- * viewer.
+ * <p><b>Threads.</b> Each viewer has a virtual thread, which is woken by a new frame, sends at most
+ * {@value #MOST_FRAMES_PER_S} frames a second and skips those in between. The thread that shows frames never waits for
+ * a viewer.
  *
  * <p><b>Errors.</b> A port that is taken is a {@link BindException}. A request from another site, under another name,
  * without the token, or for anything but the page and its data is refused.
@@ -62,7 +65,7 @@ public final class LiveView implements AutoCloseable {
     private static final String FOXGLOVE = "https://app.foxglove.dev";
     private static final String UTF_8_TEXT = "text/plain; charset=utf-8";
     private static final long FRAME_NANOS = 1_000_000_000 / MOST_FRAMES_PER_S;
-    /** For news that are no frames. */
+    /** How long a change without a frame may wait, for example a new speed. */
     private static final long POLL_NANOS = 50_000_000;
 
     private static final long ALIVE_NANOS = 1_000_000_000;
@@ -416,8 +419,6 @@ public final class LiveView implements AutoCloseable {
                 if (wrote) {
                     out.flush();
                     sentNanos = now;
-                }
-                if (wrote) {
                     LockSupport.parkNanos(FRAME_NANOS);
                 } else {
                     waiting.await(POLL_NANOS, this::hasNewFrame);
@@ -490,7 +491,7 @@ public final class LiveView implements AutoCloseable {
         }
     }
 
-    /** Sends the viewers the last frame and a reason, and stops to listen. */
+    /** Sends the viewers the last frame and a reason, and stops listening. */
     public void close(String why) {
         ending = why;
         board.wakeAll();
@@ -509,5 +510,52 @@ public final class LiveView implements AutoCloseable {
     @Override
     public void close() {
         close("the program has ended");
+    }
+
+    /** What the live page shows, for viewers that are connected by Foxglove's protocol. */
+    private static final class FoxgloveSource implements FoxgloveConnection.Source {
+        private final ViewBoard board;
+        private volatile @Nullable Converted last;
+
+        private record Converted(ViewBoard.Shown from, Frame frame) {}
+
+        FoxgloveSource(ViewBoard board) {
+            this.board = board;
+        }
+
+        @Override
+        public @Nullable Frame newest() {
+            ViewBoard.Shown shown = board.newest();
+            if (shown == null) {
+                return null;
+            }
+            Converted known = last;
+            if (known == null || known.from != shown) {
+                var frame = new Frame(shown.world.spec(), shown.frame.snapshot(), services(shown));
+                known = new Converted(shown, frame);
+                last = known;
+            }
+            return known.frame;
+        }
+
+        private static List<String> services(ViewBoard.Shown shown) {
+            List<String> known = shown.world.services();
+            List<String> services = new ArrayList<>();
+            for (short state : shown.frame.states()) {
+                int number = state & 0xFF;
+                int index = number - ViewFrame.FIRST_SERVICE;
+                services.add(
+                        number == ViewFrame.NO_SERVICE
+                                ? "none"
+                                : index >= 0 && index < known.size() ? known.get(index) : "several");
+            }
+            return services;
+        }
+
+        @Override
+        public Events eventsFrom(long number) {
+            ViewBoard.Events events = board.eventsFrom(number);
+            return new Events(events.last(), events.json());
+        }
     }
 }

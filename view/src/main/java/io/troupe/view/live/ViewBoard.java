@@ -47,12 +47,12 @@ final class ViewBoard implements ViewSink {
         }
     }
 
-    /** A thread that waits for news. */
+    /** A thread that waits for a new frame, event or end. */
     static final class Waiting {
         private final Thread thread = Thread.currentThread();
         private volatile boolean isIdle;
 
-        /** Waits for news, or for a time; on the thread that created this. */
+        /** Waits until there is something new, or for a time; on the thread that created this. */
         void await(long nanos, BooleanSupplier hasNews) {
             isIdle = true;
             if (!hasNews.getAsBoolean()) {
@@ -103,7 +103,7 @@ final class ViewBoard implements ViewSink {
         }
     }
 
-    /** Wakes this thread at news, until {@link #leave}. */
+    /** Wakes this thread when there is something new, until {@link #leave}. */
     void enter(Waiting thread) {
         waiting.add(thread);
     }
@@ -112,7 +112,7 @@ final class ViewBoard implements ViewSink {
         waiting.remove(thread);
     }
 
-    /** Has all that wait look for news. */
+    /** Wakes all threads that wait. */
     void wakeAll() {
         if (!waiting.isEmpty()) {
             waiting.forEach(Waiting::wake);

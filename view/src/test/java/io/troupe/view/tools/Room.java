@@ -1,9 +1,14 @@
 package io.troupe.view.tools;
 
+import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.RecordedRun;
+import io.troupe.view.RunLog;
+import io.troupe.view.RunRecorder;
+import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
@@ -51,6 +56,17 @@ final class Room {
                 + "{\"t\":1000.0,\"type\":\"summary\",\"switches\":0}\n";
     }
 
+    /** Writes the log of a run without services, by RunRecorder itself. */
+    static Path recorded(Path file, WorldSpec world, List<Snapshot> snapshots) throws IOException {
+        try (var log = new RunLog(file)) {
+            log.begin(world, RecordedRun.Settings.DEFAULT);
+            var recorder = new RunRecorder(world, SubsumptionTable.ofThePaper(), log, change -> {});
+            recorder.start(snapshots.getFirst());
+            snapshots.stream().skip(1).forEach(recorder::record);
+        }
+        return file;
+    }
+
     static String header(WorldSpec world) {
         return "{\"t\":0.0,\"type\":\"header\",\"format\":\"troupe-run\",\"version\":1,\"program\":\"Troupe\",\"world\":\""
                 + world.name() + "\",\"robots\":" + world.robots().size() + ",\"seed\":7,\"interval\":0.1}\n";
@@ -72,7 +88,6 @@ final class Room {
                 reading.pose().x(),
                 reading.pose().y(),
                 reading.pose().headingRad(),
-                Double.isInfinite(reading.wallGapM()) ? "null" : reading.wallGapM(),
-                seconds);
+                Double.isInfinite(reading.wallGapM()) ? "null" : reading.wallGapM());
     }
 }

@@ -16,8 +16,6 @@ import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
 import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
-import io.troupe.view.RunLog;
-import io.troupe.view.RunRecorder;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
@@ -353,14 +351,7 @@ class RunExportTest {
 
     /** The log of a run without services. */
     private Path recorded(WorldSpec world, List<Snapshot> snapshots) throws IOException {
-        Path file = folder.resolve("recorded.jsonl");
-        try (var log = new RunLog(file)) {
-            log.begin(world, RecordedRun.Settings.DEFAULT);
-            var recorder = new RunRecorder(world, SubsumptionTable.ofThePaper(), log, change -> {});
-            recorder.start(snapshots.getFirst());
-            snapshots.stream().skip(1).forEach(recorder::record);
-        }
-        return file;
+        return Room.recorded(folder.resolve("recorded.jsonl"), world, snapshots);
     }
 
     // ---- tables

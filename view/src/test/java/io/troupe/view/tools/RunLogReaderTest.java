@@ -257,14 +257,7 @@ class RunLogReaderTest {
 
     /** The log of a run without services. */
     private String recorded(WorldSpec world, List<Snapshot> snapshots) throws IOException {
-        Path file = folder.resolve("recorded.jsonl");
-        try (var log = new RunLog(file)) {
-            log.begin(world, RecordedRun.Settings.DEFAULT);
-            var recorder = new RunRecorder(world, SubsumptionTable.ofThePaper(), log, change -> {});
-            recorder.start(snapshots.getFirst());
-            snapshots.stream().skip(1).forEach(recorder::record);
-        }
-        return Files.readString(file);
+        return Files.readString(Room.recorded(folder.resolve("recorded.jsonl"), world, snapshots));
     }
 
     @Test
