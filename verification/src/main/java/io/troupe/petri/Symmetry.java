@@ -232,13 +232,13 @@ public final class Symmetry {
     /** The symmetry that is left if the part with {@code place} must stay where it is. */
     public Symmetry fixing(Place place) {
         return new Symmetry(
-                net,
-                groups.stream()
-                        .map(group -> new Group(group.blocks().stream()
-                                .filter(block -> !block.contains(place))
-                                .toList()))
-                        .filter(group -> group.blocks().size() > 1)
-                        .toList())
+                        net,
+                        groups.stream()
+                                .map(group -> new Group(group.blocks().stream()
+                                        .filter(block -> !block.contains(place))
+                                        .toList()))
+                                .filter(group -> group.blocks().size() > 1)
+                                .toList())
                 .indexed();
     }
 
