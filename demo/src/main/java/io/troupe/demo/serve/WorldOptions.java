@@ -1,5 +1,6 @@
 package io.troupe.demo.serve;
 
+import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.CrowdWorld;
@@ -14,9 +15,6 @@ import picocli.CommandLine.Spec;
 
 /** Command line options for the world. */
 final class WorldOptions {
-    /** Directory of the installation. The start script sets the property; builds run in that directory. */
-    private static final Path HOME = Path.of(System.getProperty("troupe.home", ""));
-
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
 
@@ -36,7 +34,7 @@ final class WorldOptions {
     /** Reads the world. */
     Scenario scenario() {
         if (crowd == null) {
-            return loader.read(world == null ? HOME.resolve(Path.of("demo", "worlds", "paper-arena.cfg")) : world);
+            return loader.read(world == null ? Installation.world("paper-arena.cfg") : world);
         }
         if (world != null) {
             throw new ParameterException(spec.commandLine(), "--crowd and --world are both given, expected one");
