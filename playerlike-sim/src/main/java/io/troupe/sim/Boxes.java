@@ -15,8 +15,6 @@ import org.jspecify.annotations.Nullable;
  * world.
  */
 final class Boxes {
-    private static final System.Logger LOG = System.getLogger(World.class.getName());
-
     /** @param box null = it is to be removed */
     private record Change(int number, @Nullable ColouredBox box) {}
 
@@ -71,7 +69,8 @@ final class Boxes {
             ColouredBox box = change.box();
             String refusal = box == null ? null : refusals.apply(box);
             if (refusal != null) {
-                LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
+                System.getLogger(World.class.getName())
+                        .log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
             } else if (box == null
                     ? boxes.remove(change.number()) != null
                     : !box.equals(boxes.put(box.number(), box))) {

@@ -77,14 +77,21 @@ final class PlacementCheck {
     }
 
     private void enter(int index, ObstacleSpec obstacle) {
-        List<Point> points = obstacle.shape().polygons().stream()
-                .flatMap(List::stream)
-                .map(obstacle.pose()::place)
-                .toList();
-        var x = points.stream().mapToDouble(Point::x).summaryStatistics();
-        var y = points.stream().mapToDouble(Point::y).summaryStatistics();
-        Cell first = cell(x.getMin(), y.getMin());
-        Cell last = cell(x.getMax(), y.getMax());
+        double leastX = Double.POSITIVE_INFINITY;
+        double leastY = Double.POSITIVE_INFINITY;
+        double mostX = Double.NEGATIVE_INFINITY;
+        double mostY = Double.NEGATIVE_INFINITY;
+        for (List<Point> polygon : obstacle.shape().polygons()) {
+            for (Point corner : polygon) {
+                Point point = obstacle.pose().place(corner);
+                leastX = Math.min(leastX, point.x());
+                leastY = Math.min(leastY, point.y());
+                mostX = Math.max(mostX, point.x());
+                mostY = Math.max(mostY, point.y());
+            }
+        }
+        Cell first = cell(leastX, leastY);
+        Cell last = cell(mostX, mostY);
         double columns = (double) last.column() - first.column() + 1;
         double rows = (double) last.row() - first.row() + 1;
         if (columns * rows > MOST_CELLS) {

@@ -14,7 +14,6 @@ import java.util.List;
 
 /** Rejects worlds that the simulator cannot run correctly. */
 final class SpecCheck {
-    private static final System.Logger LOG = System.getLogger(SpecCheck.class.getName());
     /**
      * Farthest reach of a robot. Beyond it, single-precision physics is too coarse: a step of 1 mm is rounded by 3 %.
      */
@@ -77,14 +76,15 @@ final class SpecCheck {
             }
         }
         if (farthestM > FAR_M) {
-            LOG.log(
-                    System.Logger.Level.WARNING,
-                    "{0}: {1} reaches {2} m from the origin along x or y: beyond {3} m collisions get coarse, expected a world"
-                            + " centred on the origin",
-                    spec.file(),
-                    farthest,
-                    Math.round(farthestM),
-                    FAR_M);
+            System.getLogger(SpecCheck.class.getName())
+                    .log(
+                            System.Logger.Level.WARNING,
+                            "{0}: {1} reaches {2} m from the origin along x or y: beyond {3} m collisions get coarse, expected a world"
+                                    + " centred on the origin",
+                            spec.file(),
+                            farthest,
+                            Math.round(farthestM),
+                            FAR_M);
         }
     }
 

@@ -47,8 +47,6 @@ import org.jspecify.annotations.Nullable;
  * <p>Long, because everything that can be done to a world is a method here, with its contract.
  */
 public final class World implements AutoCloseable {
-    private static final System.Logger LOG = System.getLogger(World.class.getName());
-
     private final WorldSpec spec;
     private final WorldSettings settings;
     private final long intervalMicros;
@@ -90,9 +88,10 @@ public final class World implements AutoCloseable {
         requireNonNull(settings, "settings");
         SpecCheck.check(spec, settings);
         if (!Physics.hasStandardSineTable()) {
-            LOG.log(
-                    System.Logger.Level.WARNING,
-                    "this machine computes sines of its own: trajectories may differ from those of other machines");
+            System.getLogger(World.class.getName())
+                    .log(
+                            System.Logger.Level.WARNING,
+                            "this machine computes sines of its own: trajectories may differ from those of other machines");
         }
         return new World(spec, settings, StartPoses.of(spec, settings), choice);
     }

@@ -32,8 +32,6 @@ import org.jspecify.annotations.Nullable;
  * <p>Long, because every kind of command is checked, kept, applied in a fixed order and recorded here.
  */
 final class WorldCommands {
-    private static final System.Logger LOG = System.getLogger(World.class.getName());
-
     /** Occupancy at the snapshot of the newest teleport check. */
     private record TeleportCheck(Snapshot at, PlacementCheck.Occupancy occupancy) {}
 
@@ -447,7 +445,7 @@ final class WorldCommands {
         ObstacleSpec body = spec.obstacles().get(obstacle);
         String refusal = placement.occupancy(physics::pose).refusal(body, movers.indexOf(obstacle), pose);
         if (refusal != null) {
-            LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
+            System.getLogger(World.class.getName()).log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
             return false;
         }
         if (grippers.moves(obstacle)) {
@@ -474,7 +472,7 @@ final class WorldCommands {
             Position2d odometry) {
         String refusal = occupancy.refusal(robot, place);
         if (refusal != null) {
-            LOG.log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
+            System.getLogger(World.class.getName()).log(System.Logger.Level.WARNING, "at tick " + tick + " " + refusal);
             return false;
         }
         physics.teleport(robot, place);

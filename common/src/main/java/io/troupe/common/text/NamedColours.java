@@ -97,10 +97,12 @@ public final class NamedColours {
         var colours = new TreeMap<String, Integer>();
         var stream = Objects.requireNonNull(NamedColours.class.getResourceAsStream(resource), resource);
         try (var lines = new BufferedReader(new InputStreamReader(stream, StandardCharsets.UTF_8))) {
-            lines.lines().filter(line -> !line.startsWith("#")).forEach(line -> {
-                String[] valueAndName = line.split(" ", 2);
-                colours.put(valueAndName[1], Integer.parseInt(valueAndName[0], 16));
-            });
+            for (String line = lines.readLine(); line != null; line = lines.readLine()) {
+                if (!line.startsWith("#")) {
+                    int space = line.indexOf(' ');
+                    colours.put(line.substring(space + 1), Integer.parseInt(line, 0, space, 16));
+                }
+            }
         } catch (IOException e) {
             throw new UncheckedIOException(e);
         }

@@ -14,8 +14,6 @@ final class Diagnostics {
     /** Limit of warnings: a file could cause one per word. */
     static final int MOST_WARNINGS = 1000;
 
-    private static final System.Logger LOG = System.getLogger(ScenarioReader.class.getName());
-
     private final Consumer<WorldFileWarning> warnings;
     private final boolean lenient;
     /** Warnings already reported: a problem in a macro is found in every instance of it. */
@@ -30,9 +28,10 @@ final class Diagnostics {
         return new Diagnostics(warnings, false);
     }
 
-    /** Strict, with warnings to the log. */
+    /** Strict, with warnings to the log. No reading without warnings waits for the logger. */
     static Diagnostics logged() {
-        return strict(warning -> LOG.log(Level.WARNING, "{0}", warning));
+        return strict(
+                warning -> System.getLogger(ScenarioReader.class.getName()).log(Level.WARNING, "{0}", warning));
     }
 
     static Diagnostics lenient(Consumer<WorldFileWarning> warnings) {

@@ -197,8 +197,10 @@ record Entity(
         }
 
         private Entity entity(Map<String, Property> properties) {
-            long values =
-                    properties.values().stream().mapToLong(Property::valueCount).sum() + childValues;
+            long values = childValues;
+            for (Property property : properties.values()) {
+                values += property.valueCount();
+            }
             return new Entity(type, where, properties, children, weight, values, depth);
         }
 

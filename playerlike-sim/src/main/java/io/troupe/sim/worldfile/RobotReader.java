@@ -141,10 +141,11 @@ final class RobotReader {
                                         + " carries");
                         cargo(child, mount);
                     }
-                    case String device
-                    when DeviceReader.isDevice(device) -> devices.add(deviceReader.read(child, mount));
                     default -> {
-                        continue; // a block or a sensor, which is read with its parent; or something left out
+                        if (!DeviceReader.isDevice(child.type())) {
+                            continue; // a block or a sensor, which is read with its parent; or something left out
+                        }
+                        devices.add(deviceReader.read(child, mount));
                     }
                 }
                 collect(child, mount);

@@ -19,7 +19,6 @@ import org.jspecify.annotations.Nullable;
 final class SourceText {
     private static final long MOST_BYTES = 16_000_000;
 
-    private static final System.Logger LOG = System.getLogger(SourceText.class.getName());
     private static final List<Path> STAGE_FOLDERS = stageFolders(System.getenv("STAGEPATH"));
 
     private SourceText() {}
@@ -83,7 +82,8 @@ final class SourceText {
                     folders.add(Path.of(folder));
                 }
             } catch (InvalidPathException e) {
-                LOG.log(Level.WARNING, "STAGEPATH names \"{0}\", which is no folder: {1}", folder, e.getReason());
+                System.getLogger(SourceText.class.getName())
+                        .log(Level.WARNING, "STAGEPATH names \"{0}\", which is no folder: {1}", folder, e.getReason());
             }
         }
         folders.add(Path.of("/usr/local/share/stage/worlds"));

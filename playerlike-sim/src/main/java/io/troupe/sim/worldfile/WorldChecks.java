@@ -7,7 +7,6 @@ import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
-import java.lang.System.Logger;
 import java.lang.System.Logger.Level;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -20,7 +19,6 @@ import java.util.stream.Stream;
 
 /** Checks a world as a whole: unique names, distances from the origin, overlaps, robots outside the walls. */
 final class WorldChecks {
-    private static final Logger LOG = System.getLogger(WorldChecks.class.getName());
     private static final double EXACT_WITHIN_M = 150;
     private static final double USABLE_WITHIN_M = 500;
     /** Farthest reach of an obstacle: rays still hit it, but no robot may start there. */
@@ -99,12 +97,13 @@ final class WorldChecks {
                             + (int) limitM + " m");
         }
         if (reach > EXACT_WITHIN_M) {
-            LOG.log(
-                    Level.WARNING,
-                    "{0}: {1} lies {2} m from the origin; beyond 150 m motion loses accuracy",
-                    body.where,
-                    body.name,
-                    inMetres(reach));
+            System.getLogger(WorldChecks.class.getName())
+                    .log(
+                            Level.WARNING,
+                            "{0}: {1} lies {2} m from the origin; beyond 150 m motion loses accuracy",
+                            body.where,
+                            body.name,
+                            inMetres(reach));
         }
     }
 

@@ -64,6 +64,9 @@ public final class WiringCheck {
     /** Markings times places and transitions: the searches of a large net visit fewer markings in the same time. */
     private static final long DEFAULT_WORK = 100_000_000;
 
+    /** The same, for a search that others follow if it is not complete. */
+    private static final long QUICK_WORK = DEFAULT_WORK / 10;
+
     private static final int MIN_MARKINGS = 1_000;
 
     private final Wiring wiring;
@@ -123,13 +126,9 @@ public final class WiringCheck {
     private WiringResult result() {
         var pairs = new PairCheck(wiring, limits).results();
         var dead = deadlocks();
-        var progress = dead.mayBeFree()
-                ? Optional.of(ProgressSearch.run(net.net(), affordable(limits, work)))
-                : Optional.<ProgressSearch>empty();
-        var settled = progress.filter(found -> found.end() == SearchEnd.COMPLETE);
-        var byOrbits = dead.isEmpty() && settled.isEmpty()
-                ? new OrbitCheck(wiring, net, affordable(limits, work)).result()
-                : Optional.<OrbitCheck.Result>empty();
+        var progress = dead.isEmpty() ? progress(dead.mayBeFree()) : Progress.UNKNOWN;
+        var settled = progress.search();
+        var byOrbits = progress.byOrbits();
         var isKnown = settled.isPresent() || byOrbits.isPresent() || !dead.isEmpty();
         var graph = ReachabilityGraph.explore(
                 net.net(),
@@ -166,7 +165,7 @@ public final class WiringCheck {
      * that there is none.
      */
     private Deadlocks deadlocks() {
-        var first = DeadlockSearch.run(net.net(), affordable(limits, DEFAULT_WORK / 10));
+        var first = DeadlockSearch.run(net.net(), affordable(limits, QUICK_WORK));
         if (first.end() == SearchEnd.COMPLETE || first.end() == SearchEnd.CANCELLED) {
             return Deadlocks.of(first);
         }
@@ -178,6 +177,29 @@ public final class WiringCheck {
             case DeadlockCheck.Proved proof -> new Deadlocks(ReducedFigures.of(proof), List.of(), Optional.empty());
             case DeadlockCheck.Unknown unknown -> Deadlocks.of(first);
         };
+    }
+
+    /** Which complete search tells whether every component can always go on; one of the two, or none. */
+    private record Progress(Optional<ProgressSearch> search, Optional<OrbitCheck.Result> byOrbits) {
+        static final Progress UNKNOWN = new Progress(Optional.empty(), Optional.empty());
+    }
+
+    /** Both searches are tried with little work first, since either may be much smaller than the other. */
+    private Progress progress(boolean mayBeFree) {
+        for (var most : List.of(Math.min(work, QUICK_WORK), work)) {
+            var affordable = affordable(limits, most);
+            var search = mayBeFree
+                    ? Optional.of(ProgressSearch.run(net.net(), affordable))
+                            .filter(found -> found.end() == SearchEnd.COMPLETE)
+                    : Optional.<ProgressSearch>empty();
+            var byOrbits = search.isPresent()
+                    ? Optional.<OrbitCheck.Result>empty()
+                    : new OrbitCheck(wiring, net, affordable).result();
+            if (search.isPresent() || byOrbits.isPresent()) {
+                return new Progress(search, byOrbits);
+            }
+        }
+        return Progress.UNKNOWN;
     }
 
     /** The limits, and at most so many markings that visiting them costs about {@code most} steps. */
