@@ -340,7 +340,7 @@ public final class Symmetry {
             }
         }
 
-        /** Changes {@code places}, which says where each place is moved to, so that the last sorting comes first. */
+        /** Changes {@code places}, the place to which each place is moved, so that the last sorting comes first. */
         private void before(int[] places) {
             System.arraycopy(places, 0, copy, 0, places.length);
             for (var g = 0; g < blocks.length; g++) {

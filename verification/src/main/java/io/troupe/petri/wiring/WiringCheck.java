@@ -179,7 +179,7 @@ public final class WiringCheck {
         };
     }
 
-    /** Which complete search tells whether every component can always go on; one of the two, or none. */
+    /** The complete search that decides whether every component can always go on; one of the two, or none. */
     private record Progress(Optional<ProgressSearch> search, Optional<OrbitCheck.Result> byOrbits) {
         static final Progress UNKNOWN = new Progress(Optional.empty(), Optional.empty());
     }
