@@ -191,7 +191,7 @@ public final class MeasureNets implements Callable<Integer> {
                     new NetTask("20 workers, by orbits", () -> deadByOrbits(workers(20))),
                     new NetTask("50 workers, by orbits", () -> deadByOrbits(workers(50))),
                     new NetTask("50 workers, decision", () -> decide(workers(50))),
-                    new NetTask("50 workers, WiringCheck", () -> check(workerWiring(50))),
+                    new NetTask("20 workers, WiringCheck", () -> check(workerWiring(20))),
                     new NetTask("6 robots of the paper, by orbits", () -> deadByOrbits(RobotTeams.uncorrected(6))));
         }
 

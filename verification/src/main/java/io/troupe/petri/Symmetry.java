@@ -15,6 +15,7 @@ import java.util.TreeMap;
 import java.util.function.IntFunction;
 import java.util.function.IntUnaryOperator;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import java.util.stream.Stream;
 
 /**
@@ -46,10 +47,10 @@ public final class Symmetry {
     private final List<Group> groups;
     /** By group and block: the places. */
     private final int[][][] blocks;
-    /** The transitions by what they do; of equal ones the first. */
-    private final Map<Effect, Integer> transitions = new HashMap<>();
-
-    private final Map<Effect, Integer> counts = new HashMap<>();
+    /** By transition: what it does. */
+    private final List<Effect> effects = new ArrayList<>();
+    /** The transitions that do the same. */
+    private final Map<Effect, List<Transition>> transitions = new HashMap<>();
     /** By place: the transitions next to it. */
     private final IntList[] around;
 
@@ -97,8 +98,8 @@ public final class Symmetry {
     private Symmetry indexed() {
         for (var t : net.transitions()) {
             var effect = Effect.of(t, IntUnaryOperator.identity());
-            transitions.putIfAbsent(effect, t.index());
-            counts.merge(effect, 1, Integer::sum);
+            effects.add(effect);
+            transitions.computeIfAbsent(effect, each -> new ArrayList<>(1)).add(t);
         }
         net.transitions()
                 .forEach(t -> Stream.of(t.inputs(), t.outputs(), t.inhibitors())
@@ -200,8 +201,7 @@ public final class Symmetry {
             for (var t : around[place].toArray()) {
                 var transition = net.transitions().get(t);
                 var image = Effect.of(transition, each -> moved.getOrDefault(each, each));
-                if (!counts.getOrDefault(image, 0)
-                        .equals(counts.get(Effect.of(transition, IntUnaryOperator.identity())))) {
+                if (with(image).size() != with(effects.get(t)).size()) {
                     return "transition " + transition + " has no counterpart";
                 }
             }
@@ -249,14 +249,15 @@ public final class Symmetry {
 
     /** Whether the exchange of two equal parts maps {@code ones} to {@code others}, and these to {@code ones}. */
     public boolean exchanges(Set<Transition> ones, Set<Transition> others) {
-        var wanted = withEqual(others);
-        var from = withEqual(ones);
+        var from = effects(ones);
+        var wanted = effects(others);
         for (var group : blocks) {
-            for (var i = 0; i < group.length; i++) {
-                for (var j = i + 1; j < group.length; j++) {
+            for (var i : from.equals(wanted) ? numbers(group) : touched(group, ones)) {
+                for (var j : numbers(group)) {
                     var exchange = exchange(group[i], group[j]);
-                    var moved = from.stream().map(t -> image(t, exchange)).collect(Collectors.toSet());
-                    if (moved.size() == wanted.size() && withEqual(moved).equals(wanted)) {
+                    if (i != j
+                            && ones.stream().map(t -> Effect.of(t, exchange)).allMatch(wanted::contains)
+                            && others.stream().map(t -> Effect.of(t, exchange)).allMatch(from::contains)) {
                         return true;
                     }
                 }
@@ -381,7 +382,7 @@ public final class Symmetry {
 
     private Transition image(Transition transition, IntUnaryOperator move) {
         var found = transitions.get(Effect.of(transition, move));
-        return net.transitions().get(requireNonNull(found, "a symmetry maps transitions to others"));
+        return requireNonNull(found, "a symmetry maps transitions to others").get(0);
     }
 
     /** The places that a place can be exchanged for, with itself. */
@@ -401,9 +402,8 @@ public final class Symmetry {
 
     /** The transitions of {@code some}, all that these can be exchanged for, and all with the same arcs. */
     Set<Transition> orbits(Set<Transition> some) {
-        var known = new HashSet<Effect>();
+        var known = effects(some);
         var waiting = new ArrayDeque<>(some);
-        some.forEach(t -> known.add(Effect.of(t, IntUnaryOperator.identity())));
         while (!waiting.isEmpty()) {
             var t = waiting.remove();
             for (var group : blocks) {
@@ -420,15 +420,35 @@ public final class Symmetry {
 
     /** The transitions of {@code some}, and all with the same arcs. */
     private Set<Transition> withEqual(Set<Transition> some) {
-        return with(some.stream()
-                .map(t -> Effect.of(t, IntUnaryOperator.identity()))
-                .collect(Collectors.toSet()));
+        return with(effects(some));
     }
 
-    private Set<Transition> with(Set<Effect> effects) {
-        return net.transitions().stream()
-                .filter(t -> effects.contains(Effect.of(t, IntUnaryOperator.identity())))
+    private Set<Effect> effects(Set<Transition> some) {
+        return some.stream().map(t -> effects.get(t.index())).collect(Collectors.toCollection(HashSet::new));
+    }
+
+    private Set<Transition> with(Set<Effect> some) {
+        return some.stream().flatMap(effect -> with(effect).stream()).collect(Collectors.toSet());
+    }
+
+    private List<Transition> with(Effect effect) {
+        return transitions.getOrDefault(effect, List.of());
+    }
+
+    /** The numbers of the blocks of a group that have a place next to one of these transitions. */
+    private static int[] touched(int[][] group, Set<Transition> some) {
+        var places = some.stream()
+                .flatMap(t -> Stream.of(t.inputs(), t.outputs(), t.inhibitors()))
+                .flatMap(List::stream)
+                .map(arc -> arc.place().index())
                 .collect(Collectors.toSet());
+        return IntStream.range(0, group.length)
+                .filter(i -> Arrays.stream(group[i]).anyMatch(places::contains))
+                .toArray();
+    }
+
+    private static int[] numbers(int[][] group) {
+        return IntStream.range(0, group.length).toArray();
     }
 
     private static IntUnaryOperator exchange(int[] one, int[] other) {

@@ -67,6 +67,9 @@ public final class WiringCheck {
     /** The same, for a search that others follow if it is not complete. */
     private static final long QUICK_WORK = DEFAULT_WORK / 10;
 
+    /** With so many equal components an orbit has up to some ten thousand markings. */
+    private static final int MANY_EQUAL = 8;
+
     private static final int MIN_MARKINGS = 1_000;
 
     private final Wiring wiring;
@@ -186,20 +189,36 @@ public final class WiringCheck {
 
     /** Both searches are tried with little work first, since either may be much smaller than the other. */
     private Progress progress(boolean mayBeFree) {
-        for (var most : List.of(Math.min(work, QUICK_WORK), work)) {
-            var affordable = affordable(limits, most);
-            var search = mayBeFree
-                    ? Optional.of(ProgressSearch.run(net.net(), affordable))
-                            .filter(found -> found.end() == SearchEnd.COMPLETE)
-                    : Optional.<ProgressSearch>empty();
-            var byOrbits = search.isPresent()
-                    ? Optional.<OrbitCheck.Result>empty()
-                    : new OrbitCheck(wiring, net, affordable).result();
-            if (search.isPresent() || byOrbits.isPresent()) {
-                return new Progress(search, byOrbits);
-            }
+        var quick = Math.min(work, QUICK_WORK);
+        var found = bySearch(mayBeFree, quick).or(() -> byOrbits(quick));
+        return hasManyEqual()
+                ? found.or(() -> byOrbits(work))
+                        .or(() -> bySearch(mayBeFree, work))
+                        .orElse(Progress.UNKNOWN)
+                : found.or(() -> bySearch(mayBeFree, work))
+                        .or(() -> byOrbits(work))
+                        .orElse(Progress.UNKNOWN);
+    }
+
+    private boolean hasManyEqual() {
+        return Symmetry.find(net.net()).groups().stream()
+                .anyMatch(group -> group.blocks().size() >= MANY_EQUAL);
+    }
+
+    private Optional<Progress> bySearch(boolean mayBeFree, long most) {
+        if (!mayBeFree) {
+            return Optional.empty();
         }
-        return Progress.UNKNOWN;
+        var search = ProgressSearch.run(net.net(), affordable(limits, most));
+        return search.end() == SearchEnd.COMPLETE
+                ? Optional.of(new Progress(Optional.of(search), Optional.empty()))
+                : Optional.empty();
+    }
+
+    private Optional<Progress> byOrbits(long most) {
+        return new OrbitCheck(wiring, net, affordable(limits, most))
+                .result()
+                .map(found -> new Progress(Optional.empty(), Optional.of(found)));
     }
 
     /** The limits, and at most so many markings that visiting them costs about {@code most} steps. */
