@@ -4,7 +4,7 @@ import java.util.Arrays;
 
 /** A growable list of ints in chunks: growing copies at most one chunk, and leaves no half of an array unused. */
 final class IntList {
-    private static final int CHUNK_BITS = 12; // 16 KiB: the unused rest of three lists is little beside 10,000 markings
+    private static final int CHUNK_BITS = 16;
     private static final int CHUNK = 1 << CHUNK_BITS;
 
     /** All chunks are full but the last; the first one may be shorter, as long as it is the only one. */
