@@ -191,13 +191,13 @@ public final class WiringCheck {
     private Progress progress(boolean mayBeFree) {
         var quick = Math.min(work, QUICK_WORK);
         var found = bySearch(mayBeFree, quick).or(() -> byOrbits(quick));
-        return hasManyEqual()
-                ? found.or(() -> byOrbits(work))
-                        .or(() -> bySearch(mayBeFree, work))
-                        .orElse(Progress.UNKNOWN)
-                : found.or(() -> bySearch(mayBeFree, work))
-                        .or(() -> byOrbits(work))
-                        .orElse(Progress.UNKNOWN);
+        if (found.isPresent()) {
+            return found.get();
+        }
+        return (hasManyEqual()
+                        ? byOrbits(work).or(() -> bySearch(mayBeFree, work))
+                        : bySearch(mayBeFree, work).or(() -> byOrbits(work)))
+                .orElse(Progress.UNKNOWN);
     }
 
     private boolean hasManyEqual() {
