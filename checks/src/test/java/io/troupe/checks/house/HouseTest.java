@@ -1,6 +1,8 @@
 package io.troupe.checks.house;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.assertj.core.api.Assertions.entry;
+import static org.assertj.core.api.Assertions.tuple;
 
 import io.troupe.checks.Repository;
 import io.troupe.checks.house.HouseFigures.Comment;
@@ -10,7 +12,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Map;
 import java.util.Set;
+import java.util.TreeMap;
 import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
@@ -139,5 +143,37 @@ class HouseTest {
                 .hasSize(2)
                 .anyMatch(each -> each.startsWith("a/src/main/java/A.java:7: \"Whoever\", better: "))
                 .anyMatch(each -> each.contains("\"is told\""));
+    }
+
+    @Test
+    void testsOfAnEarlierTree_areFoundByTheirNames_orByTheirWords_onceEach(@TempDir Path folder) throws IOException {
+        write(folder.resolve("before/m/src/test/java/p/ATest.java"), """
+                class ATest {
+                    @Test void kept() { check(1, "colour"); }
+                    @Test void renamed() { robot.drive(ahead); assertThat(robot.stall()).isTrue(); }
+                    @Test void gone() { nothing.like(it); }
+                }
+                """);
+        write(folder.resolve("now/m/src/test/java/p/BTest.java"), """
+                class BTest {
+                    @Test
+                    void kept() {
+                        other();
+                    }
+                    @Test void stalls() { robot.drive(ahead); assertThat(robot.stall()).isTrue(); }
+                    @Test void added() { robot.drive(ahead); }
+                    void helper() {}
+                }
+                """);
+        write(folder.resolve("now/m/src/main/java/p/B.java"), "class B { @Test void gone() {} }");
+        var before = KeptTests.read(folder.resolve("before"));
+        var now = KeptTests.read(folder.resolve("now"));
+        assertThat(now.lines()).isEqualTo(9);
+        assertThat(now.methods())
+                .extracting(KeptTests.TestMethod::name, KeptTests.TestMethod::lines)
+                .containsExactly(tuple("kept", 4), tuple("stalls", 1), tuple("added", 1));
+        Map<String, String> names = new TreeMap<>();
+        KeptTests.kept(before.methods(), now.methods()).forEach((old, each) -> names.put(old.name(), each.name()));
+        assertThat(names).containsExactly(entry("kept", "kept"), entry("renamed", "stalls"));
     }
 }

@@ -8,10 +8,6 @@ import io.troupe.player.PlayerClient;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.structures.fiducial.PlayerFiducialFov;
 import io.troupe.sim.SimulationRunner;
-import io.troupe.sim.model.DeviceBinding;
-import io.troupe.sim.model.Scenario;
-import io.troupe.sim.worldfile.ScenarioReader;
-import java.nio.file.Path;
 import java.util.List;
 import java.util.function.Consumer;
 import org.junit.jupiter.api.Test;
@@ -50,21 +46,6 @@ class DeviceMessagesTest {
             model ( name "post" pose [ -3 -3 0 0 ] size [ 0.2 0.2 0.5 ] )
             """;
 
-    private static Scenario scenario() {
-        Scenario read = ScenarioReader.readText(WORLD, Path.of("t.world"));
-        return new Scenario(
-                read.world(),
-                read.devices().stream()
-                        .map(each -> new DeviceBinding(
-                                Served.PORT,
-                                each.interfaceName(),
-                                each.index(),
-                                each.model(),
-                                each.ranger(),
-                                each.where()))
-                        .toList());
-    }
-
     private static String next(RawClient client, MessageType type, int code, int subtype) throws Exception {
         return Hex.text(client.next(type, code, subtype).payload());
     }
@@ -79,7 +60,7 @@ class DeviceMessagesTest {
 
     @Test
     void fiducialFinder_overTcp_sendsTheBytesOfPlayer() throws Exception {
-        try (var served = Served.open(scenario())) {
+        try (var served = Served.open(Served.scenario(WORLD))) {
             RawClient client = served.client();
             client.subscribe(Interfaces.FIDUCIAL);
             served.tick(1);
@@ -109,7 +90,7 @@ class DeviceMessagesTest {
 
     @Test
     void bumpers_overTcp_sendTheBytesOfPlayer() throws Exception {
-        try (var served = Served.open(scenario())) {
+        try (var served = Served.open(Served.scenario(WORLD))) {
             RawClient client = served.client();
             client.subscribe(Interfaces.BUMPER);
             served.tick(1);
@@ -126,7 +107,7 @@ class DeviceMessagesTest {
 
     @Test
     void camera_overTcp_sendsTheBytesOfPlayer() throws Exception {
-        try (var served = Served.open(scenario())) {
+        try (var served = Served.open(Served.scenario(WORLD))) {
             RawClient client = served.client();
             client.subscribe(Interfaces.CAMERA);
             served.tick(1);
@@ -148,7 +129,7 @@ class DeviceMessagesTest {
 
     @Test
     void rangerIntensities_overTcp_areSentToTheClientThatAskedForThem() throws Exception {
-        try (var served = Served.open(scenario())) {
+        try (var served = Served.open(Served.scenario(WORLD))) {
             RawClient client = served.client();
             RawClient other = served.client();
             ranger(client, PlayerRequest.OPEN);
@@ -176,7 +157,7 @@ class DeviceMessagesTest {
 
     @Test
     void posesIn3dAndProperties_overTcp_haveTheBytesOfPlayer() throws Exception {
-        try (var served = Served.open(scenario())) {
+        try (var served = Served.open(Served.scenario(WORLD))) {
             RawClient client = served.client();
             client.subscribe(Interfaces.SIMULATION, Interfaces.POSITION2D);
             served.tick(3);
@@ -222,7 +203,7 @@ class DeviceMessagesTest {
 
     @Test
     void obstacles_areMovedByPoseRequests() throws Exception {
-        try (var served = Served.open(scenario())) {
+        try (var served = Served.open(Served.scenario(WORLD))) {
             RawClient client = served.client();
             client.subscribe(Interfaces.SIMULATION);
             for (String model : List.of("light", "post")) {
@@ -261,7 +242,7 @@ class DeviceMessagesTest {
 
     /** The client in this JVM and over TCP. */
     private static void inClient(Consumer<PlayerClient> test) throws Exception {
-        try (var served = Served.open(scenario());
+        try (var served = Served.open(Served.scenario(WORLD));
                 var runner = SimulationRunner.start(served.simulation, 1, snapshot -> {})) {
             for (int port : new int[] {Served.PORT, served.port()}) {
                 var client = new PlayerClient("localhost", port);
@@ -392,7 +373,7 @@ class DeviceMessagesTest {
 
     @Test
     void gripper_overTcp_obeysAndSendsTheBytesOfPlayer() throws Exception {
-        try (var served = Served.open(scenario())) {
+        try (var served = Served.open(Served.scenario(WORLD))) {
             RawClient client = served.client();
             client.subscribe(Interfaces.GRIPPER);
             served.tick(1);

@@ -6,12 +6,15 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.TestWorlds;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.SonarSpec;
+import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.net.InetAddress;
+import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -61,6 +64,17 @@ final class Served implements AutoCloseable {
 
     private static TcpServer.Shared ofMachine() {
         return new TcpServer.Shared(TcpServer.Settings.ofMachine(1), Clock.system());
+    }
+
+    /** The scenario of a world file without a {@code .cfg}; its robots are served at {@link #PORT}. */
+    static Scenario scenario(String worldFile) {
+        Scenario read = ScenarioReader.readText(worldFile, Path.of("t.world"));
+        return new Scenario(
+                read.world(),
+                read.devices().stream()
+                        .map(each -> new DeviceBinding(
+                                PORT, each.interfaceName(), each.index(), each.model(), each.ranger(), each.where()))
+                        .toList());
     }
 
     /** The robot of the captured conversations: its pose and its sixteen sonars, in an empty world. */

@@ -4,10 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Scenario;
-import io.troupe.sim.worldfile.ScenarioReader;
-import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
@@ -18,19 +15,7 @@ class SteeringMessagesTest {
     private static final double INTERVAL_S = 0.1;
 
     private static Scenario robot(String properties) {
-        Scenario read = ScenarioReader.readText(
-                "position ( name \"r\" size [ 0.4 0.4 0.2 ] " + properties + " )", Path.of("t.world"));
-        return new Scenario(
-                read.world(),
-                read.devices().stream()
-                        .map(each -> new DeviceBinding(
-                                Served.PORT,
-                                each.interfaceName(),
-                                each.index(),
-                                each.model(),
-                                each.ranger(),
-                                each.where()))
-                        .toList());
+        return Served.scenario("position ( name \"r\" size [ 0.4 0.4 0.2 ] " + properties + " )");
     }
 
     private static RawClient commanding(Served served, DeviceCommand command) throws Exception {
