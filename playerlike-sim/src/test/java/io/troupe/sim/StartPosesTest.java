@@ -101,10 +101,15 @@ class StartPosesTest {
 
     @Test
     void overlap_isNotJitteredAway_andBodiesThatOnlyTouchDoNotOverlap() {
-        assertThat(start(Specs.world(R1, wall("wall", 0.6, 0, 1, 1)), jitter(4), 0))
-                .isEqualTo(Pose.ORIGIN);
-        assertThat(start(Specs.world(R1, wall("wall", 0.68, 0, 1, 1)), WorldSettings.DEFAULT, 0))
-                .isEqualTo(Pose.ORIGIN);
+        StartPoses overlapping = StartPoses.of(Specs.world(R1, wall("wall", 0.6, 0, 1, 1)), jitter(4));
+        assertThat(overlapping.poses()).containsExactly(Pose.ORIGIN);
+        assertThat(overlapping.stuck().get(0)).isTrue();
+        for (double x : new double[] {0.68, 0.68 - 1e-10}) { // also where a sum was rounded
+            WorldSpec touching = Specs.world(R1, wall("wall", x, 0, 1, 1));
+            assertThat(StartPoses.of(touching, WorldSettings.DEFAULT).stuck().isEmpty())
+                    .as("wall at %s", x)
+                    .isTrue();
+        }
     }
 
     /**
