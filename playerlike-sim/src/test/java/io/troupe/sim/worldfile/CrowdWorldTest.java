@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class CrowdWorldTest {
+class CrowdWorldTest extends WorldFiles {
     private static Box around(ObstacleSpec obstacle) {
         return Box.around(obstacle.shape().at(obstacle.pose()).polygons());
     }
@@ -22,9 +22,10 @@ class CrowdWorldTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2, 64, 65, 300})
     void crowd_ofAnySize_hasItsRobotsApartAndInsideTheWalls(int robots) {
-        Scenario crowd = CrowdWorld.scenario(robots);
+        // the reader rejects robots that stand outside, and warns of those that overlap
+        assertThat(warnings(CrowdWorld.text(robots))).isEmpty();
 
-        // the reader rejects robots that overlap or stand outside
+        Scenario crowd = CrowdWorld.scenario(robots);
         assertThat(crowd.world().robots()).hasSize(robots);
         assertThat(crowd.world().robots().getFirst().name()).isEqualTo("robot1");
         assertThat(crowd.devices()).hasSize(1 + 3 * robots);

@@ -416,11 +416,13 @@ class WorldReaderTest extends WorldFiles {
                 """);
         assertThat(world.intervalMillis()).isEqualTo(50);
         assertThat(world.obstacles()).hasSize(1);
-        assertThat(world("""
-                        define sicklaser laser ( range_max 8 fov 180 samples 361 )
-                        define fancy position ( drive "omni" velocity_bounds [ -1 1 -1 1 -1 1 -90 90 ] gripper () sicklaser () model () )
-                        define new_sonar ranger ( sensor ( range [ 0 5 ] ) )
-                        model ()
-                        """).obstacles()).hasSize(1);
+        String stock = """
+                define sicklaser laser ( range_max 8 fov 180 samples 361 )
+                define fancy position ( drive "omni" velocity_bounds [ -1 1 -1 1 -1 1 -90 90 ] actuator () sicklaser () model () )
+                define new_sonar ranger ( sensor ( range [ 0 5 ] ) )
+                model ()
+                """;
+        assertThat(obstacle(stock).name()).isEqualTo("model:0");
+        assertThat(warnings(stock)).isEmpty();
     }
 }
