@@ -37,7 +37,9 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.HashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import javax.imageio.ImageIO;
@@ -278,12 +280,19 @@ class CrowdTest {
         var svg = drawn();
 
         double decadePx = yOf(svg, 10) - yOf(svg, 100);
-        assertThat(svg.elements("circle", "fill", "#222222"))
-                .extracting(dot -> yOf(svg, 10) - number(dot, "cy"))
-                .zipSatisfy(
-                        MEDIANS,
-                        (above, row) ->
-                                assertThat(above).isCloseTo(decadePx * Math.log10(row.micros() / 10), within(0.2)));
+        Map<String, ToDoubleFunction<Row>> lines =
+                Map.of("#222222", Row::micros, "#1b9e9e", Row::worldMicros, "#7b3fa0", Row::servicesMicros);
+        lines.forEach((colour, micros) -> {
+            var dots = svg.elements("circle", "fill", colour);
+            double leftPx = number(dots.getFirst(), "cx"); // of one robot
+            double thousandfoldPx = number(dots.getLast(), "cx") - leftPx;
+            assertThat(dots).as(colour).zipSatisfy(MEDIANS, (dot, row) -> {
+                assertThat(yOf(svg, 10) - number(dot, "cy"))
+                        .isCloseTo(decadePx * Math.log10(micros.applyAsDouble(row) / 10), within(0.2));
+                assertThat(number(dot, "cx") - leftPx)
+                        .isCloseTo(thousandfoldPx * Math.log10(row.robots()) / 3, within(0.2));
+            });
+        });
         assertThat(svg.elements("line", "stroke-width", "1.2"))
                 .filteredOn(line -> line.getAttribute("x1").equals(line.getAttribute("x2")))
                 .hasSize(MEDIANS.size())

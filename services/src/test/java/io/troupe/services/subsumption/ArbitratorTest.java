@@ -223,6 +223,7 @@ class ArbitratorTest extends RobotsBench {
     @Test
     void orangeAndTheStatesOwn_areSentAtEveryReading_andChangeNothing_blackIsNotSent() {
         begin(Mode.CALLBACK);
+        robots.show(0, RED); // a wall follower sees no colours
         robots.show(1, ORANGE, BLUE);
         tick();
         tick();

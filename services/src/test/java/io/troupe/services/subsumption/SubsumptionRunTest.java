@@ -1,6 +1,7 @@
 package io.troupe.services.subsumption;
 
 import static io.troupe.common.text.NamedColours.BLUE;
+import static io.troupe.common.text.NamedColours.GREEN;
 import static io.troupe.common.text.NamedColours.ORANGE;
 import static io.troupe.common.text.NamedColours.RED;
 import static io.troupe.services.subsumption.FakeRobots.STOP;
@@ -206,6 +207,7 @@ class SubsumptionRunTest extends RobotsBench {
     @Test
     void colour_changesTheStateInItsRobotsTurn_withoutAStop_andRobot1IsNext() throws InterruptedException {
         try (var run = SubsumptionRun.start(settings)) {
+            robots.show(0, GREEN); // a wall follower sees no colours
             robots.show(1, ORANGE, RED);
             ticks(100);
             assertThat(states()).containsExactly("1 by null");
