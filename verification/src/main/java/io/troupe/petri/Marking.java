@@ -2,6 +2,8 @@ package io.troupe.petri;
 
 import java.util.Arrays;
 import java.util.List;
+import java.util.function.ToLongFunction;
+import java.util.stream.Collectors;
 
 /**
  * The number of tokens on each place of a net.
@@ -87,12 +89,13 @@ public final class Marking {
     /** The marked places, for example <code>{P1, 2*M4}</code>. */
     @Override
     public String toString() {
-        var text = new StringBuilder("{");
-        for (var place : marked()) {
-            text.append(text.length() > 1 ? ", " : "");
-            text.append(tokens[place.index()] > 1 ? tokens[place.index()] + "*" : "")
-                    .append(place);
-        }
-        return text.append('}').toString();
+        return text(places, place -> tokens[place.index()]);
+    }
+
+    static String text(List<Place> places, ToLongFunction<Place> tokens) {
+        return places.stream()
+                .filter(place -> tokens.applyAsLong(place) > 0)
+                .map(place -> (tokens.applyAsLong(place) > 1 ? tokens.applyAsLong(place) + "*" : "") + place)
+                .collect(Collectors.joining(", ", "{", "}"));
     }
 }

@@ -81,6 +81,11 @@ public final class PetriNet {
         return transitions.stream().anyMatch(t -> !t.inhibitors().isEmpty());
     }
 
+    /** Whether two transitions have different priorities. */
+    boolean isPrioritised() {
+        return isPrioritised;
+    }
+
     public Place place(String placeName) {
         return known(placesByName.get(requireNonNull(placeName, "placeName")), "place", placeName);
     }

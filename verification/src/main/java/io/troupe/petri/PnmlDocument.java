@@ -20,7 +20,7 @@ final class PnmlDocument {
     }
 
     /** A place or transition. The label is its name, if it has one; the value is its tokens or its priority. */
-    record Node(Kind kind, String id, String label, int value, int line) {}
+    record Node(Kind kind, String id, String label, long value, int line) {}
 
     record Reference(Kind kind, String id, String target, int line) {}
 
@@ -55,15 +55,15 @@ final class PnmlDocument {
         return nodes.containsKey(id) || references.containsKey(id);
     }
 
-    PetriNet build(String name) {
+    LargeNet build(String name) {
         var net = at(0, () -> PetriNet.builder(name));
         var byLabel = nodes.values().stream().map(Node::label).distinct().count() == nodes.size();
         for (var node : nodes.values()) {
             var called = byLabel ? node.label() : node.id();
             if (node.kind() == Kind.PLACE) {
-                at(node.line(), () -> net.place(called, node.value()));
+                at(node.line(), () -> net.place(called, (int) Math.min(node.value(), Integer.MAX_VALUE)));
             } else {
-                at(node.line(), () -> net.transition(called).priority(called, node.value()));
+                at(node.line(), () -> net.transition(called).priority(called, (int) node.value()));
             }
         }
         references.values().forEach(reference -> resolve(reference.id(), reference.line()));
@@ -96,7 +96,12 @@ final class PnmlDocument {
         }
         weights.forEach((ends, weight) -> at(lines.get(ends), () -> net.arc(ends.from(), ends.to(), weight)));
         inhibitors.forEach((ends, weight) -> net.inhibitor(ends.from(), ends.to(), weight));
-        return net.build();
+        var built = net.build();
+        var large = new HashMap<Place, Long>();
+        nodes.values().stream()
+                .filter(node -> node.value() > Integer.MAX_VALUE)
+                .forEach(node -> large.put(built.place(byLabel ? node.label() : node.id()), node.value()));
+        return LargeNet.of(built, large);
     }
 
     /** The place or transition that an arc refers to, directly or through reference nodes. */

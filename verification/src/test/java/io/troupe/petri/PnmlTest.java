@@ -104,7 +104,7 @@ class PnmlTest {
             ~<place id='p'><initialMarking><text>-1</text></initialMarking></place> | 3 | \
             the initial marking of place p is "-1", expected a whole number from 0 to 2147483647
             <place id='p'><initialMarking><text>99999999999</text></initialMarking></place> | 2 | \
-            is "99999999999", expected a whole number from 0 to 2147483647
+            is "99999999999", expected a whole number from 0 to 2147483647; Pnml.readLarge reads more
             <place id='p'><initialMarking/></place> | 2 | the initial marking of place p is ""
             <place id='p'/><transition id='t'/>~<arc id='a' source='p' target='t'>~\
             <inscription><text>0</text></inscription></arc> | 4 | \
@@ -169,7 +169,8 @@ class PnmlTest {
             <arc id='a' source='p' target='t'><name><text>3</text></name></arc> | \
             x:2: arc a is called "3" and has no <inscription>, expected one if that is its weight
             <place id='p'><initialMarking><text>4000000000</text></initialMarking></place> | \
-            x:2: the initial marking of place p is "4000000000", expected a whole number from 0 to 2147483647
+            x:2: the initial marking of place p is "4000000000", expected a whole number from 0 to 2147483647; \
+            Pnml.readLarge reads more
             <place id='p'/>~<referencePlace id='r' ref='gone'/> | \
             x:3: there is no place or transition with id gone
             <referencePlace id='r' ref='s'/>~<referencePlace id='s' ref='r'/> | x:2: reference r refers to itself
