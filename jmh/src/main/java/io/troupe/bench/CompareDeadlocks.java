@@ -1,11 +1,12 @@
 package io.troupe.bench;
 
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
-import io.troupe.petri.PetriNet;
+import io.troupe.petri.LargeNet;
 import io.troupe.petri.Pnml;
 import io.troupe.petri.PnmlException;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.deadlock.DeadlockCheck;
+import io.troupe.petri.deadlock.LargeDeadlockCheck;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;
@@ -140,9 +141,9 @@ public final class CompareDeadlocks implements Callable<Integer> {
     private Row compare(Path file, Path question) throws IOException, InterruptedException {
         var name = file.getFileName().toString().replaceAll("\\.pnml$", "");
         var start = System.nanoTime();
-        PetriNet net;
+        LargeNet net;
         try {
-            net = Pnml.read(file, warning -> {});
+            net = Pnml.readLarge(file, warning -> {});
         } catch (PnmlException e) {
             return new Row(
                     name,
@@ -152,38 +153,46 @@ public final class CompareDeadlocks implements Callable<Integer> {
                     expected(name));
         }
         var ours = decide(net, start);
-        var size = net.places().size() + ", " + net.transitions().size();
+        var size = net.net().places().size() + ", " + net.net().transitions().size();
         return new Row(name, size, ours, peer(file, question), expected(name));
     }
 
-    private Timed decide(PetriNet net, long start) {
+    private Timed decide(LargeNet net, long start) {
         var end = start + TimeUnit.SECONDS.toNanos(seconds);
         var limits = SearchLimits.markings(Integer.MAX_VALUE)
                 .cancelledBy(() -> System.nanoTime() > end)
                 .within(Runtime.getRuntime().maxMemory() * 6 / 10);
-        Answer answer;
-        String how;
+        Decided decided;
         try {
-            switch (DeadlockCheck.decide(net, limits)) {
-                case DeadlockCheck.CanDeadlock found -> {
-                    answer = Answer.YES;
-                    how = found.trace().size() + " firings";
-                }
-                case DeadlockCheck.Proved proof -> {
-                    answer = Answer.NO;
-                    how = proof.reason();
-                }
-                case DeadlockCheck.Unknown unknown -> {
-                    answer = Answer.UNKNOWN;
-                    how = unknown.end() + " after " + unknown.markings() + " markings";
-                }
-            }
+            decided = net.largePlaces().isEmpty()
+                    ? Decided.of(DeadlockCheck.decide(net.net(), limits))
+                    : Decided.of(LargeDeadlockCheck.decide(net, limits));
         } catch (ArithmeticException | OutOfMemoryError e) {
-            answer = Answer.UNKNOWN;
-            how = e.toString();
+            decided = new Decided(Answer.UNKNOWN, e.toString());
         }
         var millis = TimeUnit.NANOSECONDS.toMillis(System.nanoTime() - start);
-        return new Timed(millis > seconds * 1000L ? Answer.UNKNOWN : answer, millis, how);
+        return new Timed(millis > seconds * 1000L ? Answer.UNKNOWN : decided.answer, millis, decided.how);
+    }
+
+    /** An answer, and what decided it. */
+    private record Decided(Answer answer, String how) {
+        static Decided of(DeadlockCheck.Result result) {
+            return switch (result) {
+                case DeadlockCheck.CanDeadlock found ->
+                    new Decided(Answer.YES, found.trace().size() + " firings");
+                case DeadlockCheck.Proved proof -> new Decided(Answer.NO, proof.reason());
+                case DeadlockCheck.Unknown unknown ->
+                    new Decided(Answer.UNKNOWN, unknown.end() + " after " + unknown.markings() + " markings");
+            };
+        }
+
+        static Decided of(LargeDeadlockCheck.Result result) {
+            return switch (result) {
+                case LargeDeadlockCheck.CanDeadlock found ->
+                    new Decided(Answer.YES, found.trace().size() + " firings");
+                case LargeDeadlockCheck.Unknown unknown -> new Decided(Answer.UNKNOWN, unknown.reason());
+            };
+        }
     }
 
     private Timed peer(Path file, Path question) throws IOException, InterruptedException {

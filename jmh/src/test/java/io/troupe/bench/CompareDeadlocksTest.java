@@ -56,8 +56,10 @@ class CompareDeadlocksTest {
 
     @Test
     void folder_isComparedWithTheExpectedAnswers() throws IOException {
-        write("stops", "<arc id='a' source='p' target='t'/>");
-        write("goes", "<arc id='a' source='p' target='t'/><arc id='b' source='t' target='p'/>");
+        write("stops", "1", "<arc id='a' source='p' target='t'/>");
+        write("goes", "1", "<arc id='a' source='p' target='t'/><arc id='b' source='t' target='p'/>");
+        write("many", "4000000000", "<arc id='a' source='p' target='t'/>");
+        write("full", "4000000000", "<arc id='a' source='t' target='q'/><arc id='b' source='q' target='t'/>");
         Files.writeString(folder.resolve("broken.pnml"), "<pnml>");
         Files.writeString(folder.resolve("stops-RD.out"), "FORMULA ReachabilityDeadlock TRUE TECHNIQUES ORACLE");
         var out = new ByteArrayOutputStream();
@@ -72,19 +74,21 @@ class CompareDeadlocksTest {
         }
         assertThat(out.toString(StandardCharsets.UTF_8).lines().map(line -> line.replaceAll("\t\\d+\t", "\t#\t")))
                 .contains(
-                        "stops\t1, 1\tYES\t#\t1 firings\tUNKNOWN\t#\tYES",
-                        "goes\t1, 1\tNO\t#\treductions leave a transition that needs no tokens\tUNKNOWN\t#\tUNKNOWN",
-                        "as expected: 1 of 3",
-                        "neither: 1 of 3",
-                        "only ours: 2 of 3")
+                        "stops\t2, 1\tYES\t#\t1 firings\tUNKNOWN\t#\tYES",
+                        "goes\t2, 1\tNO\t#\treductions leave a transition that needs no tokens\tUNKNOWN\t#\tUNKNOWN",
+                        "full\t2, 1\tYES\t#\t0 firings\tUNKNOWN\t#\tUNKNOWN",
+                        "as expected: 1 of 5",
+                        "neither: 2 of 5",
+                        "only ours: 3 of 5")
+                .anyMatch(line -> line.startsWith("many\t2, 1\tUNKNOWN\t#\tno marking is dead before [p] "))
                 .anyMatch(line -> line.startsWith("broken\t\tUNKNOWN\t#\trefused: "));
     }
 
-    private void write(String name, String arcs) throws IOException {
+    private void write(String name, String tokens, String arcs) throws IOException {
         Files.writeString(folder.resolve(name + ".pnml"), """
                 <pnml xmlns="http://www.pnml.org/version-2009/grammar/pnml"><net id="n"
                 type="http://www.pnml.org/version-2009/grammar/ptnet"><page id="g"><place id="p">
-                <initialMarking><text>1</text></initialMarking></place><transition id="t"/>%s</page></net></pnml>
-                """.formatted(arcs));
+                <initialMarking><text>%s</text></initialMarking></place><place id="q"/><transition id="t"/>%s</page></net></pnml>
+                """.formatted(tokens, arcs));
     }
 }

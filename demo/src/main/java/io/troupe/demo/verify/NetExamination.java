@@ -1,13 +1,16 @@
 package io.troupe.demo.verify;
 
 import io.troupe.petri.DeadlockSearch;
+import io.troupe.petri.LargeNet;
 import io.troupe.petri.Liveness;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
 import io.troupe.petri.SearchLimits;
+import io.troupe.petri.Transition;
 import io.troupe.petri.deadlock.Boundedness;
 import io.troupe.petri.deadlock.DeadlockCheck;
+import io.troupe.petri.deadlock.LargeDeadlockCheck;
 import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.SiphonAnalysis;
 import io.troupe.petri.structure.Siphons;
@@ -100,7 +103,8 @@ final class NetExamination {
                 return canDeadlock(
                         dead.size() + " dead " + (dead.size() == 1 ? "marking" : "markings")
                                 + (search.end() == SearchEnd.COMPLETE ? "" : " so far") + ", the nearest ",
-                        nearest);
+                        nearest.marking().toString(),
+                        nearest.trace());
             }
             if (search.end() == SearchEnd.COMPLETE) {
                 return proved(search.visitedMarkings() + " markings by stubborn sets");
@@ -111,7 +115,7 @@ final class NetExamination {
             switch (DeadlockCheck.decide(net, deadlockLimits(Integer.MAX_VALUE))) {
                 case DeadlockCheck.CanDeadlock found -> {
                     nearest = new DeadlockSearch.Deadlock(found.marking(), found.trace());
-                    return canDeadlock("", nearest);
+                    return canDeadlock("", found.marking().toString(), found.trace());
                 }
                 case DeadlockCheck.Proved proof -> {
                     return proved(proof.reason() + (proof.markings() == 0 ? "" : ", " + proof.markings() + " of them"));
@@ -124,13 +128,31 @@ final class NetExamination {
         return decideBySiphons(why);
     }
 
+    /**
+     * Looks for a dead marking of a net with large places, and reports it. Nothing else is computed for such a net, and
+     * nothing is drawn.
+     *
+     * @return the exit status
+     */
+    static int decideLarge(LargeNet large, Limits limits, Consumer<String> progress, Consumer<String> results) {
+        var net = new NetExamination(large.withoutLargePlaces(), limits, progress, results);
+        var search = net.reporting(limits.search(Integer.MAX_VALUE), "dead markings");
+        var status = switch (LargeDeadlockCheck.decide(large, search)) {
+            case LargeDeadlockCheck.CanDeadlock found ->
+                net.canDeadlock("", found.marking().toString(), found.trace());
+            case LargeDeadlockCheck.Unknown unknown -> net.notKnown(unknown.reason());
+        };
+        results.accept("no further results and no pictures: more than " + Integer.MAX_VALUE + " tokens on "
+                + large.largePlaces() + "\n");
+        return status;
+    }
+
     private SearchLimits deadlockLimits(int maxMarkings) {
         return reporting(limits.sparing(limits.time().dividedBy(2)).search(maxMarkings), "dead markings");
     }
 
-    private int canDeadlock(String which, DeadlockSearch.Deadlock deadlock) {
-        results.accept(net.name() + ": can deadlock: " + which + deadlock.marking() + " after "
-                + shortened(deadlock.trace()) + "\n");
+    private int canDeadlock(String which, String marking, List<Transition> trace) {
+        results.accept(net.name() + ": can deadlock: " + which + marking + " after " + shortened(trace) + "\n");
         return CAN_DEADLOCK;
     }
 
@@ -148,6 +170,10 @@ final class NetExamination {
         if (found != null && found.deadlock() instanceof DeadlockVerdict.NoDeadMarking) {
             return proved("by its siphons; " + why);
         }
+        return notKnown(why);
+    }
+
+    private int notKnown(String why) {
         results.accept(net.name() + ": not known whether it can deadlock: " + why + "\n");
         return UNKNOWN;
     }

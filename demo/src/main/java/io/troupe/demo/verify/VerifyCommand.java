@@ -205,11 +205,14 @@ public final class VerifyCommand implements Callable<Integer> {
         FileProblems.checkInput(spec, file, "a net in PNML");
         PrintWriter err = spec.commandLine().getErr();
         try {
-            var read = Pnml.read(file, warning -> {
+            var read = Pnml.readLarge(file, warning -> {
                 err.println("troupe: warning: " + warning);
                 err.flush();
             });
-            var examination = new NetExamination(read, limits(interruption), progress, results);
+            if (!read.largePlaces().isEmpty()) {
+                return NetExamination.decideLarge(read, limits(interruption), progress, results);
+            }
+            var examination = new NetExamination(read.net(), limits(interruption), progress, results);
             int status = examination.decide();
             try {
                 examination.explain();

@@ -149,6 +149,39 @@ class VerifyCommandTest extends CommandLineBench {
         assertMissing("o/net.svg");
     }
 
+    /** Each of three jobs takes a token of four thousand million; the other net is dead only after all of them. */
+    @Test
+    void netWithMoreTokensThanAnInt_isSearchedForADeadMarking() throws IOException {
+        file("jobs.pnml", lake("<arc id='a' source='job' target='t'/>"));
+        assertThat(troupe("verify --net DIR/jobs.pnml --out DIR/o")).isEqualTo(1);
+        assertThat(out)
+                .hasToString("n: can deadlock: {3999999997*lake} after [t, t, t]\n"
+                        + "no further results and no pictures: more than 2147483647 tokens on [lake]\n");
+        assertThat(err.toString()).isEmpty();
+        assertMissing("o/jobs.dot");
+
+        out.getBuffer().setLength(0);
+        file("lake.pnml", lake(""));
+        assertThat(troupe("verify --net DIR/lake.pnml --out DIR/o")).isEqualTo(3);
+        assertThat(out.toString())
+                .startsWith("n: not known whether it can deadlock: no marking is dead before [lake] run out of tokens")
+                .endsWith("more than 2147483647 tokens on [lake]\n");
+
+        file("more.pnml", lake("").replace("4000000000", "9223372036854775808"));
+        assertRefused(
+                "verify --net DIR/more.pnml --out DIR/o",
+                "troupe: DIR/more.pnml:2: the initial marking of place lake is \"9223372036854775808\"");
+    }
+
+    private static String lake(String arc) {
+        return """
+                <pnml xmlns="http://www.pnml.org/version-2009/grammar/pnml"><net id="n"
+                type="http://www.pnml.org/version-2009/grammar/ptnet"><page id="g"><place id="lake"><initialMarking>\
+                <text>4000000000</text></initialMarking></place><place id="job"><initialMarking><text>3</text>
+                </initialMarking></place><transition id="t"/><arc id="b" source="lake" target="t"/>%s</page></net></pnml>
+                """.formatted(arc);
+    }
+
     @Test
     void verdict_standsAlthoughNoPictureCanBeWritten_andAFileOfAnotherToolIsReadWithAWarning() throws IOException {
         Files.createDirectories(directory.resolve("o/net.dot"));
