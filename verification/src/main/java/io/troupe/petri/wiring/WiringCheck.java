@@ -64,7 +64,7 @@ public final class WiringCheck {
     /** Markings times places and transitions: the searches of a large net visit fewer markings in the same time. */
     private static final long DEFAULT_WORK = 100_000_000;
 
-    /** The same, for a search that others follow if it is not complete. */
+    /** The most for a search that others follow if it is not complete. */
     private static final long QUICK_WORK = DEFAULT_WORK / 10;
 
     /** With so many equal components an orbit has up to some ten thousand markings. */
@@ -76,11 +76,18 @@ public final class WiringCheck {
     private final WiringNet net;
     private final SearchLimits limits;
     private final long work;
+    private final long quickWork;
 
-    private WiringCheck(Wiring wiring, SearchLimits limits, long work) {
+    /**
+     * Creates the check of one wiring.
+     *
+     * @param work how many markings times places and transitions each search may visit; the first ones a tenth of it
+     */
+    WiringCheck(Wiring wiring, SearchLimits limits, long work) {
         this.wiring = wiring;
         this.limits = limits;
         this.work = work;
+        quickWork = Math.min(work / 10, QUICK_WORK);
         net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
     }
 
@@ -126,7 +133,7 @@ public final class WiringCheck {
         }
     }
 
-    private WiringResult result() {
+    WiringResult result() {
         var pairs = new PairCheck(wiring, limits).results();
         var dead = deadlocks();
         var progress = dead.isEmpty() ? progress(dead.mayBeFree()) : Progress.UNKNOWN;
@@ -168,7 +175,7 @@ public final class WiringCheck {
      * that there is none.
      */
     private Deadlocks deadlocks() {
-        var first = DeadlockSearch.run(net.net(), affordable(limits, QUICK_WORK));
+        var first = DeadlockSearch.run(net.net(), affordable(limits, quickWork));
         if (first.end() == SearchEnd.COMPLETE || first.end() == SearchEnd.CANCELLED) {
             return Deadlocks.of(first);
         }
@@ -189,20 +196,17 @@ public final class WiringCheck {
 
     /** Both searches are tried with little work first, since either may be much smaller than the other. */
     private Progress progress(boolean mayBeFree) {
-        var quick = Math.min(work, QUICK_WORK);
-        var found = bySearch(mayBeFree, quick).or(() -> byOrbits(quick));
+        var found = bySearch(mayBeFree, quickWork);
         if (found.isPresent()) {
             return found.get();
         }
-        return (hasManyEqual()
-                        ? byOrbits(work).or(() -> bySearch(mayBeFree, work))
-                        : bySearch(mayBeFree, work).or(() -> byOrbits(work)))
-                .orElse(Progress.UNKNOWN);
-    }
-
-    private boolean hasManyEqual() {
-        return Symmetry.find(net.net()).groups().stream()
+        var symmetry = Symmetry.find(net.net());
+        var hasManyEqual = symmetry.groups().stream()
                 .anyMatch(group -> group.blocks().size() >= MANY_EQUAL);
+        return byOrbits(symmetry, quickWork)
+                .or(() -> hasManyEqual ? byOrbits(symmetry, work) : bySearch(mayBeFree, work))
+                .or(() -> hasManyEqual ? bySearch(mayBeFree, work) : byOrbits(symmetry, work))
+                .orElse(Progress.UNKNOWN);
     }
 
     private Optional<Progress> bySearch(boolean mayBeFree, long most) {
@@ -215,8 +219,8 @@ public final class WiringCheck {
                 : Optional.empty();
     }
 
-    private Optional<Progress> byOrbits(long most) {
-        return new OrbitCheck(wiring, net, affordable(limits, most))
+    private Optional<Progress> byOrbits(Symmetry symmetry, long most) {
+        return new OrbitCheck(wiring, net, symmetry, affordable(limits, most))
                 .result()
                 .map(found -> new Progress(Optional.empty(), Optional.of(found)));
     }
@@ -249,14 +253,14 @@ public final class WiringCheck {
     static final class OrbitCheck {
         private final Wiring wiring;
         private final WiringNet net;
-        private final SearchLimits limits;
         private final Symmetry symmetry;
+        private final SearchLimits limits;
 
-        OrbitCheck(Wiring wiring, WiringNet net, SearchLimits limits) {
+        OrbitCheck(Wiring wiring, WiringNet net, Symmetry symmetry, SearchLimits limits) {
             this.wiring = wiring;
             this.net = net;
+            this.symmetry = symmetry;
             this.limits = limits;
-            symmetry = Symmetry.find(net.net());
         }
 
         /** What was found in complete searches without dead markings. */

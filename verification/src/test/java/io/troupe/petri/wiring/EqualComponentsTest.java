@@ -80,6 +80,49 @@ class EqualComponentsTest {
                 .hasSize(1);
     }
 
+    /**
+     * Each of n workers takes two of n + 1 tools, and then rests. The first searches, of 1,000 markings, are not
+     * enough; the long ones are.
+     */
+    private static ReducedFigures longSearch(int count) {
+        var worker = Protocol.of("worker")
+                .in("idle", acquires("tool").then("one"))
+                .in("one", acquires("tool").then("both"))
+                .in("both", releases("tool").then("back"))
+                .in("back", releases("tool").then("tired"))
+                .in("tired", does("rest").then("rested"))
+                .in("rested", does("get up").then("idle"))
+                .build();
+        var wiring = Wiring.of(count + " workers")
+                .components("worker", count, worker)
+                .resource("tool", count + 1)
+                .build();
+        var net = wiring.net();
+        var cost = 1L + net.places().size() + net.transitions().size();
+        var result = new WiringCheck(wiring, SearchLimits.markings(10_000), 10_000 * cost).result();
+        assertThat(result).isInstanceOf(Proved.class);
+        return result.reduced();
+    }
+
+    @Test
+    void longSearch_ofSevenEqualWorkers_isWithoutOrbitsFirst() {
+        var reduced = longSearch(7);
+        assertThat(reduced.method()).isEqualTo("stubborn sets");
+        assertThat(reduced.markings()).isGreaterThan(1_000);
+    }
+
+    /**
+     * One worker stays in its place and holds h tools: 0 in three states, 1 in two, 2 in one. Of the 7 others m hold
+     * one tool, in two states, b hold two, and the rest none, in three states; m + 2 b is at most 9 - h. The sum over h,
+     * m and b of the ways to be in these states, (m + 1) (9 - m - b) (8 - m - b) / 2, is 4,378.
+     */
+    @Test
+    void longSearch_ofEightEqualWorkers_isByOrbitsFirst() {
+        var reduced = longSearch(8);
+        assertThat(reduced.method()).isEqualTo("orbits of 8 equal parts");
+        assertThat(reduced.markings()).isEqualTo(4_378);
+    }
+
     /** Random wirings of equal components: the verdicts of the full graph, from the orbits alone. */
     @Test
     void verdicts_ofRandomWirings_areThoseOfTheFullGraph() {
@@ -90,7 +133,8 @@ class EqualComponentsTest {
             assertThat(whole.figures().isComplete()).as("seed %d", seed).isTrue();
             verdicts.merge(whole.getClass().getSimpleName(), 1, Integer::sum);
             var net = new WiringNet(wiring, new LinkedHashSet<>(wiring.components()));
-            var byOrbits = new WiringCheck.OrbitCheck(wiring, net, SearchLimits.markings(100_000)).result();
+            var symmetry = Symmetry.find(net.net());
+            var byOrbits = new WiringCheck.OrbitCheck(wiring, net, symmetry, SearchLimits.markings(100_000)).result();
             assertThat(byOrbits.isEmpty()).as("seed %d: %s", seed, whole).isEqualTo(whole instanceof Deadlock);
             if (byOrbits.isPresent()) {
                 var blocks = byOrbits.orElseThrow().blocks();
