@@ -12,10 +12,8 @@ import java.util.Optional;
  * tokens are counted as {@code long}.
  *
  * {@snippet :
- * var large = Pnml.readLarge(Path.of("factory.pnml"), System.err::println);
- * if (!large.largePlaces().isEmpty()) {
- *     var result = LargeDeadlockCheck.decide(large, SearchLimits.markings(1_000_000));
- * }
+ * var large = Pnml.readLarge(file, warnings::add);
+ * var result = LargeDeadlockCheck.decide(large, SearchLimits.markings(1_000_000));
  * }
  *
  * <p><b>Role.</b> Read by {@link Pnml#readLarge}. Searches take a {@code PetriNet}: {@link #withoutLargePlaces} is one,

@@ -201,8 +201,8 @@ public final class WiringCheck {
             return found.get();
         }
         var symmetry = Symmetry.find(net.net());
-        var hasManyEqual = symmetry.groups().stream()
-                .anyMatch(group -> group.blocks().size() >= MANY_EQUAL);
+        var hasManyEqual =
+                symmetry.groups().stream().anyMatch(group -> group.blocks().size() >= MANY_EQUAL);
         return byOrbits(symmetry, quickWork)
                 .or(() -> hasManyEqual ? byOrbits(symmetry, work) : bySearch(mayBeFree, work))
                 .or(() -> hasManyEqual ? bySearch(mayBeFree, work) : byOrbits(symmetry, work))

@@ -113,8 +113,8 @@ class EqualComponentsTest {
 
     /**
      * One worker stays in its place and holds h tools: 0 in three states, 1 in two, 2 in one. Of the 7 others m hold
-     * one tool, in two states, b hold two, and the rest none, in three states; m + 2 b is at most 9 - h. The sum over h,
-     * m and b of the ways to be in these states, (m + 1) (9 - m - b) (8 - m - b) / 2, is 4,378.
+     * one tool, in two states, b hold two, and the rest none, in three states; m + 2 b is at most 9 - h. The sum over
+     * h, m and b of the ways to be in these states, (m + 1) (9 - m - b) (8 - m - b) / 2, is 4,378.
      */
     @Test
     void longSearch_ofEightEqualWorkers_isByOrbitsFirst() {
