@@ -67,7 +67,8 @@ final class ExportCommand implements Callable<Integer> {
     @Option(
             names = "--csv",
             paramLabel = "DIR",
-            description = "where poses.csv, ranges.csv, blobs.csv, states.csv, contacts.csv and log.csv go")
+            description = "where poses.csv, ranges.csv, blobs.csv, states.csv, contacts.csv and log.csv go, and the"
+                    + " tables of further devices if the world has such")
     private @Nullable Path csv;
 
     @Option(

@@ -59,6 +59,8 @@ final class FurtherDevices {
                 new DeviceData.BumperStates(bumpers.stream()
                         .map(pressed -> (byte) (pressed ? 1 : 0))
                         .toList());
+            case DeviceReading.Unknown unknown ->
+                throw new IllegalArgumentException("the reading of a simulated device is not known");
         };
     }
 

@@ -13,6 +13,7 @@ import java.util.Arrays;
 import java.util.List;
 import java.util.SortedMap;
 import java.util.TreeMap;
+import org.jspecify.annotations.Nullable;
 
 /**
  * The obstacles that may move, and the grippers that hold them.
@@ -37,6 +38,7 @@ final class Grippers {
     private Physics physics;
     private final int[] heldBy; // by thing, the robot
     private final Pose[] heldAt; // in the frame of the robot
+    private final @Nullable Pose[] takenAt; // in the world, of those that were taken after devices were read
     private final List<Gripper> grippers = new ArrayList<>();
 
     private record Gripper(int robot, GripperDevice device) {}
@@ -53,6 +55,7 @@ final class Grippers {
         heldAt = new Pose[things.size()];
         Arrays.fill(heldBy, NOBODY);
         Arrays.fill(heldAt, Pose.ORIGIN);
+        takenAt = new @Nullable Pose[things.size()];
         show();
         for (int robot = 0; robot < devices.size(); robot++) {
             for (Device device : devices.get(robot).others()) {
@@ -128,6 +131,7 @@ final class Grippers {
     /** Places the things in the scene. */
     void place() {
         for (int i = 0; i < heldBy.length; i++) {
+            takenAt[i] = null;
             scene.place(robotCount + i, pose(i));
         }
     }
@@ -144,6 +148,19 @@ final class Grippers {
         List<Pose> poses = new ArrayList<>(heldBy.length);
         for (int i = 0; i < heldBy.length; i++) {
             poses.add(pose(i));
+        }
+        return poses;
+    }
+
+    /**
+     * Where all things are in the scene. This differs from {@link #poses} by rounding for a thing that has just been
+     * taken, whose place relative to the robot was computed after devices were read.
+     */
+    List<Pose> sensedPoses() {
+        List<Pose> poses = new ArrayList<>(heldBy.length);
+        for (int i = 0; i < heldBy.length; i++) {
+            Pose taken = takenAt[i];
+            poses.add(taken == null ? pose(i) : taken);
         }
         return poses;
     }
@@ -189,6 +206,7 @@ final class Grippers {
         heldAt[thing] = new Pose(0, 0, -robotAt.headingRad())
                 .compose(new Pose(at.x() - robotAt.x(), at.y() - robotAt.y(), at.headingRad()));
         heldBy[thing] = robot;
+        takenAt[thing] = at;
         scene.carry(thing, robot);
         park(thing);
         return true;
@@ -202,6 +220,7 @@ final class Grippers {
     private void putDown(int thing) {
         Pose at = pose(thing);
         heldBy[thing] = NOBODY;
+        takenAt[thing] = null;
         scene.carry(thing, NOBODY);
         place(thing, at);
     }

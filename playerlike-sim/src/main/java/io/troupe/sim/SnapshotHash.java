@@ -117,6 +117,7 @@ public final class SnapshotHash {
                 add(bumpers.size());
                 bumpers.forEach(each -> add(each ? 1 : 0));
             }
+            case DeviceReading.Unknown unknown -> add(-1);
         }
     }
 

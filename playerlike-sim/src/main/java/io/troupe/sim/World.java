@@ -551,7 +551,7 @@ public final class World implements AutoCloseable {
                 tick * intervalMicros,
                 readings,
                 contacts(),
-                grippers.poses(),
+                grippers.sensedPoses(),
                 boxes.all(),
                 presence.placedObstacles(),
                 presence.awayRobots(),

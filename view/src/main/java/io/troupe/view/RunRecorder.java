@@ -9,6 +9,7 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Contact;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Snapshot;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
@@ -75,6 +76,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
     private int statesLogged;
     private SortedMap<Integer, Optional<Pose>> displaced = Collections.emptySortedMap(); // as logged
     private SortedMap<Integer, Integer> held = Collections.emptySortedMap(); // as logged
+    private final List<List<DeviceReading.Grip>> grips; // as logged, by robot
     private @Nullable Snapshot last;
 
     /**
@@ -90,6 +92,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
         this.robots = IntStream.range(0, world.robots().size())
                 .mapToObj(index -> new RobotRecord(index, world.robots().size() < MANY_ROBOTS ? 0 : CROWD_PATH_STEP_M))
                 .toList();
+        this.grips = new ArrayList<>(Collections.nCopies(world.robots().size(), List.of()));
     }
 
     // ---- called by the services
@@ -277,6 +280,7 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
         boolean isLogged = robots.size() < MANY_ROBOTS || snapshot.timeMicros() % CROWD_POSE_MICROS == 0;
         if (isLogged) {
             logObstacles(snapshot);
+            logGrippers(snapshot);
         }
         for (int index = 0; index < robots.size(); index++) {
             RobotReading reading = snapshot.robots().get(index);
@@ -324,6 +328,30 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
                         there -> line.put("x", there.x()).put("y", there.y()).put("heading", there.headingRad()));
                 log.write(holder == null ? line : line.put("heldBy", holder + 1));
             }
+        }
+    }
+
+    /** Logs the grippers whose state is known and not that of their last line. */
+    private void logGrippers(Snapshot snapshot) {
+        for (int robot = 0; robot < grips.size(); robot++) {
+            List<DeviceReading.Grip> before = grips.get(robot);
+            List<DeviceReading.Grip> now = snapshot.robots().get(robot).devices().stream()
+                    .filter(DeviceReading.Grip.class::isInstance)
+                    .map(DeviceReading.Grip.class::cast)
+                    .toList();
+            for (int i = 0; i < now.size(); i++) {
+                DeviceReading.Grip grip = now.get(i);
+                if (i >= before.size() || !grip.equals(before.get(i))) {
+                    log.write(Json.line(snapshot.timeMicros(), "gripper")
+                            .put("robot", robot + 1)
+                            .put("gripper", i + 1)
+                            .put("paddles", grip.paddles().name().toLowerCase(Locale.ROOT))
+                            .put("outerBeam", grip.outerBeam())
+                            .put("innerBeam", grip.innerBeam())
+                            .put("holds", grip.holds()));
+                }
+            }
+            grips.set(robot, now);
         }
     }
 }

@@ -97,4 +97,7 @@ public sealed interface DeviceReading {
             bumpers = List.copyOf(bumpers);
         }
     }
+
+    /** What a device reads is not known: the state of a gripper of which only the robot's pose is known. */
+    record Unknown() implements DeviceReading {}
 }

@@ -480,6 +480,7 @@ public final class LiveView implements AutoCloseable {
                 sentChosen = wanted;
                 write(out, newest.message());
                 if (!wanted.isEmpty()) {
+                    write(out, ViewMessages.devices(newest.frame, wanted));
                     write(out, ViewMessages.sensors(newest.frame, wanted));
                 }
             }

@@ -5,6 +5,7 @@ import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.util.Base64;
+import java.util.List;
 import java.util.Objects;
 import java.util.stream.IntStream;
 import java.util.zip.GZIPOutputStream;
@@ -60,7 +61,9 @@ public final class ViewFile implements ViewSink {
             write(ViewMessages.frame(of, timeless, false));
         }
         if (full) {
-            write(ViewMessages.sensors(frame, IntStream.range(0, robots).boxed().toList()));
+            List<Integer> all = IntStream.range(0, robots).boxed().toList();
+            write(ViewMessages.devices(frame, all));
+            write(ViewMessages.sensors(frame, all));
         }
     }
 

@@ -2,6 +2,7 @@ package io.troupe.view.live;
 
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.BlobfinderSpec;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
@@ -198,7 +199,36 @@ final class ViewedWorld {
                             .put("range", camera.rangeM())
                             .put("fov", camera.fovRad()));
         }
+        if (!robot.devices().isEmpty()) {
+            kind.put("devices", list(robot.devices().stream().map(ViewedWorld::device)));
+        }
         return kind.toString();
+    }
+
+    private static String device(DeviceSpec device) {
+        var json = new Json().put("interface", device.interfaceName());
+        switch (device) {
+            case DeviceSpec.FiducialFinder finder -> json.put("mount", new Json.Fragment(mount(finder.mount())));
+            case DeviceSpec.Bumpers(var parts) ->
+                json.put(
+                        "parts",
+                        Json.objects(parts.stream()
+                                .map(part -> new Json()
+                                        .put("mount", new Json.Fragment(mount(part.mount())))
+                                        .put("length", part.lengthM()))
+                                .toList()));
+            case DeviceSpec.Gripper gripper ->
+                json.put("mount", new Json.Fragment(mount(gripper.mount())))
+                        .put("length", gripper.lengthM())
+                        .put("width", gripper.widthM())
+                        .put("paddleLength", gripper.paddleLength())
+                        .put("paddleWidth", gripper.paddleWidth());
+            case DeviceSpec.Camera camera ->
+                json.put("mount", new Json.Fragment(mount(camera.mount())))
+                        .put("range", camera.rangeM())
+                        .put("fov", camera.fovRad());
+        }
+        return json.toString();
     }
 
     /** The sensors of a laser or ranger, in the frame of the robot. */

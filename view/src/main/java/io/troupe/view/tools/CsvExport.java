@@ -2,6 +2,8 @@ package io.troupe.view.tools;
 
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.device.ColourBlob;
+import io.troupe.sim.device.DeviceReading;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
@@ -17,11 +19,14 @@ import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
+import java.util.function.Consumer;
 import java.util.stream.IntStream;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Writes a run as tables, each a CSV file with a line of titles.
+ * Writes a run as tables, each a CSV file with a line of titles. Tables of further devices are written if the world has
+ * such devices, and that of intensities if some are measured.
  *
  * <p><b>Units and shapes.</b> In the titles. Robots count from 1. An empty cell means that there is no value.
  */
@@ -31,6 +36,10 @@ final class CsvExport implements RunListener, Closeable {
         POSES("time_s,robot,name,x_m,y_m,heading_rad,gap_m,service,forward_mps,turn_radps,stalled"),
         RANGES("time_s,robot,device"), // and a column for each range
         BLOBS("time_s,robot,colour,left_px,right_px,top_px,bottom_px,area_px2,range_m"),
+        INTENSITIES("time_s,robot,device"), // and a column for each intensity
+        FIDUCIALS("time_s,robot,device,id,x_m,y_m,heading_rad"),
+        BUMPERS("time_s,robot,device"), // and a column for each bumper
+        GRIPPERS("time_s,robot,device,paddles,outer_beam,inner_beam,holds"),
         STATES("time_s,state,robot,colour,services"),
         CONTACTS("time_s,robot,service,other"),
         LOG("time_s,level,source,text");
@@ -47,28 +56,80 @@ final class CsvExport implements RunListener, Closeable {
     }
 
     private final WorldSpec world;
+    private final Path directory;
+    private final Consumer<Path> opened;
     private final int mostRanges;
+    private final int mostBumpers;
     private final Map<Table, BufferedWriter> writers = new EnumMap<>(Table.class);
     private final StringBuilder row = new StringBuilder();
 
-    /** @param directory exists */
-    CsvExport(WorldSpec world, Path directory) throws IOException {
+    /**
+     * @param directory exists
+     * @param opened is called with each file before it is written
+     */
+    CsvExport(WorldSpec world, Path directory, Consumer<Path> opened) throws IOException {
         this.world = world;
+        this.directory = directory;
+        this.opened = opened;
         mostRanges =
                 world.robots().stream().mapToInt(CsvExport::mostRanges).max().orElse(0);
+        mostBumpers = devices(world)
+                .mapToInt(device -> device instanceof DeviceSpec.Bumpers(var parts) ? parts.size() : 0)
+                .max()
+                .orElse(0);
         try {
             for (Table table : Table.values()) {
-                BufferedWriter writer = Files.newBufferedWriter(directory.resolve(table.fileName()));
-                writers.put(table, writer);
-                writer.append(table.titles);
-                for (int i = 1; table == Table.RANGES && i <= mostRanges; i++) {
-                    writer.append(",range_").append(Integer.toString(i)).append("_m");
+                if (isForEveryRunIn(world, table)) {
+                    writer(table);
                 }
-                writer.append('\n');
             }
         } catch (IOException e) {
             closeAfter(e);
             throw e;
+        }
+    }
+
+    private static Stream<DeviceSpec> devices(WorldSpec world) {
+        return world.robots().stream().flatMap(robot -> robot.devices().stream());
+    }
+
+    private static boolean isForEveryRunIn(WorldSpec world, Table table) {
+        return switch (table) {
+            case POSES, RANGES, BLOBS, STATES, CONTACTS, LOG -> true;
+            case INTENSITIES ->
+                world.robots().stream()
+                        .flatMap(robot -> robot.rangers().stream())
+                        .anyMatch(RangerSpec::intensities);
+            case FIDUCIALS -> devices(world).anyMatch(DeviceSpec.FiducialFinder.class::isInstance);
+            case BUMPERS -> devices(world).anyMatch(DeviceSpec.Bumpers.class::isInstance);
+            case GRIPPERS -> devices(world).anyMatch(DeviceSpec.Gripper.class::isInstance);
+        };
+    }
+
+    /** The writer of a table, which is created with its titles when it is first needed. */
+    private BufferedWriter writer(Table table) throws IOException {
+        BufferedWriter known = writers.get(table);
+        if (known != null) {
+            return known;
+        }
+        Path file = directory.resolve(table.fileName());
+        opened.accept(file);
+        BufferedWriter writer = Files.newBufferedWriter(file);
+        writers.put(table, writer);
+        writer.append(table.titles);
+        switch (table) {
+            case RANGES -> appendTitles(writer, mostRanges, "range_%d_m");
+            case INTENSITIES -> appendTitles(writer, mostRanges, "intensity_%d");
+            case BUMPERS -> appendTitles(writer, mostBumpers, "bumper_%d");
+            default -> {}
+        }
+        writer.append('\n');
+        return writer;
+    }
+
+    private static void appendTitles(BufferedWriter writer, int count, String title) throws IOException {
+        for (int i = 1; i <= count; i++) {
+            writer.append(',').append(String.format(Locale.ROOT, title, i));
         }
     }
 
@@ -104,21 +165,31 @@ final class CsvExport implements RunListener, Closeable {
             end(Table.POSES);
             writeRanges(micros, i, now);
             writeBlobs(micros, i, now);
+            writeDevices(micros, i, now);
         }
     }
 
     private void writeRanges(long micros, int robot, RobotReading now) throws IOException {
-        writeRanges(micros, robot, "sonar", now.sonarM());
+        writeRanges(Table.RANGES, micros, robot, "sonar", now.sonarM());
         Map<RangerSpec.Kind, Integer> numbers = new HashMap<>();
         for (int i = 0; i < now.rangersM().size(); i++) {
             RangerSpec.Kind kind = world.robots().get(robot).rangers().get(i).kind();
             int number = numbers.merge(kind, 1, Integer::sum);
             String device = kind.name().toLowerCase(Locale.ROOT) + (number == 1 ? "" : number);
-            writeRanges(micros, robot, device, now.rangersM().get(i));
+            writeRanges(Table.RANGES, micros, robot, device, now.rangersM().get(i));
+            if (i < now.intensities().size() && !now.intensities().get(i).isEmpty()) {
+                writeRanges(
+                        Table.INTENSITIES,
+                        micros,
+                        robot,
+                        device,
+                        now.intensities().get(i));
+            }
         }
     }
 
-    private void writeRanges(long micros, int robot, String device, @Nullable List<Double> rangesM) throws IOException {
+    private void writeRanges(Table table, long micros, int robot, String device, @Nullable List<Double> rangesM)
+            throws IOException {
         if (rangesM != null) {
             begin(micros).cell(robot + 1).cell(device);
             for (int i = 0; i < mostRanges; i++) {
@@ -128,7 +199,7 @@ final class CsvExport implements RunListener, Closeable {
                     cell("");
                 }
             }
-            end(Table.RANGES);
+            end(table);
         }
     }
 
@@ -139,6 +210,49 @@ final class CsvExport implements RunListener, Closeable {
                 cell(blob.left()).cell(blob.right()).cell(blob.top()).cell(blob.bottom());
                 cell(blob.areaPx2()).cell(blob.rangeM()).end(Table.BLOBS);
             }
+        }
+    }
+
+    private void writeDevices(long micros, int robot, RobotReading now) throws IOException {
+        List<DeviceSpec> specs = world.robots().get(robot).devices();
+        Map<String, Integer> numbers = new HashMap<>();
+        for (int i = 0; i < now.devices().size(); i++) {
+            String name = specs.get(i).interfaceName();
+            int number = numbers.merge(name, 1, Integer::sum);
+            writeDevice(
+                    micros,
+                    robot,
+                    name + (number == 1 ? "" : number),
+                    now.devices().get(i));
+        }
+    }
+
+    private void writeDevice(long micros, int robot, String device, DeviceReading reading) throws IOException {
+        switch (reading) {
+            case DeviceReading.Fiducials(var seen) -> {
+                for (DeviceReading.Fiducial marker : seen) {
+                    begin(micros).cell(robot + 1).cell(device).cell(marker.id());
+                    cell(marker.x()).cell(marker.y()).cell(marker.headingRad()).end(Table.FIDUCIALS);
+                }
+            }
+            case DeviceReading.Pressed(var bumpers) -> {
+                begin(micros).cell(robot + 1).cell(device);
+                for (int i = 0; i < mostBumpers; i++) {
+                    cell(i >= bumpers.size() ? "" : bumpers.get(i) ? "1" : "0");
+                }
+                end(Table.BUMPERS);
+            }
+            case DeviceReading.Grip(var paddles, boolean outer, boolean inner, boolean holds) ->
+                begin(micros)
+                        .cell(robot + 1)
+                        .cell(device)
+                        .cell(paddles.name().toLowerCase(Locale.ROOT))
+                        .cell(outer ? 1 : 0)
+                        .cell(inner ? 1 : 0)
+                        .cell(holds ? 1 : 0)
+                        .end(Table.GRIPPERS);
+            case DeviceReading.Picture picture -> {} // pixels are of no use in a table
+            case DeviceReading.Unknown unknown -> {}
         }
     }
 
@@ -200,10 +314,7 @@ final class CsvExport implements RunListener, Closeable {
 
     private void end(Table table) throws IOException {
         row.append('\n');
-        BufferedWriter writer = writers.get(table);
-        if (writer != null) {
-            writer.append(row);
-        }
+        writer(table).append(row);
     }
 
     /** Closes all files, and throws the first failure. */

@@ -4,10 +4,12 @@ import io.troupe.sim.RobotReading;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.device.BlobImage;
 import io.troupe.sim.device.ColourBlob;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.device.Ranger;
 import io.troupe.sim.model.BlobfinderSpec;
 import io.troupe.sim.model.CargoSpec;
 import io.troupe.sim.model.ColouredBox;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
@@ -23,6 +25,7 @@ import io.troupe.view.tools.RunListener.Remark;
 import io.troupe.view.tools.RunListener.StateBegins;
 import java.io.IOException;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.Collections;
 import java.util.HashMap;
 import java.util.HashSet;
@@ -76,7 +79,11 @@ final class FoxgloveChannels {
     private static final double LINE_PX = 2;
     private static final double RAY_PX = 1;
     private static final double NAME_PX = 14;
+    private static final double MARKER_NAME_M = 0.1;
     private static final int SONAR_COLOUR = 0xd9822b;
+    private static final int MARKER_COLOUR = 0xb03fb0;
+    private static final int PRESSED_COLOUR = 0xc62828;
+    private static final int FREE_COLOUR = 0x2e8b57;
     private static final int OUTLINE_COLOUR = 0x444444;
     private static final int LINE_LOOP = 1;
     private static final int LINE_LIST = 2;
@@ -102,7 +109,8 @@ final class FoxgloveChannels {
             Channel status,
             List<Ring> rings,
             List<Laser> lasers,
-            @Nullable Camera camera) {}
+            @Nullable Camera camera,
+            List<Device> devices) {}
 
     /**
      * A ring of sonars, or a ranger whose sensors cast one ray each.
@@ -115,6 +123,14 @@ final class FoxgloveChannels {
     private record Laser(int ranger, int first, RangeSensorSpec sensor, Channel scan) {}
 
     private record Camera(BlobfinderSpec spec, Channel blobs, Channel view) {}
+
+    /**
+     * One of the further devices, in their order.
+     *
+     * @param view what is drawn of it, if something is
+     */
+    private record Device(
+            DeviceSpec spec, Channel readings, @Nullable Channel view) {}
 
     /** Of a world with many robots only the channels that these share. */
     FoxgloveChannels(WorldSpec world) {
@@ -178,7 +194,27 @@ final class FoxgloveChannels {
                         : new Camera(
                                 camera,
                                 add(topic + "/blobs", MessageSchema.BLOBS),
-                                add(topic + "/blobs/view", MessageSchema.SCENE_UPDATE)));
+                                add(topic + "/blobs/view", MessageSchema.SCENE_UPDATE)),
+                addDevices(topic, robot));
+    }
+
+    private List<Device> addDevices(String topic, RobotSpec robot) {
+        List<Device> devices = new ArrayList<>();
+        Map<String, Integer> numbers = new HashMap<>();
+        for (DeviceSpec spec : robot.devices()) {
+            int number = numbers.merge(spec.interfaceName(), 1, Integer::sum);
+            String name = topic + "/" + spec.interfaceName() + (number == 1 ? "" : number);
+            MessageSchema schema = switch (spec) {
+                case DeviceSpec.FiducialFinder finder -> MessageSchema.FIDUCIALS;
+                case DeviceSpec.Bumpers bumpers -> MessageSchema.BUMPERS;
+                case DeviceSpec.Camera images -> MessageSchema.COMPRESSED_IMAGE;
+                case DeviceSpec.Gripper gripper -> MessageSchema.GRIPPER;
+            };
+            Channel readings = add(name, schema);
+            boolean isDrawn = spec instanceof DeviceSpec.FiducialFinder || spec instanceof DeviceSpec.Bumpers;
+            devices.add(new Device(spec, readings, isDrawn ? add(name + "/view", MessageSchema.SCENE_UPDATE) : null));
+        }
+        return devices;
     }
 
     private void addRanger(int index, RangerSpec ranger, String topic, List<Ring> rings, List<Laser> lasers) {
@@ -328,7 +364,7 @@ final class FoxgloveChannels {
                 triangles(piece.shape(), Pose.ORIGIN, BODY_M, piece.colour());
             }
             json.endArray().array("texts");
-            text(robot.name());
+            text(robot.name(), Pose.ORIGIN, NAME_M);
             json.endArray();
             endEntity();
         }
@@ -433,11 +469,17 @@ final class FoxgloveChannels {
         }
         for (Laser laser : its.lasers) {
             if (now.rangersM().size() > laser.ranger) {
-                sendScan(laser, now.rangersM().get(laser.ranger), robot, micros, sink);
+                List<Double> intensities = now.intensities().size() > laser.ranger
+                        ? now.intensities().get(laser.ranger)
+                        : List.of();
+                sendScan(laser, now.rangersM().get(laser.ranger), intensities, robot, micros, sink);
             }
         }
         if (its.camera != null && now.blobs() != null) {
             sendBlobs(its.camera, now.blobs(), robot, micros, sink);
+        }
+        for (int i = 0; i < now.devices().size(); i++) {
+            sendDevice(its.devices.get(i), now.devices().get(i), robot, micros, sink);
         }
     }
 
@@ -467,7 +509,10 @@ final class FoxgloveChannels {
         }
     }
 
-    private void sendScan(Laser laser, List<Double> rangesM, int robot, long micros, Sink sink) throws IOException {
+    /** @param intensities of all rays of the ranger; empty if they are not known */
+    private void sendScan(
+            Laser laser, List<Double> rangesM, List<Double> intensities, int robot, long micros, Sink sink)
+            throws IOException {
         if (sink.isWanted(laser.scan)) {
             json.begin();
             time(micros);
@@ -476,8 +521,13 @@ final class FoxgloveChannels {
             json.put("start_angle", -laser.sensor.fovRad() / 2)
                     .put("end_angle", laser.sensor.fovRad() / 2)
                     .array("ranges");
-            rangesM.subList(laser.first, laser.first + laser.sensor.samples()).forEach(json::add);
-            json.endArray().array("intensities").endArray();
+            int end = laser.first + laser.sensor.samples();
+            rangesM.subList(laser.first, end).forEach(json::add);
+            json.endArray().array("intensities");
+            if (!intensities.isEmpty()) {
+                intensities.subList(laser.first, end).forEach(json::add);
+            }
+            json.endArray();
             sink.message(laser.scan, nanos(micros), json.end());
         }
     }
@@ -522,6 +572,91 @@ final class FoxgloveChannels {
         double leftRad = camera.fovRad() / 2 - column * camera.fovRad() / camera.widthPx();
         Pose edge = camera.mount().compose(new Pose(0, 0, leftRad)).compose(new Pose(rangeM, 0, 0));
         point(edge.x(), edge.y());
+    }
+
+    // ---- further devices
+
+    private void sendDevice(Device device, DeviceReading reading, int robot, long micros, Sink sink)
+            throws IOException {
+        if (sink.isWanted(device.readings) && !(reading instanceof DeviceReading.Unknown)) {
+            json.begin();
+            time(micros);
+            switch (reading) {
+                case DeviceReading.Fiducials(var seen) -> {
+                    json.array("markers");
+                    for (DeviceReading.Fiducial marker : seen) {
+                        json.object()
+                                .put("id", marker.id())
+                                .put("x", marker.x())
+                                .put("y", marker.y())
+                                .put("heading", marker.headingRad())
+                                .endObject();
+                    }
+                    json.endArray();
+                }
+                case DeviceReading.Pressed(var bumpers) -> {
+                    json.array("pressed");
+                    bumpers.forEach(json::add);
+                    json.endArray();
+                }
+                case DeviceReading.Grip(var paddles, boolean outer, boolean inner, boolean holds) ->
+                    json.put("paddles", paddles.name().toLowerCase(Locale.ROOT))
+                            .put("outerBeam", outer)
+                            .put("innerBeam", inner)
+                            .put("holds", holds);
+                case DeviceReading.Picture picture -> {
+                    byte[] png = Png.of(picture.columns().size(), picture.heightPx(), picture.rgb());
+                    json.put("frame_id", frames.get(robot))
+                            .put("data", Base64.getEncoder().encodeToString(png))
+                            .put("format", "png");
+                }
+                case DeviceReading.Unknown unknown -> {}
+            }
+            sink.message(device.readings, nanos(micros), json.end());
+        }
+        if (device.view != null && sink.isWanted(device.view)) {
+            String topic = device.readings.topic();
+            beginScene(micros, robot, topic.substring(topic.lastIndexOf('/') + 1));
+            if (device.spec instanceof DeviceSpec.FiducialFinder finder
+                    && reading instanceof DeviceReading.Fiducials(var seen)) {
+                drawMarkers(finder.mount(), seen);
+            } else if (device.spec instanceof DeviceSpec.Bumpers(var parts)
+                    && reading instanceof DeviceReading.Pressed(var pressed)) {
+                drawBumpers(parts, pressed);
+            }
+            endScene();
+            sink.message(device.view, nanos(micros), json.end());
+        }
+    }
+
+    /** Lines from a finder to the markers, with their numbers. */
+    private void drawMarkers(Pose mount, List<DeviceReading.Fiducial> seen) {
+        json.array("lines");
+        beginLines(LINE_LIST, LINE_PX, Pose.ORIGIN, RAY_M);
+        for (DeviceReading.Fiducial marker : seen) {
+            Point end = mount.place(new Point(marker.x(), marker.y()));
+            point(mount.x(), mount.y());
+            point(end.x(), end.y());
+        }
+        endLines(MARKER_COLOUR);
+        json.endArray().array("triangles").endArray().array("texts");
+        for (DeviceReading.Fiducial marker : seen) {
+            Point end = mount.place(new Point(marker.x(), marker.y()));
+            text("" + marker.id(), new Pose(end.x(), end.y(), 0), MARKER_NAME_M);
+        }
+        json.endArray();
+    }
+
+    private void drawBumpers(List<DeviceSpec.Bumper> parts, List<Boolean> pressed) {
+        json.array("lines");
+        for (int i = 0; i < parts.size(); i++) {
+            double halfM = parts.get(i).lengthM() / 2;
+            beginLines(LINE_LIST, 2 * LINE_PX, parts.get(i).mount(), BODY_M);
+            point(0, -halfM);
+            point(0, halfM);
+            endLines(pressed.get(i) ? PRESSED_COLOUR : FREE_COLOUR);
+        }
+        json.endArray().array("triangles").endArray().array("texts").endArray();
     }
 
     // ---- parts of messages
@@ -657,9 +792,9 @@ final class FoxgloveChannels {
         json.array("colors").endArray().array("indices").endArray().endObject();
     }
 
-    private void text(String text) {
+    private void text(String text, Pose pose, double heightM) {
         json.object();
-        pose(Pose.ORIGIN, NAME_M);
+        pose(pose, heightM);
         json.put("billboard", true).put("font_size", NAME_PX).put("scale_invariant", true);
         colour(OUTLINE_COLOUR, 1);
         json.put("text", text).endObject();

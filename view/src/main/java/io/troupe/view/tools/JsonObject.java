@@ -71,6 +71,13 @@ final class JsonObject {
         throw wrong(name, "a text");
     }
 
+    boolean truth(String name) throws Problem {
+        if (members.get(name) instanceof Boolean truth) {
+            return truth;
+        }
+        throw wrong(name, "true or false");
+    }
+
     double number(String name) throws Problem {
         if (members.get(name) instanceof Double number) {
             return number;

@@ -85,6 +85,13 @@ final class JsonText {
         return this;
     }
 
+    /** Adds an element to an array. */
+    JsonText add(boolean value) {
+        comma();
+        text.append(value);
+        return this;
+    }
+
     private JsonText number(double value) {
         if (value == StrictMath.rint(value) && StrictMath.abs(value) < 1e9) {
             text.append((long) value); // shorter, and the same number

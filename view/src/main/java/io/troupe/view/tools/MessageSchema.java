@@ -28,6 +28,12 @@ enum MessageSchema {
             number("end_angle"),
             list("ranges", "{\"type\":\"number\"}"),
             list("intensities", "{\"type\":\"number\"}")),
+    COMPRESSED_IMAGE(
+            "foxglove.CompressedImage",
+            time("timestamp"),
+            text("frame_id"),
+            new Member("data", "{\"type\":\"string\",\"contentEncoding\":\"base64\"}", true),
+            text("format")),
     LOG("foxglove.Log", time("timestamp"), whole("level"), text("message"), text("name"), text("file"), whole("line")),
     SCENE_UPDATE(
             "foxglove.SceneUpdate",
@@ -52,6 +58,21 @@ enum MessageSchema {
                             whole("bottom"),
                             whole("area"),
                             number("range")))),
+    /** The markers that a finder sees, in its frame, in metres and radians; 0 = the number cannot be read. */
+    FIDUCIALS(
+            "troupe.Fiducials",
+            time("timestamp"),
+            list("markers", object(whole("id"), number("x"), number("y"), number("heading")))),
+    /** Whether something presses each bumper of a row. */
+    BUMPERS("troupe.Bumpers", time("timestamp"), list("pressed", "{\"type\":\"boolean\"}")),
+    /** A gripper: its paddles are open, closed, opening or closing; beams that a thing breaks. */
+    GRIPPER(
+            "troupe.Gripper",
+            time("timestamp"),
+            text("paddles"),
+            truth("outerBeam"),
+            truth("innerBeam"),
+            truth("holds")),
     /** The service that controls a robot; where known, its distance from obstacles in metres, and its speed. */
     ROBOT_STATUS(
             "troupe.RobotStatus",

@@ -18,7 +18,7 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.FileSystemException;
 import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.Arrays;
+import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -39,7 +39,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> {@code docs/guide} describes the channels of the MCAP file and the tables.
  *
  * <p><b>Units and shapes.</b> A {@code run.jsonl} has no sensor readings; these are computed from the poses and the
- * world, without the noise of lasers and rangers. A recording is played again, and has no services and states.
+ * world, without the noise of lasers and rangers; only states of grippers are in it. A recording is played again, and
+ * has no services and states.
  *
  * <p><b>Order.</b> The same run gives the same files, byte for byte.
  *
@@ -86,18 +87,17 @@ public final class RunExport {
 
     /**
      * Writes tables for spreadsheets and plotting programs: {@code poses.csv}, {@code ranges.csv}, {@code blobs.csv},
-     * {@code states.csv}, {@code contacts.csv} and {@code log.csv}.
+     * {@code states.csv}, {@code contacts.csv} and {@code log.csv}; and, if there are such devices,
+     * {@code intensities.csv}, {@code fiducials.csv}, {@code bumpers.csv} and {@code grippers.csv}.
      *
      * @param directory is created if it is missing
      */
     public Report writeCsv(Path directory) throws IOException {
-        List<Path> files = Arrays.stream(CsvExport.Table.values())
-                .map(table -> directory.resolve(table.fileName()))
-                .toList();
+        List<Path> files = new ArrayList<>();
         return write(
                 () -> {
                     Files.createDirectories(directory);
-                    return new CsvExport(world, directory);
+                    return new CsvExport(world, directory, files::add);
                 },
                 directory,
                 files);

@@ -3,9 +3,11 @@ package io.troupe.view.tools;
 import io.troupe.common.text.Plural;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Snapshot;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.device.Odometry;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.model.ColouredBox;
+import io.troupe.sim.model.DeviceSpec;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
@@ -24,6 +26,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Collections;
+import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -37,7 +40,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads {@code run.jsonl}. The file has poses but no sensor readings; these are computed from the poses and the world.
- * They are those that the services had, bit for bit, except for the noise of lasers and rangers, which is left out.
+ * They are those that the services had, bit for bit, except for the noise of lasers and rangers, which is left out, and
+ * intensities that were measured because a client had asked for them. The states of grippers are in the file.
  *
  * <p><b>Errors.</b> {@link RunFileException} for a file that is no run, and for a run in another world.
  */
@@ -56,6 +60,9 @@ final class RunLogReader {
     private final SortedMap<Integer, Integer> held = new TreeMap<>(); // obstacles, by index: the robot
     /** As in the reading before: grippers act after the sensors of an interval were read. */
     private SortedMap<Integer, Integer> heldBefore = Collections.emptySortedMap();
+
+    /** By robot: the states of its grippers, by their index in its devices. */
+    private final List<Map<Integer, DeviceReading.Grip>> grips = new ArrayList<>();
 
     private Scene scene;
     private final List<ComputedSensors> sensors = new ArrayList<>();
@@ -77,7 +84,10 @@ final class RunLogReader {
         this.listener = listener;
         this.movers = world.movingObstacles();
         this.scene = new Scene(world);
-        world.robots().forEach(robot -> sensors.add(new ComputedSensors(robot)));
+        world.robots().forEach(robot -> {
+            sensors.add(new ComputedSensors(robot));
+            grips.add(new HashMap<>());
+        });
     }
 
     /**
@@ -176,6 +186,7 @@ final class RunLogReader {
             case "pose" -> pose(line);
             case "state" -> state(line);
             case "obstacle" -> obstacle(line);
+            case "gripper" -> gripper(line);
             case "contact" -> contact(line);
             case "charge" -> charge(line);
             case "driver" -> driver(line);
@@ -303,6 +314,36 @@ final class RunLogReader {
         }
     }
 
+    private void gripper(JsonObject line) throws JsonObject.Problem {
+        int robot = robot(line) - 1;
+        List<DeviceSpec> devices = world.robots().get(robot).devices();
+        List<Integer> grippers = IntStream.range(0, devices.size())
+                .filter(i -> devices.get(i) instanceof DeviceSpec.Gripper)
+                .boxed()
+                .toList();
+        int number = line.whole("gripper", 1, Integer.MAX_VALUE);
+        if (number > grippers.size()) {
+            throw new JsonObject.Problem(
+                    1,
+                    "gripper " + number + " of robot '"
+                            + world.robots().get(robot).name() + "', which has "
+                            + Plural.of(grippers.size(), "gripper") + " in " + world.file()
+                            + ": expected the world of the run, unchanged");
+        }
+        var grip = new DeviceReading.Grip(
+                paddles(line.text("paddles")), line.truth("outerBeam"), line.truth("innerBeam"), line.truth("holds"));
+        grips.get(robot).put(grippers.get(number - 1), grip);
+    }
+
+    private static DeviceReading.Paddles paddles(String word) throws JsonObject.Problem {
+        for (DeviceReading.Paddles each : DeviceReading.Paddles.values()) {
+            if (each.name().toLowerCase(Locale.ROOT).equals(word)) {
+                return each;
+            }
+        }
+        throw new JsonObject.Problem(1, "'paddles' is '" + word + "', expected open, closed, opening or closing");
+    }
+
     /** A thing that a gripper holds is no obstacle, and the sensors of its robot do not notice it. */
     private void placeMover(int mover) {
         int obstacle = movers.get(mover);
@@ -382,12 +423,15 @@ final class RunLogReader {
     private Reading reading() {
         carry(isCrowd() ? held : heldBefore); // a crowd is logged too seldom to tell
         scene.refresh();
+        for (int robot = 0; robot < sensors.size(); robot++) {
+            sensors.get(robot).sense(scene, robot);
+        }
+        carry(held);
         List<RobotReading> readings = new ArrayList<>();
         for (int robot = 0; robot < sensors.size(); robot++) {
             PoseLine now = poses.get(robot);
-            readings.add(sensors.get(robot).read(scene, robot, now.pose(), UNKNOWN, now.gapM()));
+            readings.add(sensors.get(robot).reading(scene, robot, now.pose(), UNKNOWN, now.gapM(), grips.get(robot)));
         }
-        carry(held);
         heldBefore = new TreeMap<>(held);
         var placed = new TreeMap<>(displaced);
         placed.keySet().removeAll(movers);

@@ -33,7 +33,7 @@ class WorldCanvas {
     const style = getComputedStyle(document.documentElement);
     const read = name => style.getPropertyValue("--" + name).trim();
     this.colours = Object.fromEntries(
-      ["floor", "grid", "wall", "text", "quiet", "alarm", "ray", "accent", "panel", "line"].map(each => [each, read(each)]));
+      ["floor", "grid", "wall", "text", "quiet", "alarm", "ray", "accent", "panel", "line", "marker", "free"].map(each => [each, read(each)]));
   }
 
   setWorld(world) {
@@ -194,9 +194,13 @@ class WorldCanvas {
       }
     }
     this.drawRobots(frame);
+    for (const robot of this.selected) {
+      this.drawDevices(frame, robot);
+    }
     this.drawSelection(frame);
     to.setTransform(this.ratio, 0, 0, this.ratio, 0, 0);
     this.drawNames(frame);
+    this.drawMarkerNumbers(frame);
     this.drawScale();
     this.drawn++;
     this.drawMillis = performance.now() - begin;
@@ -402,11 +406,131 @@ class WorldCanvas {
     to.stroke(rays);
     to.globalAlpha = 1;
     to.fill(hits);
+    this.drawMarkers(frame, robot);
+  }
+
+  /** The markers that the finders of a robot see, in the world; for tests, too. */
+  markers(frame, robot) {
+    if (robot >= frame.count || frame.state[robot] & Model.AWAY) {
+      return [];
+    }
+    const place = WorldCanvas.placer(frame, robot);
+    return this.model.devicesOf(robot, "fiducial").flatMap(({spec, reading}) => {
+      const [x, y, heading] = spec.mount;
+      const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
+      return reading.seen.map(each => ({id: each.id, from: place(x, y),
+        to: place(x + cos * each.x - sin * each.y, y + sin * each.x + cos * each.y)}));
+    });
+  }
+
+  drawMarkers(frame, robot) {
+    const to = this.context;
+    to.strokeStyle = this.colours.marker;
+    to.lineWidth = 1.5 * this.pixel;
+    to.beginPath();
+    for (const each of this.markers(frame, robot)) {
+      to.moveTo(...each.from);
+      to.lineTo(...each.to);
+    }
+    to.stroke();
+  }
+
+  /** The numbers of markers, or a question mark if one is too far away for it. */
+  drawMarkerNumbers(frame) {
+    if (!this.rays) {
+      return;
+    }
+    const to = this.context;
+    to.font = "bold 12px system-ui, 'DejaVu Sans', sans-serif";
+    to.textAlign = "center";
+    to.lineWidth = 4;
+    to.strokeStyle = this.colours.floor;
+    to.fillStyle = this.colours.marker;
+    for (const robot of this.selected) {
+      for (const each of this.markers(frame, robot)) {
+        const [x, y] = this.toPage(...each.to);
+        const number = each.id === 0 ? "?" : String(each.id);
+        to.strokeText(number, x, y - 10);
+        to.fillText(number, x, y - 10);
+      }
+    }
+  }
+
+  /** Bumpers and grippers of a robot, on its body. */
+  drawDevices(frame, robot) {
+    if (robot >= frame.count || frame.state[robot] & Model.AWAY) {
+      return;
+    }
+    const to = this.context;
+    const place = WorldCanvas.placer(frame, robot);
+    for (const {spec, reading} of this.model.devicesOf(robot, "gripper")) {
+      this.drawGripper(place, spec, reading, this.model.devices.get(robot).held, frame);
+    }
+    to.lineCap = "round";
+    for (const {spec, reading} of this.model.devicesOf(robot, "bumper")) {
+      spec.parts.forEach(({mount: [x, y, heading], length}, i) => {
+        const [dx, dy] = [-Math.sin(heading) * length / 2, Math.cos(heading) * length / 2];
+        to.beginPath();
+        to.moveTo(...place(x - dx, y - dy));
+        to.lineTo(...place(x + dx, y + dy));
+        to.strokeStyle = reading.pressed[i] ? this.colours.alarm : this.colours.free;
+        to.lineWidth = (reading.pressed[i] ? 6 : 3) * this.pixel;
+        to.stroke();
+      });
+    }
+    to.lineCap = "butt";
+  }
+
+  /** Paddles that move are drawn half closed and dashed; those that hold a thing are at its sides. */
+  drawGripper(place, {mount: [x, y, heading], length, width, paddleLength, paddleWidth}, reading, held, frame) {
+    const to = this.context;
+    const [cos, sin] = [Math.cos(heading), Math.sin(heading)];
+    const rectangle = (path, left, bottom, right, top) => WorldCanvas.trace(path,
+      [[left, bottom], [right, bottom], [right, top], [left, top]]
+        .flatMap(([ahead, aside]) => place(x + cos * ahead - sin * aside, y + sin * ahead + cos * aside)));
+    const thick = paddleWidth * width;
+    const inner = width / 2 - thick;
+    const base = length / 2 - paddleLength * length;
+    const moves = reading.paddles === "opening" || reading.paddles === "closing";
+    const side = reading.holds && held.length ? Math.min(inner, this.obstacleWidth(held[0]) / 2)
+      : reading.paddles === "open" ? inner : moves ? inner / 2 : 0;
+    const path = new Path2D();
+    rectangle(path, -length / 2, -width / 2, base, width / 2);
+    rectangle(path, base, side, length / 2, side + thick);
+    rectangle(path, base, -side - thick, length / 2, -side);
+    to.fillStyle = this.colours.quiet;
+    to.fill(path);
+    to.strokeStyle = this.colours.text;
+    to.lineWidth = this.pixel;
+    to.setLineDash(moves ? [3 * this.pixel, 3 * this.pixel] : []);
+    to.stroke(path);
+    to.setLineDash([]);
+    for (const index of held) {
+      const obstacle = this.model.world.obstacles[index];
+      const pose = frame.obstacles.get(index);
+      if (obstacle && pose !== null) {
+        const outline = new Path2D();
+        WorldCanvas.obstacle(outline, obstacle, pose ? [pose.x, pose.y, pose.heading] : obstacle.pose);
+        to.fillStyle = Model.colour(obstacle.colour);
+        to.fill(outline);
+        to.strokeStyle = this.colours.accent;
+        to.lineWidth = 2.5 * this.pixel;
+        to.stroke(outline);
+      }
+    }
+  }
+
+  /** Extent of an obstacle along its y axis. */
+  obstacleWidth(index) {
+    const y = (this.model.world.obstacles[index]?.outlines ?? []).flatMap(line => line.filter((_, i) => i % 2 === 1));
+    return y.length ? Math.max(...y) - Math.min(...y) : 0;
   }
 
   drawFans(frame, robot, sensors, reading) {
     const to = this.context;
     const place = WorldCanvas.placer(frame, robot);
+    const intensities = this.model.devices.get(robot)?.intensities ?? [];
+    const echoes = new Path2D(); // of things that are not dark
     let next = 0;
     for (const sensor of sensors) {
       const [x, y, heading] = sensor.mount;
@@ -414,8 +538,14 @@ class WorldCanvas {
       fan.moveTo(...place(x, y));
       for (let i = 0; i < sensor.samples; i++) {
         const angle = heading + (sensor.samples < 2 ? 0 : sensor.fov * (i / (sensor.samples - 1) - 0.5));
+        const echo = intensities[next] > 0;
         const range = Math.min(reading.rays[next++] ?? 0, sensor.most);
-        fan.lineTo(...place(x + Math.cos(angle) * range, y + Math.sin(angle) * range));
+        const end = place(x + Math.cos(angle) * range, y + Math.sin(angle) * range);
+        fan.lineTo(...end);
+        if (echo) {
+          echoes.moveTo(end[0] + 3 * this.pixel, end[1]);
+          echoes.arc(...end, 3 * this.pixel, 0, 7);
+        }
       }
       fan.closePath();
       to.fillStyle = this.colours.ray;
@@ -427,6 +557,8 @@ class WorldCanvas {
       to.stroke(fan);
       to.globalAlpha = 1;
     }
+    to.fillStyle = this.colours.ray;
+    to.fill(echoes);
   }
 
   drawCamera(frame, robot, camera, reading) {

@@ -2,9 +2,11 @@
 
 /** Reads the messages of a stream: docs/live-view-format.md. */
 const Messages = {
-  ALIVE: 0, WORLD: 1, FRAME: 2, SENSORS: 3, EVENTS: 4, TIME: 5, HELLO: 6, END: 7, CALLS: 8,
+  ALIVE: 0, WORLD: 1, FRAME: 2, SENSORS: 3, EVENTS: 4, TIME: 5, HELLO: 6, END: 7, CALLS: 8, DEVICES: 9,
   MOST_BYTES: 1 << 26,
   TAKEN_OUT: -0x8000,
+  UNKNOWN: 0, FIDUCIALS: 1, BUMPERS: 2, GRIPPER: 3, PICTURE: 4, // kinds of devices
+  PADDLES: ["open", "closed", "opening", "closing"],
 
   /** Returns a function that takes bytes as they come, and calls `handle(type, value)` for each whole message. */
   reader(handle) {
@@ -46,6 +48,8 @@ const Messages = {
         return Messages.frame(content);
       case Messages.SENSORS:
         return Messages.sensors(content);
+      case Messages.DEVICES:
+        return Messages.devices(content);
       case Messages.WORLD: case Messages.EVENTS: case Messages.TIME: case Messages.HELLO: case Messages.END:
       case Messages.CALLS:
         return JSON.parse(new TextDecoder().decode(content));
@@ -104,5 +108,53 @@ const Messages = {
       readings.set(robot, reading);
     }
     return {number, readings};
+  },
+
+  /** What further devices read: lists in the order of the world's description; null for a device that is not known. */
+  devices(content) {
+    const robots = new Map();
+    let at = 6;
+    const u16 = () => { const value = content.getUint16(at, true); at += 2; return value; };
+    const f32 = () => { const value = content.getFloat32(at, true); at += 4; return value; };
+    for (let i = content.getUint16(4, true); i > 0; i--) {
+      const robot = u16();
+      const [devices, intensities, held] = [u16(), u16(), u16()];
+      const reading = {devices: [], intensities: [], held: []};
+      for (let j = 0; j < devices; j++) {
+        const kind = content.getUint8(at);
+        const length = content.getUint32(at + 1, true);
+        reading.devices.push(Messages.device(kind, new DataView(content.buffer, content.byteOffset + at + 5, length)));
+        at += 5 + length;
+      }
+      for (let j = 0; j < intensities; j++) {
+        reading.intensities.push(f32());
+      }
+      for (let j = 0; j < held; j++) {
+        reading.held.push(u16());
+      }
+      robots.set(robot, reading);
+    }
+    return {number: content.getUint32(0, true), robots};
+  },
+
+  device(kind, content) {
+    const list = (at, size, read) => Array.from({length: content.getUint16(at, true)}, (_, i) => read(at + 2 + i * size));
+    switch (kind) {
+      case Messages.FIDUCIALS:
+        return {seen: list(0, 14, at => ({id: content.getInt32(at, true), x: content.getFloat32(at + 4, true),
+          y: content.getFloat32(at + 8, true), heading: content.getInt16(at + 12, true) / 1e4}))};
+      case Messages.BUMPERS:
+        return {pressed: list(0, 1, at => content.getUint8(at) === 1)};
+      case Messages.GRIPPER: {
+        const bits = content.getUint8(1);
+        return {paddles: Messages.PADDLES[content.getUint8(0)] ?? "unknown", outerBeam: (bits & 1) !== 0,
+          innerBeam: (bits & 2) !== 0, holds: (bits & 4) !== 0};
+      }
+      case Messages.PICTURE:
+        return {height: content.getUint16(0, true), columns: list(2, 8, at => ({colour: content.getUint32(at, true),
+          top: content.getUint16(at + 4, true), bottom: content.getUint16(at + 6, true)}))};
+      default:
+        return null;
+    }
   },
 };

@@ -27,6 +27,8 @@ class Model {
     this.frame = null;
     this.before = null;
     this.readings = new Map();
+    this.devices = new Map(); // what further devices read, by robot
+    this.nextDevices = null; // they come before the readings of their frame
     this.events = [];
     this.trails = [];
     this.trailTime = 0; // of the newest frame
@@ -72,6 +74,22 @@ class Model {
     this.before = this.frame && this.frame.time <= frame.time ? this.frame : null;
     this.frame = frame;
     this.frames++;
+  }
+
+  setReadings({number, readings}) {
+    this.readings = readings;
+    this.devices = this.nextDevices?.number === number ? this.nextDevices.robots : new Map();
+  }
+
+  kind(robot) {
+    return this.world.kinds[this.world.robots[robot].kind];
+  }
+
+  /** The further devices of a robot of an interface that have been read: their descriptions and readings. */
+  devicesOf(robot, name) {
+    const readings = this.devices.get(robot)?.devices ?? [];
+    return (this.kind(robot).devices ?? []).map((spec, i) => ({spec, reading: readings[i]}))
+      .filter(each => each.spec.interface === name && each.reading);
   }
 
   lengthenTrails(frame) {

@@ -38,7 +38,10 @@ class Page {
         this.model.setFrame(value, performance.now());
         break;
       case Messages.SENSORS:
-        this.model.readings = value.readings;
+        this.model.setReadings(value);
+        break;
+      case Messages.DEVICES:
+        this.model.nextDevices = value;
         break;
       case Messages.EVENTS:
         this.model.addEvents(value);
@@ -191,6 +194,7 @@ class Page {
     if (reading) {
       figures.speed = `${reading.forward.toFixed(2)} m/s, ${(reading.turn * 180 / Math.PI).toFixed(0)}°/s`;
       figures["nearest wall"] = Number.isFinite(reading.gap) ? `${reading.gap.toFixed(2)} m` : "none";
+      Object.assign(figures, this.deviceFigures(robot));
       figures.sees = reading.blobs.length ? `${reading.blobs.length} blob${reading.blobs.length > 1 ? "s" : ""}` : "no blob";
     }
     element("figures").replaceChildren(...Object.entries(figures).flatMap(([name, value]) => {
@@ -201,6 +205,7 @@ class Page {
       return [term, text];
     }));
     this.showCamera(robot, reading);
+    this.showImages(robot);
     const services = this.model.world.services.length > 0;
     element("help").textContent = this.model.world.controls.includes("drive")
       ? `Arrow keys drive it, and its ${services ? "service" : "program"} takes over again. Drag it to move it, its ring to turn it.` : "";
@@ -222,6 +227,62 @@ class Page {
       const height = Math.min(canvas.height, Math.max(8, blob.height / camera.width * canvas.width));
       to.fillRect(blob.left * column, (canvas.height - height) / 2, (blob.right - blob.left + 1) * column, height);
     }
+  }
+
+  /** What the further devices of a robot read, in words. */
+  deviceFigures(robot) {
+    const figures = {};
+    const add = (name, text) => {
+      let key = name;
+      for (let number = 2; key in figures; number++) {
+        key = `${name} ${number}`;
+      }
+      figures[key] = text;
+    };
+    for (const {reading} of this.model.devicesOf(robot, "fiducial")) {
+      add("markers", reading.seen.map(each => each.id || "?").join(", ") || "none");
+    }
+    for (const {reading} of this.model.devicesOf(robot, "bumper")) {
+      const pressed = reading.pressed.filter(each => each).length;
+      add("bumpers", pressed ? `${pressed} of ${reading.pressed.length} pressed` : "free");
+    }
+    for (const {reading} of this.model.devicesOf(robot, "gripper")) {
+      const held = this.model.devices.get(robot).held.map(each => this.model.world.obstacles[each]?.name);
+      add("gripper", reading.paddles + (reading.holds ? `, holds ${held.join(", ") || "something"}` : ""));
+    }
+    return figures;
+  }
+
+  /** The images of the cameras of a robot, each on its own canvas. */
+  showImages(robot) {
+    const cameras = this.model.devicesOf(robot, "camera");
+    const all = element("images");
+    while (all.children.length > cameras.length) {
+      all.lastChild.remove();
+    }
+    while (all.children.length < cameras.length) {
+      const canvas = document.createElement("canvas");
+      canvas.setAttribute("role", "img");
+      canvas.setAttribute("aria-label", "Image of the camera");
+      all.append(canvas);
+    }
+    cameras.forEach(({reading}, i) => Page.drawImage(all.children[i], reading));
+  }
+
+  /** Draws an image: what a column shows, between the sky and the floor. */
+  static drawImage(canvas, {height, columns}) {
+    canvas.width = columns.length;
+    canvas.height = height;
+    const to = canvas.getContext("2d");
+    const middle = Math.floor(height / 2);
+    to.fillStyle = "#ffffff";
+    to.fillRect(0, 0, columns.length, middle);
+    to.fillStyle = "#c0c0c0";
+    to.fillRect(0, middle, columns.length, height - middle);
+    columns.forEach(({colour, top, bottom}, x) => {
+      to.fillStyle = Model.colour(colour);
+      to.fillRect(x, top, 1, bottom - top);
+    });
   }
 
   /** Lists new events; the newest is the first. An intervention that goes on is one line. */
@@ -683,6 +744,7 @@ class Film {
     this.page = page;
     this.frames = [];
     this.readings = [];
+    this.devices = [];
     this.now = 0;
     this.speed = 1;
     element("speed").replaceChildren(...Page.SPEEDS.map(each => new Option(`${each} x`, each)));
@@ -707,7 +769,9 @@ class Film {
       model.lengthenTrails(model.place(value));
       this.frames.push(value);
     } else if (type === Messages.SENSORS) {
-      this.readings[this.frames.length - 1] = value.readings;
+      model.setReadings(value);
+      this.readings[this.frames.length - 1] = model.readings;
+      this.devices[this.frames.length - 1] = model.devices;
     } else {
       this.page.handle(type, value);
     }
@@ -738,6 +802,7 @@ class Film {
     this.page.model.frame = frame ?? null;
     this.page.model.boxes = this.page.model.boxesAt(this.now);
     this.page.model.readings = this.readings[i] ?? new Map();
+    this.page.model.devices = this.devices[i] ?? new Map();
     if (!frame || !next) {
       return frame ?? null;
     }

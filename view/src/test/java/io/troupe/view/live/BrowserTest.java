@@ -17,9 +17,11 @@ import io.troupe.sim.SimulationRunner;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.DeviceRoom;
 import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunRecorder;
@@ -583,11 +585,104 @@ class BrowserTest {
 
     /** Whether the box is drawn at a place. */
     private static String isRed(double x) {
+        return "(([r, g, b]) => r > 200 && g < 50 && b < 50)(" + pixel("[" + x + ", 0.03]") + ")";
+    }
+
+    /** Red, green and blue of what is drawn at a place of the world. */
+    private static String pixel(String place) {
+        return pixel(
+                "troupe.view.canvas", "troupe.view.toPage(..." + place + ").map(each => each * troupe.view.ratio)");
+    }
+
+    private static String pixel(String canvas, String at) {
         return "(([x, y]) => { const one = document.createElement('canvas');"
-                + " const to = one.getContext('2d', {willReadFrequently: true}); const ratio = troupe.view.ratio;"
-                + " to.drawImage(troupe.view.canvas, -Math.round(x * ratio), -Math.round(y * ratio));"
-                + " const [r, g, b] = to.getImageData(0, 0, 1, 1).data; return r > 200 && g < 50 && b < 50; })"
-                + "(troupe.view.toPage(" + x + ", 0.03))";
+                + " const to = one.getContext('2d', {willReadFrequently: true});"
+                + " to.drawImage(" + canvas + ", -Math.round(x), -Math.round(y));"
+                + " return to.getImageData(0, 0, 1, 1).data; })(" + at + ")";
+    }
+
+    @Test
+    void devicesOfASelectedRobot_areShown_onThePageAndInAFile() throws Exception {
+        List<Snapshot> snapshots = DeviceRoom.run();
+        Path html = folder.resolve("devices.html");
+        var file = new ViewFile();
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(DeviceRoom.WORLD, new RunControl(0, false))
+                    .onto(view)
+                    .onto(file);
+            viewed.moved(snapshots.getFirst());
+            open(view);
+            page().get("(troupe.chooseTheme(false), troupe.select(0))");
+            page().await("troupe.view.selected.size === 1 && troupe.model.devices.has(0)");
+            awaitFigures("markers", "7, 17");
+            awaitFigures("bumpers", "1 of 2 pressed");
+            awaitFigures("gripper", "open");
+            page().get("(window.texts = new Set(), window.fillText = troupe.view.context.fillText,"
+                    + " troupe.view.context.fillText = function (text, ...at) {"
+                    + " texts.add(text); return fillText.call(this, text, ...at); })");
+            page().await("texts.has('7') && texts.has('17') && !texts.has('?')");
+            assertThat(page().get("troupe.view.markers(troupe.model.frame, 0).map(({to}) =>"
+                            + " to.map(each => each.toFixed(2)).join(' ')).join()"))
+                    .as("where the thing and the lamp are")
+                    .isEqualTo("0.25 0.09,2.00 -0.80");
+            page().await(isAlarm(0.2));
+            page().await("!" + isAlarm(-0.2));
+
+            snapshots.subList(1, 42).forEach(viewed::moved);
+            awaitFigures("gripper", "closed, holds thing");
+            awaitFigures("bumpers", "free");
+            page().await("!" + isAlarm(0.2));
+            var picture = (DeviceReading.Picture)
+                    snapshots.get(41).robots().getFirst().devices().getLast();
+            String image = "document.querySelector('#images canvas')";
+            page().await(image + "?.width === 40 && " + image + ".height === 30");
+            for (int[] at : new int[][] {{0, 0}, {0, 29}, {5, 15}, {20, 15}, {20, 2}, {39, 15}}) {
+                page().await("(([r, g, b]) => (r << 16) + (g << 8) + b)("
+                        + pixel(image, "[" + at[0] + ", " + at[1] + "]") + ") === " + picture.colour(at[0], at[1]));
+            }
+            page().get("(troupe.view.zoom(2.6), troupe.view.x = 0.9, troupe.view.y = 0.3)");
+            picture("watching-devices.png");
+            page().get("troupe.view.fit()");
+
+            snapshots.subList(42, snapshots.size()).forEach(viewed::moved);
+            awaitFigures("bumpers", "1 of 2 pressed");
+            page().await(isAlarm(-0.2) + " && !" + isAlarm(0.2));
+            page().get("(texts.clear(), troupe.select(1))");
+            page().await("troupe.model.devices.has(1) && !troupe.model.devices.has(0)");
+            page().await("texts.has('?')");
+            page().await("!document.querySelector('#figures').textContent.includes('gripper') && "
+                    + "document.querySelector('#images').children.length === 0");
+            Files.writeString(html, file.html());
+        }
+        page().open(html.toUri().toString());
+        page().await("troupe.source.frames.length === 96");
+        page().get("troupe.select(0)");
+        awaitFigures("bumpers", "1 of 2 pressed");
+        page().get("troupe.source.seek(4)");
+        awaitFigures("gripper", "closed, holds thing");
+    }
+
+    private static void awaitFigures(String name, String text) {
+        page().await("[...document.querySelectorAll('#figures dt')].some(each => each.textContent === '" + name
+                + "' && each.nextSibling.textContent === '" + text + "')");
+    }
+
+    /** Whether a bumper of the first robot, so far ahead of its middle, is drawn as pressed. */
+    private static String isAlarm(double aheadM) {
+        return "(([r, g, b]) => Math.abs(r - 0xb3) + Math.abs(g - 0x26) + Math.abs(b - 0x1e) < 30)("
+                + pixel("WorldCanvas.placer(troupe.model.frame, 0)(" + aheadM + ", 0.06)") + ")";
+    }
+
+    @Test
+    void page_withoutDevices_hasNothingOfThem() throws Exception {
+        try (var run = run(5)) {
+            open(run.page);
+            page().await("troupe.model.readings.size === 2 && !document.querySelector('#details').hidden");
+            page().await("document.querySelector('#figures').textContent.includes('nearest wall')");
+            assertThat(page().get("document.querySelector('#figures').textContent"))
+                    .doesNotContain("markers", "bumpers", "gripper");
+            assertThat(page().get("troupe.model.nextDevices")).isIn("", "null");
+        }
     }
 
     @Test

@@ -6,16 +6,20 @@ import static org.assertj.core.api.Assertions.within;
 
 import io.troupe.actor.time.ManualClock;
 import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.sim.RobotReading;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.device.DeviceReading;
+import io.troupe.sim.device.Odometry;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RangeNoise;
 import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
+import io.troupe.view.DeviceRoom;
 import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
@@ -32,7 +36,10 @@ import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.HexFormat;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -367,5 +374,64 @@ class LiveViewTest {
         var world = new WorldSpec(arena.name(), arena.file(), arena.intervalMillis(), robots, arena.obstacles());
         assertThat(new ViewedWorld(world, List.of(), List.of()).json())
                 .contains("\"sensors\":[{\"mount\":[0.25,-0.125,0.5],\"samples\":181,");
+    }
+
+    @Test
+    void devices_areTheseBytes() {
+        var plain = new RobotReading(
+                new Pose(0, 0, 0), new Odometry(new Pose(0, 0, 0), 0, 0, false), null, null, List.of(), 1);
+        List<DeviceReading> devices = List.of(
+                new DeviceReading.Unknown(),
+                new DeviceReading.Fiducials(List.of(new DeviceReading.Fiducial(7, 1.5, -0.25, 0.1))),
+                new DeviceReading.Pressed(List.of(true, false)),
+                new DeviceReading.Grip(DeviceReading.Paddles.CLOSING, true, false, true),
+                new DeviceReading.Picture(2, List.of(new DeviceReading.Column(0xFF8000, 0, 2))));
+        var equipped = new RobotReading(
+                plain.pose(),
+                plain.odometry(),
+                null,
+                null,
+                List.of(List.of(1.0), List.of(2.0, 3.0)),
+                List.of(List.of(), List.of(0.0, 1.0)),
+                devices,
+                1);
+        var held = new TreeMap<>(Map.of(2, 0, 4, 1));
+        var snapshot = new Snapshot(
+                3,
+                300_000,
+                List.of(plain, equipped),
+                List.of(),
+                List.of(),
+                List.of(),
+                new TreeMap<>(),
+                List.of(),
+                held);
+        var frame = new ViewFrame(42, snapshot, new short[2], 0);
+        assertThat(HexFormat.of().formatHex(ViewMessages.devices(frame, List.of(0, 1, 5))))
+                .as("the robot without devices, and one that is not in the world, are left out")
+                .isEqualTo("09" + "57000000" + "2a000000" + "0100" // type, length, number of the frame, robots
+                        + "0100" + "0500" + "0300" + "0100" // robot, devices, intensities, held things
+                        + "00" + "00000000" // unknown
+                        + "01" + "10000000" + "0100" + "07000000" + "0000c03f" + "000080be" + "e803" // a marker
+                        + "02" + "04000000" + "0200" + "01" + "00" // bumpers
+                        + "03" + "02000000" + "03" + "05" // gripper: closing, outer beam, holds
+                        + "04" + "0c000000" + "0200" + "0100" + "0080ff00" + "0000" + "0200" // a column
+                        + "0000c07f" + "00000000" + "0000803f" // not measured, 0, 1
+                        + "0400"); // the thing that it holds
+        assertThat(ViewMessages.devices(frame, List.of(0)))
+                .as("nothing of robots without devices")
+                .isEmpty();
+    }
+
+    @Test
+    void worldsDescription_hasTheDevices_ofRobotsThatHaveSome() {
+        assertThat(new ViewedWorld(LiveRuns.ARENA.world(), List.of(), List.of()).json())
+                .doesNotContain("devices");
+        String json = new ViewedWorld(DeviceRoom.WORLD, List.of(), List.of()).json();
+        assertThat(json)
+                .contains("\"devices\":[{\"interface\":\"bumper\",\"parts\":[{\"mount\":[0.2,0,0],\"length\":0.4},"
+                        + "{\"mount\":[-0.2,0,3.1416],\"length\":0.4}]},{\"interface\":\"fiducial\",\"mount\":[0,0,0]},"
+                        + "{\"interface\":\"gripper\",\"mount\":[0.24,0,0],\"length\":0.2,\"width\":0.3,")
+                .contains("\"devices\":[{\"interface\":\"fiducial\",\"mount\":[0,0,0]}]");
     }
 }

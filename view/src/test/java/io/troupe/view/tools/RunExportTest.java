@@ -9,24 +9,30 @@ import io.troupe.sim.Recording;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.DeviceRoom;
 import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayInputStream;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
+import java.util.Base64;
 import java.util.HashSet;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.regex.Pattern;
 import java.util.stream.Collectors;
+import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -345,6 +351,191 @@ class RunExportTest {
         assertThat(rooms.get(2)).contains("\"deletions\":[]", "\"id\":\"4 red box\"", "{\"x\":-3,\"y\":0.5,\"z\":0}");
     }
 
+    // ---- further devices
+
+    private RunExport ofTheDevices() throws IOException {
+        return new RunExport(recorded(DeviceRoom.WORLD, DeviceRoom.run()), DeviceRoom.WORLD);
+    }
+
+    @Test
+    void devices_haveChannels_onTheRobotsThatHaveThem() throws IOException {
+        McapFile file = mcap(ofTheDevices());
+        assertThat(file.channels.values().stream()
+                        .filter(channel -> channel.topic().matches(".*/(fiducial|bumper|gripper|camera).*"))
+                        .collect(Collectors.toMap(
+                                McapFile.Channel::topic,
+                                channel -> file.schemas.get(channel.schema()).name())))
+                .containsExactlyInAnyOrderEntriesOf(Map.of(
+                        "/collector/bumper", "troupe.Bumpers",
+                        "/collector/bumper/view", "foxglove.SceneUpdate",
+                        "/collector/fiducial", "troupe.Fiducials",
+                        "/collector/fiducial/view", "foxglove.SceneUpdate",
+                        "/collector/gripper", "troupe.Gripper",
+                        "/collector/camera", "foxglove.CompressedImage",
+                        "/watcher/fiducial", "troupe.Fiducials",
+                        "/watcher/fiducial/view", "foxglove.SceneUpdate"));
+        assertThat(file.texts("/collector/camera")).hasSize(96);
+        assertThat(file.schemas.values())
+                .filteredOn(schema -> schema.name().equals("foxglove.CompressedImage"))
+                .singleElement()
+                .satisfies(schema -> assertThat(schema.data())
+                        .contains("\"data\":{\"type\":\"string\",\"contentEncoding\":\"base64\"}")
+                        .endsWith("\"required\":[\"timestamp\",\"frame_id\",\"data\",\"format\"]}"));
+    }
+
+    @Test
+    void markersBumpersAndGripper_areMessages() throws IOException {
+        McapFile file = mcap(ofTheDevices());
+        assertThat(file.texts("/watcher/fiducial").getFirst())
+                .as("at 120 degrees to the right; the numbers of those 2 m away and more cannot be read")
+                .startsWith("{\"timestamp\":{\"sec\":0,\"nsec\":0},\"markers\":[{\"id\":0,\"x\":2.0")
+                .contains("\"heading\":2.443", "\"id\":0,\"x\":2.2");
+        // the thing is at (0.25, 0.09), 0.2657 m from the robot, whose heading is 20 degrees; the lamp at (2, -0.8)
+        assertThat(numbers(file.texts("/collector/fiducial").getFirst(), "\"id\":(7),\"x\":.*\"id\":17"))
+                .hasSize(1);
+        assertThat(numbers(file.texts("/collector/fiducial").getFirst(), "\"id\":17,\"x\":([^,]*),\"y\""))
+                .usingElementComparator(RunExportTest::about)
+                .containsExactly(2 * Math.cos(Math.PI / 9) - 0.8 * Math.sin(Math.PI / 9));
+        assertThat(file.texts("/collector/fiducial/view").getFirst())
+                .contains(
+                        "\"id\":\"collector fiducial\"",
+                        "\"type\":2",
+                        "\"points\":[{\"x\":0,\"y\":0,\"z\":0},{\"x\":0.266,")
+                .contains("\"text\":\"7\"", "\"text\":\"17\"");
+        assertThat(file.texts("/collector/bumper").getFirst())
+                .isEqualTo("{\"timestamp\":{\"sec\":0,\"nsec\":0},\"pressed\":[true,false]}");
+        assertThat(file.texts("/collector/bumper").getLast()).endsWith("\"pressed\":[false,true]}");
+        String pressed = "\"color\":{\"r\":0.776,\"g\":0.157,\"b\":0.157,\"a\":1}";
+        assertThat(file.texts("/collector/bumper/view").getFirst()).containsOnlyOnce(pressed);
+        assertThat(file.texts("/collector/bumper/view").get(40)).doesNotContain(pressed);
+        assertThat(file.texts("/collector/gripper").getFirst())
+                .isEqualTo("{\"timestamp\":{\"sec\":0,\"nsec\":0},\"paddles\":\"open\",\"outerBeam\":false,"
+                        + "\"innerBeam\":false,\"holds\":false}");
+        assertThat(file.texts("/collector/gripper").get(40))
+                .endsWith("\"paddles\":\"closed\",\"outerBeam\":true,\"innerBeam\":true,\"holds\":true}");
+        assertThat(file.texts("/collector/laser").getFirst())
+                .as("the lamp is bright")
+                .containsPattern("\"intensities\":\\[(0,)+1,(1,)*(0,)+0\\]\\}");
+    }
+
+    @Test
+    void imagesOfACamera_arePngs_withItsPixels() throws IOException {
+        List<Snapshot> snapshots = DeviceRoom.run();
+        List<String> images = mcap(ofTheDevices()).texts("/collector/camera");
+        for (int tick : new int[] {0, 40, 95}) {
+            String message = images.get(tick);
+            assertThat(message)
+                    .contains("\"frame_id\":\"collector\",\"data\":\"")
+                    .endsWith("\",\"format\":\"png\"}");
+            String data = message.replaceAll(".*\"data\":\"|\".*", "");
+            BufferedImage image =
+                    ImageIO.read(new ByteArrayInputStream(Base64.getDecoder().decode(data)));
+            var picture = (DeviceReading.Picture)
+                    snapshots.get(tick).robots().getFirst().devices().getLast();
+            assertThat(List.of(image.getWidth(), image.getHeight())).containsExactly(40, 30);
+            Set<Integer> colours = new HashSet<>();
+            for (int x = 0; x < 40; x++) {
+                for (int y = 0; y < 30; y++) {
+                    assertThat(image.getRGB(x, y) & 0xFFFFFF)
+                            .as("tick %d, %d, %d", tick, x, y)
+                            .isEqualTo(picture.colour(x, y));
+                    colours.add(picture.colour(x, y));
+                }
+            }
+            assertThat(colours).hasSizeGreaterThan(2);
+        }
+    }
+
+    @Test
+    void messagesOfDevices_haveTheMembersThatTheirSchemasRequire() throws Exception {
+        McapFile file = mcap(ofTheDevices());
+        for (McapFile.Message message : file.messages) {
+            var channel = file.channel(message);
+            JsonObject.read(message.data());
+            for (String required :
+                    requiredAtTheTop(file.schemas.get(channel.schema()).data())) {
+                assertThat(message.data()).as(channel.topic()).contains("\"" + required + "\":");
+            }
+        }
+    }
+
+    @Test
+    void unknownGripper_hasNoMessagesAndNoRows() throws IOException {
+        Path log = recorded(DeviceRoom.WORLD, DeviceRoom.run());
+        Files.write(
+                log,
+                Files.readAllLines(log).stream()
+                        .filter(line -> !line.contains("\"gripper\","))
+                        .toList());
+        var run = new RunExport(log, DeviceRoom.WORLD);
+        assertThat(mcap(run).texts("/collector/gripper")).isEmpty();
+        run.writeCsv(folder.resolve("deep/tables"));
+        assertThat(table("grippers")).hasSize(1);
+    }
+
+    @Test
+    void tablesOfDevices_haveTheirReadings_andOnlyWhereThereAreSuchDevices() throws IOException {
+        ofTheDevices().writeCsv(folder.resolve("deep/tables"));
+        assertThat(table("bumpers"))
+                .hasSize(1 + 96)
+                .startsWith("time_s,robot,device,bumper_1,bumper_2", "0.0,1,bumper,1,0")
+                .endsWith("9.5,1,bumper,0,1");
+        assertThat(table("grippers"))
+                .hasSize(1 + 96)
+                .startsWith("time_s,robot,device,paddles,outer_beam,inner_beam,holds", "0.0,1,gripper,open,0,0,0")
+                .contains("4.0,1,gripper,closed,1,1,1");
+        assertThat(table("fiducials"))
+                .startsWith("time_s,robot,device,id,x_m,y_m,heading_rad")
+                .anyMatch(line -> line.startsWith("0.0,1,fiducial,17,1.605"))
+                .anyMatch(line -> line.startsWith("0.0,2,fiducial,0,"));
+        assertThat(table("intensities"))
+                .hasSize(1 + 2 * 96)
+                .satisfies(lines -> assertThat(lines.getFirst())
+                        .startsWith("time_s,robot,device,intensity_1,intensity_2,")
+                        .endsWith(",intensity_19"))
+                .satisfies(lines -> assertThat(lines.get(1)).matches("0.0,1,laser,(0.0,)+1.0,((1|0).0,)+0.0"))
+                .satisfies(lines -> assertThat(lines.get(2)).matches("0.0,2,laser(,0.0){5},{14}"));
+
+        inTheRoom(POSE).writeCsv(folder.resolve("plain"));
+        try (var files = Files.list(folder.resolve("plain"))) {
+            assertThat(files.map(each -> each.getFileName().toString()))
+                    .containsExactlyInAnyOrder(
+                            "poses.csv", "ranges.csv", "blobs.csv", "states.csv", "contacts.csv", "log.csv");
+        }
+    }
+
+    @Test
+    void intensitiesThatWereAskedFor_areInTheTablesOfARecording() throws IOException {
+        Path recording = folder.resolve("recording.txt");
+        try (var world = World.create(Room.WORLD, WorldSettings.DEFAULT);
+                var out = Files.newBufferedWriter(recording)) {
+            Recording recorded = world.record(out);
+            world.advance();
+            world.measureIntensities(0, 0, true);
+            world.advance(2);
+            recorded.close();
+        }
+        new RunExport(recording, Room.WORLD).writeCsv(folder.resolve("deep/tables"));
+        assertThat(table("intensities"))
+                .containsExactly(
+                        "time_s,robot,device,intensity_1,intensity_2,intensity_3",
+                        "0.2,1,laser,0.0,0.0,0.0",
+                        "0.3,1,laser,0.0,0.0,0.0");
+    }
+
+    @Test
+    void brokenRunOfDevices_leavesNoTable_andOthersAlone() throws IOException {
+        Path log = recorded(DeviceRoom.WORLD, DeviceRoom.run());
+        Files.writeString(log, Files.readString(log) + "{\"t\":0.0}\n{}\n");
+        Files.createDirectories(folder.resolve("deep/tables"));
+        Files.writeString(folder.resolve("deep/tables/notes.csv"), "mine");
+        var run = new RunExport(log, DeviceRoom.WORLD);
+        assertThatThrownBy(() -> run.writeCsv(folder.resolve("deep/tables"))).isInstanceOf(RunFileException.class);
+        try (var files = Files.list(folder.resolve("deep/tables"))) {
+            assertThat(files.map(each -> each.getFileName().toString())).containsExactly("notes.csv");
+        }
+    }
+
     private static String number(double value) {
         return value == Math.rint(value) ? "" + (long) value : "" + value;
     }
@@ -457,6 +648,23 @@ class RunExportTest {
                 .anyMatch(line -> line.matches("\\d+ messages in \\d+ chunks, 0.0 s to 20.0 s"))
                 .anyMatch(line -> line.startsWith("troupe-run {") && line.contains("\"world\": \"paper arena\""))
                 .contains("   201 /tf foxglove.FrameTransforms", "   201 /robot2/blobs troupe.Blobs");
+    }
+
+    @Test
+    void officialReaderForPython_readsTheFileOfTheDevices() throws Exception {
+        String python = python();
+        Path file = folder.resolve("run.mcap");
+        ofTheDevices().writeMcap(file);
+        var reader = new ProcessBuilder(python, PYTHON_READER.toString(), file.toString())
+                .redirectErrorStream(true)
+                .start();
+        String text = new String(reader.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
+        assertThat(reader.waitFor()).as(text).isZero();
+        assertThat(text.lines())
+                .contains(
+                        "    96 /collector/camera foxglove.CompressedImage",
+                        "    96 /collector/gripper troupe.Gripper",
+                        "    96 /watcher/fiducial troupe.Fiducials");
     }
 
     /** An interpreter with the package; skips the test, with one line that gives the reason, if there is none. */

@@ -12,12 +12,14 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
+import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.device.GripperDevice;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.DeviceRoom;
 import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
@@ -34,6 +36,7 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.stream.Collectors;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -146,6 +149,10 @@ class RunLogReaderTest {
                         .isEqualTo(List.of(had.pose(), had.rangersM(), had.wallGapM()));
                 assertThat(computed.sonarM()).isEqualTo(had.sonarM());
                 assertThat(computed.blobs()).isEqualTo(had.blobs());
+                assertThat(computed.intensities()).isEqualTo(had.intensities());
+                assertThat(computed.devices())
+                        .as("devices of robot %d at tick %d", robot, i)
+                        .isEqualTo(had.devices());
             }
         }
     }
@@ -226,6 +233,68 @@ class RunLogReaderTest {
         assertThat(collector.readings)
                 .extracting(each -> each.snapshot().held())
                 .isEqualTo(snapshots.stream().map(Snapshot::held).toList());
+    }
+
+    @Test
+    void readingsOfFurtherDevices_areTheirs_withTheStatesOfTheGripper() throws IOException {
+        List<Snapshot> snapshots = DeviceRoom.run();
+        String log = recorded(DeviceRoom.WORLD, snapshots);
+        assertThat(read(log, DeviceRoom.WORLD)).hasSize(1);
+        assertSameReadings(snapshots);
+        assertThat(snapshots)
+                .extracting(each -> each.robots().getFirst().devices().getFirst())
+                .as("the thing is before the robot until it is gripped; at last there is a wall behind the robot")
+                .contains(
+                        new DeviceReading.Pressed(List.of(true, false)),
+                        new DeviceReading.Pressed(List.of(false, false)),
+                        new DeviceReading.Pressed(List.of(false, true)));
+        assertThat(snapshots)
+                .extracting(each -> each.robots().getFirst().devices().get(DeviceRoom.GRIPPER))
+                .contains(
+                        new DeviceReading.Grip(DeviceReading.Paddles.CLOSED, true, true, true),
+                        new DeviceReading.Grip(DeviceReading.Paddles.OPENING, true, true, false));
+        List<String> lines =
+                log.lines().filter(line -> line.contains("\"gripper\",")).toList();
+        assertThat(lines.getFirst())
+                .isEqualTo("{\"t\":0.0,\"type\":\"gripper\",\"robot\":1,\"gripper\":1,\"paddles\":\"open\","
+                        + "\"outerBeam\":false,\"innerBeam\":false,\"holds\":false}");
+        assertThat(lines).hasSizeGreaterThan(5);
+        for (int i = 1; i < lines.size(); i++) {
+            String before = lines.get(i - 1);
+            assertThat(lines.get(i).substring(lines.get(i).indexOf(',')))
+                    .as("only changes")
+                    .isNotEqualTo(before.substring(before.indexOf(',')));
+        }
+    }
+
+    @Test
+    void gripper_withoutALine_isNotKnown() throws IOException {
+        String log = recorded(DeviceRoom.WORLD, DeviceRoom.run())
+                .lines()
+                .filter(line -> !line.contains("\"gripper\","))
+                .collect(Collectors.joining("\n"));
+        read(log, DeviceRoom.WORLD);
+        assertThat(collector.readings)
+                .extracting(
+                        each -> each.snapshot().robots().getFirst().devices().get(DeviceRoom.GRIPPER))
+                .containsOnly(new DeviceReading.Unknown());
+    }
+
+    @Test
+    void linesOfGrippers_thatAreWrong_areErrors() throws IOException {
+        Map<String, String> wrong = Map.of(
+                "\"robot\":2,\"gripper\":1",
+                "gripper 1 of robot 'watcher', which has 0 grippers in devices.world: expected the world of the run, unchanged",
+                "\"robot\":1,\"gripper\":2",
+                "gripper 2 of robot 'collector', which has 1 gripper in devices.world: expected the world of the run, unchanged",
+                "\"robot\":1,\"gripper\":1,\"paddles\":\"ajar\"",
+                "'paddles' is 'ajar', expected open, closed, opening or closing",
+                "\"robot\":1,\"gripper\":1,\"paddles\":\"open\",\"outerBeam\":0",
+                "'outerBeam' is 0.0, expected true or false");
+        wrong.forEach((members, problem) -> assertThatThrownBy(() -> read(
+                        Room.header(DeviceRoom.WORLD) + "{\"t\":0.0,\"type\":\"gripper\"," + members + "}\n{}\n",
+                        DeviceRoom.WORLD))
+                .hasMessageEndingWith("run.jsonl:2:1: " + problem));
     }
 
     @Test
