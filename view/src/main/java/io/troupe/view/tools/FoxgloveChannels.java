@@ -581,37 +581,7 @@ final class FoxgloveChannels {
         if (sink.isWanted(device.readings) && !(reading instanceof DeviceReading.Unknown)) {
             json.begin();
             time(micros);
-            switch (reading) {
-                case DeviceReading.Fiducials(var seen) -> {
-                    json.array("markers");
-                    for (DeviceReading.Fiducial marker : seen) {
-                        json.object()
-                                .put("id", marker.id())
-                                .put("x", marker.x())
-                                .put("y", marker.y())
-                                .put("heading", marker.headingRad())
-                                .endObject();
-                    }
-                    json.endArray();
-                }
-                case DeviceReading.Pressed(var bumpers) -> {
-                    json.array("pressed");
-                    bumpers.forEach(json::add);
-                    json.endArray();
-                }
-                case DeviceReading.Grip(var paddles, boolean outer, boolean inner, boolean holds) ->
-                    json.put("paddles", paddles.name().toLowerCase(Locale.ROOT))
-                            .put("outerBeam", outer)
-                            .put("innerBeam", inner)
-                            .put("holds", holds);
-                case DeviceReading.Picture picture -> {
-                    byte[] png = Png.of(picture.columns().size(), picture.heightPx(), picture.rgb());
-                    json.put("frame_id", frames.get(robot))
-                            .put("data", Base64.getEncoder().encodeToString(png))
-                            .put("format", "png");
-                }
-                case DeviceReading.Unknown unknown -> {}
-            }
+            putReading(reading, robot);
             sink.message(device.readings, nanos(micros), json.end());
         }
         if (device.view != null && sink.isWanted(device.view)) {
@@ -629,6 +599,40 @@ final class FoxgloveChannels {
         }
     }
 
+    private void putReading(DeviceReading reading, int robot) {
+        switch (reading) {
+            case DeviceReading.Fiducials(var seen) -> {
+                json.array("markers");
+                for (DeviceReading.Fiducial marker : seen) {
+                    json.object()
+                            .put("id", marker.id())
+                            .put("x", marker.x())
+                            .put("y", marker.y())
+                            .put("heading", marker.headingRad())
+                            .endObject();
+                }
+                json.endArray();
+            }
+            case DeviceReading.Pressed(var bumpers) -> {
+                json.array("pressed");
+                bumpers.forEach(json::add);
+                json.endArray();
+            }
+            case DeviceReading.Grip(var paddles, boolean outer, boolean inner, boolean holds) ->
+                json.put("paddles", paddles.name().toLowerCase(Locale.ROOT))
+                        .put("outerBeam", outer)
+                        .put("innerBeam", inner)
+                        .put("holds", holds);
+            case DeviceReading.Picture picture -> {
+                byte[] png = Png.of(picture.columns().size(), picture.heightPx(), picture.rgb());
+                json.put("frame_id", frames.get(robot))
+                        .put("data", Base64.getEncoder().encodeToString(png))
+                        .put("format", "png");
+            }
+            case DeviceReading.Unknown unknown -> {}
+        }
+    }
+
     /** Lines from a finder to the markers, with their numbers. */
     private void drawMarkers(Pose mount, List<DeviceReading.Fiducial> seen) {
         json.array("lines");
@@ -642,7 +646,7 @@ final class FoxgloveChannels {
         json.endArray().array("triangles").endArray().array("texts");
         for (DeviceReading.Fiducial marker : seen) {
             Point end = mount.place(new Point(marker.x(), marker.y()));
-            text("" + marker.id(), new Pose(end.x(), end.y(), 0), MARKER_NAME_M);
+            text(marker.id() == 0 ? "?" : "" + marker.id(), new Pose(end.x(), end.y(), 0), MARKER_NAME_M);
         }
         json.endArray();
     }
