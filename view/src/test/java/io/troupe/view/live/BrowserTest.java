@@ -660,8 +660,10 @@ class BrowserTest {
         awaitFigures("bumpers", "1 of 2 pressed");
         page().get("troupe.source.seek(4)");
         awaitFigures("gripper", "closed, holds thing");
-        assertThat(page().get("(model => { model.nextDevices = {number: 4, robots: new Map([[0, {}]])};"
-                        + " model.setReadings({number: 5, readings: new Map()}); return model.devices.size; })(new Model())"))
+        assertThat(
+                        page().get(
+                                        "(model => { model.nextDevices = {number: 4, robots: new Map([[0, {}]])};"
+                                                + " model.setReadings({number: 5, readings: new Map()}); return model.devices.size; })(new Model())"))
                 .as("devices of an older frame")
                 .isEqualTo("0");
     }
