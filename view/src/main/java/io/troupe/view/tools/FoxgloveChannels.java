@@ -23,6 +23,8 @@ import io.troupe.view.ServiceColours;
 import io.troupe.view.tools.RunListener.Reading;
 import io.troupe.view.tools.RunListener.Remark;
 import io.troupe.view.tools.RunListener.StateBegins;
+import java.awt.image.BufferedImage;
+import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Base64;
@@ -41,6 +43,8 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
+import javax.imageio.ImageIO;
+import javax.imageio.stream.MemoryCacheImageOutputStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -599,7 +603,7 @@ final class FoxgloveChannels {
         }
     }
 
-    private void putReading(DeviceReading reading, int robot) {
+    private void putReading(DeviceReading reading, int robot) throws IOException {
         switch (reading) {
             case DeviceReading.Fiducials(var seen) -> {
                 json.array("markers");
@@ -624,13 +628,27 @@ final class FoxgloveChannels {
                         .put("innerBeam", inner)
                         .put("holds", holds);
             case DeviceReading.Picture picture -> {
-                byte[] png = Png.of(picture.columns().size(), picture.heightPx(), picture.rgb());
                 json.put("frame_id", frames.get(robot))
-                        .put("data", Base64.getEncoder().encodeToString(png))
+                        .put("data", Base64.getEncoder().encodeToString(png(picture)))
                         .put("format", "png");
             }
             case DeviceReading.Unknown unknown -> {}
         }
+    }
+
+    private static byte[] png(DeviceReading.Picture picture) throws IOException {
+        int widthPx = picture.columns().size();
+        var image = new BufferedImage(widthPx, picture.heightPx(), BufferedImage.TYPE_INT_RGB);
+        for (int column = 0; column < widthPx; column++) {
+            for (int row = 0; row < picture.heightPx(); row++) {
+                image.setRGB(column, row, picture.colour(column, row));
+            }
+        }
+        var bytes = new ByteArrayOutputStream();
+        try (var to = new MemoryCacheImageOutputStream(bytes)) { // by default each image has a file as its cache
+            ImageIO.write(image, "png", to);
+        }
+        return bytes.toByteArray();
     }
 
     /** Lines from a finder to the markers, with their numbers. */
