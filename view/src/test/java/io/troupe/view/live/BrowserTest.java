@@ -26,6 +26,9 @@ import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunRecorder;
 import java.io.IOException;
+import java.net.BindException;
+import java.net.InetAddress;
+import java.net.ServerSocket;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -393,11 +396,22 @@ class BrowserTest {
         }
     }
 
+    /** A free port below those that systems give to outgoing connections: one may get a port that was closed. */
+    private static int portThatNoConnectionTakes() throws IOException {
+        for (int port = 10_000 + (int) (ProcessHandle.current().pid() % 10_000); port < 32_768; port++) {
+            try (var free = new ServerSocket(port, 1, InetAddress.getLoopbackAddress())) {
+                return free.getLocalPort();
+            } catch (BindException taken) {
+                // the next one
+            }
+        }
+        throw new IllegalStateException("no free port below 32768");
+    }
+
     @Test
     void page_reconnects_afterTheServerHasStartedAgain() throws Exception {
-        int port;
-        try (var run = run(1)) {
-            port = run.page.port();
+        int port = portThatNoConnectionTakes();
+        try (var run = new LiveRuns.Endless(folder.resolve("run.jsonl"), port, 1)) {
             open(run.page);
             page().await("document.querySelector('#status').textContent === 'live'");
         }
