@@ -220,7 +220,6 @@ final class Grippers {
     private void putDown(int thing) {
         Pose at = pose(thing);
         heldBy[thing] = NOBODY;
-        takenAt[thing] = null;
         scene.carry(thing, NOBODY);
         place(thing, at);
     }

@@ -23,6 +23,9 @@ import org.jspecify.annotations.Nullable;
  * the simulation, bit for bit, except for the noise of lasers and rangers, which is left out. Intensities are computed
  * for the lasers and rangers that measure them from the start. The state of a gripper does not follow from poses.
  *
+ * <p>The scene must know what grippers hold ({@link Scene#carry}) and which things are in the world
+ * ({@link Scene#show}). A robot senses what it holds as if it stood there, unless the scene knows that it is held.
+ *
  * {@snippet :
  * scene.place(0, pose);
  * scene.refresh();

@@ -16,7 +16,7 @@ import java.util.List;
  * a wall; and another one that watches it with a finder.
  */
 public final class DeviceRoom {
-    public static final Scenario SCENARIO = ScenarioReader.readText("""
+    public static final String TEXT = """
             name "devices"
             interval_sim 100
             model ( name "thing" color "red" pose [ 0.25 0.09 0 20 ] size [ 0.1 0.1 0.2 ] gripper_return 1 fiducial_return 7 )
@@ -38,7 +38,9 @@ public final class DeviceRoom {
               laser ( range_max 8 fov 180 samples 5 )
               fiducial ( range_max 8 range_max_id 2 fov 120 )
             )
-            """, Path.of("devices.world"));
+            """;
+
+    public static final Scenario SCENARIO = ScenarioReader.readText(TEXT, Path.of("devices.world"));
 
     public static final WorldSpec WORLD = SCENARIO.world();
 

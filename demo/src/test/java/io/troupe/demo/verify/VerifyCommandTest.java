@@ -164,7 +164,7 @@ class VerifyCommandTest extends CommandLineBench {
         file("lake.pnml", lake(""));
         assertThat(troupe("verify --net DIR/lake.pnml --out DIR/o")).isEqualTo(3);
         assertThat(out.toString())
-                .startsWith("n: not known whether it can deadlock: no marking is dead before [lake] run out of tokens")
+                .startsWith("n: not known whether it can deadlock: no marking is dead while [lake] enable and inhibit")
                 .endsWith("more than 2147483647 tokens on [lake]\n");
 
         file("more.pnml", lake("").replace("4000000000", "9223372036854775808"));

@@ -8,6 +8,7 @@ import io.troupe.petri.PetriNet;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Transition;
 import java.util.List;
+import java.util.Optional;
 
 /**
  * Looks for a dead marking of a {@link LargeNet}. It searches the net without the large places, which are assumed never
@@ -65,24 +66,31 @@ public final class LargeDeadlockCheck {
         if (places.isEmpty()) {
             throw new IllegalArgumentException("net " + large.net().name() + " has no large places");
         }
+        DeadlockCheck.Result result;
         try {
-            return switch (DeadlockCheck.decide(large.withoutLargePlaces(), limits)) {
-                case DeadlockCheck.CanDeadlock found -> replay(large, found.trace());
-                case DeadlockCheck.Proved proof ->
-                    new Unknown("no marking is dead before " + places + " run out of tokens (" + proof.reason()
-                            + "); what follows then is not searched");
-                case DeadlockCheck.Unknown unknown ->
-                    new Unknown("no dead marking among " + unknown.markings() + " of the net without " + places
-                            + ", end of the search: " + unknown.end());
-            };
+            result = DeadlockCheck.decide(large.withoutLargePlaces(), limits);
         } catch (ArithmeticException e) {
             return new Unknown("the net without " + places + " cannot be searched: " + e.getMessage());
         }
+        return switch (result) {
+            case DeadlockCheck.CanDeadlock found -> replay(large, found.trace());
+            case DeadlockCheck.Proved proof ->
+                new Unknown("no marking is dead while " + places + " enable and inhibit what they do at first ("
+                        + proof.reason() + "); what follows then is not searched");
+            case DeadlockCheck.Unknown unknown ->
+                new Unknown("no dead marking among " + unknown.markings() + " of the net without " + places
+                        + ", end of the search: " + unknown.end());
+        };
     }
 
     private static Result replay(LargeNet large, List<Transition> trace) {
         var firings = trace.stream().map(t -> large.net().transition(t.name())).toList();
-        var end = large.after(firings);
+        Optional<LargeMarking> end;
+        try {
+            end = large.after(firings);
+        } catch (ArithmeticException e) {
+            return new Unknown("the trace that was found cannot be fired: " + e.getMessage());
+        }
         return end.isPresent() && large.enabled(end.get()).isEmpty()
                 ? new CanDeadlock(end.get(), firings)
                 : new Unknown("the dead marking that was found in the net without " + large.largePlaces()

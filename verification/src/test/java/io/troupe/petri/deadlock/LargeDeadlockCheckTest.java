@@ -83,8 +83,8 @@ class LargeDeadlockCheckTest {
     void deadlock_forLackOfTokens_isNotKnown() {
         assertUnknown(
                 decide(net("n", "lake glass", "drink: lake >")),
-                "no marking is dead before [lake] run out of tokens (reductions leave a transition that needs no"
-                        + " tokens); what follows then is not searched");
+                "no marking is dead while [lake] enable and inhibit what they do at first (reductions leave a transition"
+                        + " that needs no tokens); what follows then is not searched");
     }
 
     /** Two firings of three are possible with these tokens. */
@@ -109,6 +109,15 @@ class LargeDeadlockCheckTest {
         assertUnknown(
                 decide(net.toBuilder().inhibitor("lake", "back").build()),
                 "the dead marking that was found in the net without [lake] is none with their tokens");
+    }
+
+    /** One token more on the lake is one too many for 64 bits. */
+    @Test
+    void trace_thatOverflowsALargePlace_isNoAnswer() {
+        var net = net("n", "lake job=1", "fill: job > lake");
+        assertThat(LargeDeadlockCheck.decide(LargeNet.of(net, Map.of(net.place("lake"), Long.MAX_VALUE)), LIMITS))
+                .isEqualTo(new Unknown("the trace that was found cannot be fired: place lake would hold more than "
+                        + Long.MAX_VALUE + " tokens"));
     }
 
     @Test
@@ -165,7 +174,7 @@ class LargeDeadlockCheckTest {
                             .anyMatch(state -> state.marking().equals(end));
                 }
                 case Unknown unknown -> {
-                    if (unknown.reason().startsWith("no marking is dead before ") && isPlain(net)) {
+                    if (unknown.reason().startsWith("no marking is dead while ") && isPlain(net)) {
                         assertThat(graph.dead())
                                 .as("seed %d: %s", seed, unknown)
                                 .allMatch(state -> lacksOnlyLarge(net, large.largePlaces(), state));

@@ -81,6 +81,8 @@ final class CsvExport implements RunListener, Closeable {
             for (Table table : Table.values()) {
                 if (isForEveryRunIn(world, table)) {
                     writer(table);
+                } else {
+                    Files.deleteIfExists(directory.resolve(table.fileName())); // of another run
                 }
             }
         } catch (IOException e) {

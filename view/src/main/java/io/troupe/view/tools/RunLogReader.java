@@ -40,8 +40,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Reads {@code run.jsonl}. The file has poses but no sensor readings; these are computed from the poses and the world.
- * They are those that the services had, bit for bit, except for the noise of lasers and rangers, which is left out, and
- * intensities that were measured because a client had asked for them. The states of grippers are in the file.
+ * They are those that the services had, bit for bit, but for the exceptions that {@code docs/run-log.md} lists. The
+ * states of grippers are in the file.
  *
  * <p><b>Errors.</b> {@link RunFileException} for a file that is no run, and for a run in another world.
  */
@@ -56,6 +56,7 @@ final class RunLogReader {
     private final RunListener listener;
     private final Map<Integer, ColouredBox> boxes = new TreeMap<>();
     private final List<Integer> movers;
+    private final List<Pose> moved = new ArrayList<>(); // where the movers are, or were before they were taken out
     private final SortedMap<Integer, Optional<Pose>> displaced = new TreeMap<>(); // obstacles, by index
     private final SortedMap<Integer, Integer> held = new TreeMap<>(); // obstacles, by index: the robot
     /** As in the reading before: grippers act after the sensors of an interval were read. */
@@ -83,6 +84,7 @@ final class RunLogReader {
         this.world = world;
         this.listener = listener;
         this.movers = world.movingObstacles();
+        movers.forEach(mover -> moved.add(world.obstacles().get(mover).pose()));
         this.scene = new Scene(world);
         world.robots().forEach(robot -> {
             sensors.add(new ComputedSensors(robot));
@@ -293,9 +295,6 @@ final class RunLogReader {
                 : Optional.empty();
         displaced.put(index, pose);
         int mover = movers.indexOf(index);
-        if (mover >= 0 && pose.isEmpty()) {
-            throw new JsonObject.Problem(1, "there is no 'x', expected the pose of an obstacle that can be pushed");
-        }
         if (mover < 0 && line.has("heldBy")) {
             throw new JsonObject.Problem(
                     1,
@@ -347,7 +346,10 @@ final class RunLogReader {
     /** A thing that a gripper holds is no obstacle, and the sensors of its robot do not notice it. */
     private void placeMover(int mover) {
         int obstacle = movers.get(mover);
-        scene.place(world.robots().size() + mover, place(obstacle).orElseThrow());
+        Optional<Pose> there = place(obstacle);
+        there.ifPresent(pose -> moved.set(mover, pose));
+        scene.place(world.robots().size() + mover, moved.get(mover));
+        scene.show(mover, there.isPresent());
         scene.carry(mover, held.getOrDefault(obstacle, -1));
     }
 
@@ -434,17 +436,11 @@ final class RunLogReader {
         }
         heldBefore = new TreeMap<>(held);
         var placed = new TreeMap<>(displaced);
-        placed.keySet().removeAll(movers);
+        placed.entrySet()
+                .removeIf(each ->
+                        movers.contains(each.getKey()) && each.getValue().isPresent());
         var snapshot = new Snapshot(
-                ticks++,
-                timeMicros,
-                readings,
-                List.of(),
-                movers.stream().map(mover -> place(mover).orElseThrow()).toList(),
-                List.copyOf(boxes.values()),
-                placed,
-                List.of(),
-                held);
+                ticks++, timeMicros, readings, List.of(), moved, List.copyOf(boxes.values()), placed, List.of(), held);
         return new Reading(snapshot, poses.stream().map(PoseLine::service).toList(), false);
     }
 

@@ -496,8 +496,8 @@ class RunExportTest {
                 .satisfies(lines -> assertThat(lines.get(1)).matches("0.0,1,laser,(0.0,)+1.0,((1|0).0,)+0.0"))
                 .satisfies(lines -> assertThat(lines.get(2)).matches("0.0,2,laser(,0.0){5},{14}"));
 
-        inTheRoom(POSE).writeCsv(folder.resolve("plain"));
-        try (var files = Files.list(folder.resolve("plain"))) {
+        inTheRoom(POSE).writeCsv(folder.resolve("deep/tables"));
+        try (var files = Files.list(folder.resolve("deep/tables"))) {
             assertThat(files.map(each -> each.getFileName().toString()))
                     .containsExactlyInAnyOrder(
                             "poses.csv", "ranges.csv", "blobs.csv", "states.csv", "contacts.csv", "log.csv");

@@ -37,6 +37,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.Random;
 import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
@@ -265,6 +266,79 @@ class RunLogReaderTest {
                     .as("only changes")
                     .isNotEqualTo(before.substring(before.indexOf(',')));
         }
+    }
+
+    @Test
+    void readingsAfterAGrippedThingWasTakenOutOfTheWorld_areTheirs() throws IOException {
+        List<Snapshot> snapshots = new ArrayList<>();
+        try (var world = World.create(DeviceRoom.WORLD, WorldSettings.DEFAULT)) {
+            for (int tick = 0; tick < 70; tick++) {
+                DeviceRoom.command(world, tick);
+                switch (tick) {
+                    case 40 -> world.removeObstacle(0);
+                    case 55 -> world.placeObstacle(0, new Pose(1.5, 0.5, 0.3));
+                    default -> {}
+                }
+                snapshots.add(world.advance());
+            }
+        }
+        assertThat(snapshots.get(39).held()).isEqualTo(Map.of(0, 0));
+        String log = recorded(DeviceRoom.WORLD, snapshots);
+        assertThat(log).contains("{\"t\":4.1,\"type\":\"obstacle\",\"number\":1,\"obstacle\":\"thing\"}\n");
+        assertThat(read(log, DeviceRoom.WORLD)).hasSize(1);
+        assertSameReadings(snapshots);
+        assertThat(collector.readings)
+                .extracting(each -> each.snapshot().displaced(DeviceRoom.WORLD))
+                .isEqualTo(snapshots.stream()
+                        .map(each -> each.displaced(DeviceRoom.WORLD))
+                        .toList());
+        assertThat(collector.readings)
+                .extracting(each -> each.snapshot().moved())
+                .isEqualTo(snapshots.stream().map(Snapshot::moved).toList());
+    }
+
+    @Test
+    void readingsAfterAResetWhileAThingIsHeld_areTheirs() throws IOException {
+        List<Snapshot> snapshots = new ArrayList<>();
+        try (var world = World.create(DeviceRoom.WORLD, WorldSettings.DEFAULT)) {
+            for (int tick = 0; tick < 50; tick++) {
+                DeviceRoom.command(world, tick);
+                if (tick == 40) {
+                    world.reset();
+                }
+                snapshots.add(world.advance());
+            }
+        }
+        assertThat(snapshots.get(39).held()).isEqualTo(Map.of(0, 0));
+        String log = recorded(DeviceRoom.WORLD, snapshots);
+        int next = log.indexOf('\n', log.lastIndexOf("{\"t\":4.0,")) + 1;
+        String reset = "{\"t\":4.0,\"type\":\"intervention\",\"what\":\"reset\"}\n";
+        assertThat(read(log.substring(0, next) + reset + log.substring(next), DeviceRoom.WORLD))
+                .hasSize(1);
+        assertSameReadings(snapshots);
+    }
+
+    /** The log of eleven robots has one reading a second. */
+    @Test
+    void readingsOfACrowdWithAGripper_areTheirs() throws IOException {
+        String others = IntStream.range(0, 9)
+                .mapToObj(i -> "position ( name \"r" + i + "\" pose [ " + (20 + i) + " 0 0 0 ] size [ 0.4 0.4 0.2 ] )")
+                .collect(Collectors.joining("\n"));
+        WorldSpec crowd = ScenarioReader.readText(DeviceRoom.TEXT + others, Path.of("crowd.world"))
+                .world();
+        List<Snapshot> snapshots = new ArrayList<>();
+        try (var world = World.create(crowd, WorldSettings.DEFAULT)) {
+            snapshots.add(world.latest());
+            for (int tick = 0; tick < 90; tick++) {
+                DeviceRoom.command(world, tick);
+                snapshots.add(world.advance());
+            }
+        }
+        List<Snapshot> logged =
+                IntStream.rangeClosed(0, 9).mapToObj(i -> snapshots.get(10 * i)).toList();
+        assertThat(logged).extracting(each -> Map.copyOf(each.held())).contains(Map.of(), Map.of(0, 0));
+        assertThat(read(recorded(crowd, snapshots), crowd)).hasSize(1);
+        assertSameReadings(logged);
     }
 
     @Test
