@@ -14,7 +14,9 @@ import io.troupe.sim.Simulation;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunRecorder;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Set;
+import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -44,6 +46,9 @@ public final class RunMonitor {
     private final Mode mode;
     private final int robots;
     private final WiringMonitor monitor;
+    private final List<String> answered; // the calls of the world, by robot
+    private final List<String> idle;
+    private final List<String> data;
     private final Set<Integer> sent = new HashSet<>(); // robots; in this tick
     private final Set<Integer> received = new HashSet<>();
     private final Set<Integer> stopping = new HashSet<>();
@@ -62,6 +67,15 @@ public final class RunMonitor {
         this.mode = mode;
         this.robots = robots;
         this.monitor = monitor;
+        answered = calls("service", "answered");
+        idle = calls("promise", "idle");
+        data = calls("service", "data");
+    }
+
+    private List<String> calls(String component, String call) {
+        return IntStream.rangeClosed(1, robots)
+                .mapToObj(robot -> component + robot + "." + call)
+                .toList();
     }
 
     /** One line that reports a run in which all was allowed. */
@@ -120,23 +134,23 @@ public final class RunMonitor {
     private synchronized void reading() {
         sent.clear();
         received.clear();
-        worldCalls("service", ".answered");
-        worldCalls("promise", ".idle");
+        serviceCalls(answered);
         if (!isOver) {
+            idle.forEach(call -> monitor.called("world", call));
             monitor.called("world", "inbox.idle");
             monitor.called("world", "arbitrator.idle");
         }
-        worldCalls("service", ".data");
+        serviceCalls(data);
     }
 
-    private void worldCalls(String component, String call) {
-        for (int robot = 1; robot <= robots && !isOver; robot++) {
-            if (component.equals("service") && failed.contains(robot - 1)) {
+    private void serviceCalls(List<String> calls) {
+        for (int robot = 0; robot < robots && !isOver; robot++) {
+            if (failed.contains(robot)) {
                 isOver = true;
-                monitor.asked("world", component + robot + call);
-                monitor.on(Kind.REJECTED, "world", component + robot + call);
+                monitor.asked("world", calls.get(robot));
+                monitor.on(Kind.REJECTED, "world", calls.get(robot));
             } else {
-                monitor.called("world", component + robot + call);
+                monitor.called("world", calls.get(robot));
             }
         }
     }

@@ -17,6 +17,7 @@ import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.atomic.AtomicReferenceArray;
 import java.util.stream.Collectors;
 import java.util.stream.IntStream;
 import java.util.stream.Stream;
@@ -38,8 +39,12 @@ final class PossibleMarkings {
     /** Some markings: all combinations of the components' places, with these tokens between components. */
     record World(List<BitSet> local, List<Integer> between) {
         boolean covers(World other) {
-            return between.equals(other.between)
-                    && IntStream.range(0, local.size()).allMatch(i -> covers(local.get(i), other.local.get(i)));
+            for (var i = 0; i < local.size(); i++) {
+                if (!covers(local.get(i), other.local.get(i))) {
+                    return false;
+                }
+            }
+            return between.equals(other.between);
         }
 
         private static boolean covers(BitSet all, BitSet part) {
@@ -127,6 +132,9 @@ final class PossibleMarkings {
     private final List<List<Firing>> unseen = new ArrayList<>(); // by component: those that are local
     private final List<Firing> unseenBetween = new ArrayList<>();
     private final List<Map<BitSet, BitSet>> closures = new ArrayList<>(); // by component
+    /** By component: what {@link #closed} gives for each of its places, once it was needed. */
+    private final List<AtomicReferenceArray<@Nullable BitSet>> closedPlaces = new ArrayList<>();
+
     private final List<World> first;
     private volatile int lastEnabled;
 
@@ -155,6 +163,7 @@ final class PossibleMarkings {
             index.put(place, among.size());
             among.add(place);
         }
+        local.forEach(places -> closedPlaces.add(new AtomicReferenceArray<>(places.size())));
         for (var transition : net.net().transitions()) {
             var event = net.event(transition);
             var firing = firing(event, transition.inputs(), transition.outputs(), owner, index);
@@ -253,13 +262,23 @@ final class PossibleMarkings {
     }
 
     private void fire(World world, List<Firing> candidates, List<World> found) {
-        var enabled =
-                candidates.stream().filter(firing -> firing.mayFire(world)).toList();
-        if (enabled.size() == 1) {
-            found.add(moved(world, enabled.get(0)));
-        } else if (enabled.size() > 1) {
-            fireAny(world, enabled, found);
+        @Nullable Firing only = null; // loops, since this is done for each event
+        for (var i = 0; i < candidates.size(); i++) {
+            if (candidates.get(i).mayFire(world)) {
+                if (only != null) {
+                    fireAny(world, enabled(candidates, world), found);
+                    return;
+                }
+                only = candidates.get(i);
+            }
         }
+        if (only != null) {
+            found.add(moved(world, only));
+        }
+    }
+
+    private static List<Firing> enabled(List<Firing> candidates, World world) {
+        return candidates.stream().filter(firing -> firing.mayFire(world)).toList();
     }
 
     /** One of several transitions fires; the worlds are as few as describe exactly the markings after it. */
@@ -302,7 +321,7 @@ final class PossibleMarkings {
         var local = new ArrayList<>(world.local());
         for (var i = 0; i < firing.components().length; i++) {
             var component = firing.components()[i];
-            local.set(component, closed(component, only(firing.to()[i])));
+            local.set(component, closedPlace(component, firing.to()[i]));
         }
         return new World(local, firing.between(world));
     }
@@ -313,6 +332,16 @@ final class PossibleMarkings {
             local.set(who.get(i), closed(who.get(i), places.get(i)));
         }
         return new World(local, after);
+    }
+
+    private BitSet closedPlace(int component, int place) {
+        var places = closedPlaces.get(component);
+        var known = places.get(place);
+        if (known == null) {
+            known = closed(component, only(place));
+            places.set(place, known);
+        }
+        return known;
     }
 
     /** Adds where steps that are not seen lead a component by itself. */
@@ -342,18 +371,21 @@ final class PossibleMarkings {
         worlds.forEach(world -> addNew(all, world));
         for (var i = 0; i < all.size(); i++) {
             for (var firing : unseenBetween) {
-                var next = new ArrayList<World>();
-                fire(all.get(i), List.of(firing), next);
-                next.forEach(world -> addNew(all, world));
+                if (firing.mayFire(all.get(i))) {
+                    addNew(all, moved(all.get(i), firing));
+                }
             }
         }
         return List.copyOf(all);
     }
 
     private static void addNew(List<World> all, World world) {
-        if (all.stream().noneMatch(known -> known.covers(world))) {
-            all.add(world);
+        for (var known : all) {
+            if (known.covers(world)) {
+                return;
+            }
         }
+        all.add(world);
     }
 
     // ---- questions
@@ -363,9 +395,11 @@ final class PossibleMarkings {
         var start = lastEnabled;
         for (var i = 0; i < firings.size(); i++) {
             var at = (start + i) % firings.size();
-            if (now.stream().anyMatch(firings.get(at)::mayFire)) {
-                lastEnabled = at;
-                return true;
+            for (var world : now) {
+                if (firings.get(at).mayFire(world)) {
+                    lastEnabled = at;
+                    return true;
+                }
             }
         }
         return false;

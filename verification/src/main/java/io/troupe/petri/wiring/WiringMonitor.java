@@ -204,17 +204,9 @@ public final class WiringMonitor {
         if (ended || violation.isPresent()) {
             return;
         }
-        if (event.kind() == Kind.DID && !observed.contains(event.what())) {
-            throw new IllegalArgumentException("the private step \"" + event.what()
-                    + "\" is reported, and not among those that are observed: " + observed);
-        }
-        if (event.hasTarget() && event.what().indexOf('.') < 1) {
-            throw new IllegalArgumentException("the call is \"" + event.what() + "\", expected component.call");
-        }
-        wiring.protocol(event.component()); // throws, with the nearest name
-        wiring.protocol(event.provider());
         var next = markings.after(now, event);
         if (next.isEmpty()) {
+            requireDeclared(event);
             var why = markings.whyNot(now, event);
             violated(Optional.of(event), why.getKey(), event + " is not allowed: " + why.getValue());
             return;
@@ -227,6 +219,19 @@ public final class WiringMonitor {
         if (violation.isEmpty()) {
             keep(event);
         }
+    }
+
+    /** An event of a declared component, and one that may be reported. */
+    private void requireDeclared(ProtocolEvent event) {
+        if (event.kind() == Kind.DID && !observed.contains(event.what())) {
+            throw new IllegalArgumentException("the private step \"" + event.what()
+                    + "\" is reported, and not among those that are observed: " + observed);
+        }
+        if (event.hasTarget() && event.what().indexOf('.') < 1) {
+            throw new IllegalArgumentException("the call is \"" + event.what() + "\", expected component.call");
+        }
+        wiring.protocol(event.component()); // throws, with the nearest name
+        wiring.protocol(event.provider());
     }
 
     private String situation() {
