@@ -334,8 +334,12 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
     /** Logs the grippers whose state is known and not that of their last line. */
     private void logGrippers(Snapshot snapshot) {
         for (int robot = 0; robot < grips.size(); robot++) {
+            List<DeviceReading> devices = snapshot.robots().get(robot).devices();
+            if (devices.isEmpty()) {
+                continue; // as of most robots, at each tick
+            }
             List<DeviceReading.Grip> before = grips.get(robot);
-            List<DeviceReading.Grip> now = snapshot.robots().get(robot).devices().stream()
+            List<DeviceReading.Grip> now = devices.stream()
                     .filter(DeviceReading.Grip.class::isInstance)
                     .map(DeviceReading.Grip.class::cast)
                     .toList();

@@ -15,7 +15,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.EnumMap;
-import java.util.HashMap;
 import java.util.List;
 import java.util.Locale;
 import java.util.Map;
@@ -58,6 +57,7 @@ final class CsvExport implements RunListener, Closeable {
     private final WorldSpec world;
     private final Path directory;
     private final Consumer<Path> opened;
+    private final List<DeviceNames> names; // by robot
     private final int mostRanges;
     private final int mostBumpers;
     private final Map<Table, BufferedWriter> writers = new EnumMap<>(Table.class);
@@ -71,6 +71,7 @@ final class CsvExport implements RunListener, Closeable {
         this.world = world;
         this.directory = directory;
         this.opened = opened;
+        names = world.robots().stream().map(DeviceNames::of).toList();
         mostRanges =
                 world.robots().stream().mapToInt(CsvExport::mostRanges).max().orElse(0);
         mostBumpers = devices(world)
@@ -173,11 +174,8 @@ final class CsvExport implements RunListener, Closeable {
 
     private void writeRanges(long micros, int robot, RobotReading now) throws IOException {
         writeRanges(Table.RANGES, micros, robot, "sonar", now.sonarM());
-        Map<RangerSpec.Kind, Integer> numbers = new HashMap<>();
         for (int i = 0; i < now.rangersM().size(); i++) {
-            RangerSpec.Kind kind = world.robots().get(robot).rangers().get(i).kind();
-            int number = numbers.merge(kind, 1, Integer::sum);
-            String device = kind.name().toLowerCase(Locale.ROOT) + (number == 1 ? "" : number);
+            String device = names.get(robot).rangers().get(i);
             writeRanges(Table.RANGES, micros, robot, device, now.rangersM().get(i));
             if (i < now.intensities().size() && !now.intensities().get(i).isEmpty()) {
                 writeRanges(
@@ -216,15 +214,11 @@ final class CsvExport implements RunListener, Closeable {
     }
 
     private void writeDevices(long micros, int robot, RobotReading now) throws IOException {
-        List<DeviceSpec> specs = world.robots().get(robot).devices();
-        Map<String, Integer> numbers = new HashMap<>();
         for (int i = 0; i < now.devices().size(); i++) {
-            String name = specs.get(i).interfaceName();
-            int number = numbers.merge(name, 1, Integer::sum);
             writeDevice(
                     micros,
                     robot,
-                    name + (number == 1 ? "" : number),
+                    names.get(robot).others().get(i),
                     now.devices().get(i));
         }
     }

@@ -29,7 +29,6 @@ import java.io.IOException;
 import java.util.ArrayList;
 import java.util.Base64;
 import java.util.Collections;
-import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -180,12 +179,9 @@ final class FoxgloveChannels {
         if (robot.sonar() != null) {
             rings.add(addRing(-1, robot.sonar().mounts(), topic + "/sonar"));
         }
-        Map<RangerSpec.Kind, Integer> numbers = new HashMap<>();
+        DeviceNames names = DeviceNames.of(robot);
         for (int i = 0; i < robot.rangers().size(); i++) {
-            RangerSpec ranger = robot.rangers().get(i);
-            int number = numbers.merge(ranger.kind(), 1, Integer::sum);
-            String name = topic + "/" + ranger.kind().name().toLowerCase(Locale.ROOT) + (number == 1 ? "" : number);
-            addRanger(i, ranger, name, rings, lasers);
+            addRanger(i, robot.rangers().get(i), topic + "/" + names.rangers().get(i), rings, lasers);
         }
         BlobfinderSpec camera = robot.blobfinder();
         return new RobotChannels(
@@ -199,15 +195,14 @@ final class FoxgloveChannels {
                                 camera,
                                 add(topic + "/blobs", MessageSchema.BLOBS),
                                 add(topic + "/blobs/view", MessageSchema.SCENE_UPDATE)),
-                addDevices(topic, robot));
+                addDevices(topic, robot.devices(), names.others()));
     }
 
-    private List<Device> addDevices(String topic, RobotSpec robot) {
+    private List<Device> addDevices(String topic, List<DeviceSpec> specs, List<String> names) {
         List<Device> devices = new ArrayList<>();
-        Map<String, Integer> numbers = new HashMap<>();
-        for (DeviceSpec spec : robot.devices()) {
-            int number = numbers.merge(spec.interfaceName(), 1, Integer::sum);
-            String name = topic + "/" + spec.interfaceName() + (number == 1 ? "" : number);
+        for (int i = 0; i < specs.size(); i++) {
+            DeviceSpec spec = specs.get(i);
+            String name = topic + "/" + names.get(i);
             MessageSchema schema = switch (spec) {
                 case DeviceSpec.FiducialFinder finder -> MessageSchema.FIDUCIALS;
                 case DeviceSpec.Bumpers bumpers -> MessageSchema.BUMPERS;

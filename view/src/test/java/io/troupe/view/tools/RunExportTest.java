@@ -639,12 +639,7 @@ class RunExportTest {
         new RecordedRun(scenario, SubsumptionTable.ofThePaper(), RecordedRun.Settings.DEFAULT.withSeconds(20)).run(run);
         Path file = folder.resolve("run.mcap");
         new RunExport(run, scenario.world()).writeMcap(file);
-        var reader = new ProcessBuilder(python, PYTHON_READER.toString(), file.toString())
-                .redirectErrorStream(true)
-                .start();
-        String text = new String(reader.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
-        assertThat(reader.waitFor()).as(text).isZero();
-        assertThat(text.lines())
+        assertThat(readBy(python, file))
                 .anyMatch(line -> line.matches("\\d+ messages in \\d+ chunks, 0.0 s to 20.0 s"))
                 .anyMatch(line -> line.startsWith("troupe-run {") && line.contains("\"world\": \"paper arena\""))
                 .contains("   201 /tf foxglove.FrameTransforms", "   201 /robot2/blobs troupe.Blobs");
@@ -655,16 +650,21 @@ class RunExportTest {
         String python = python();
         Path file = folder.resolve("run.mcap");
         ofTheDevices().writeMcap(file);
+        assertThat(readBy(python, file))
+                .contains(
+                        "    96 /collector/camera foxglove.CompressedImage",
+                        "    96 /collector/gripper troupe.Gripper",
+                        "    96 /watcher/fiducial troupe.Fiducials");
+    }
+
+    /** What the reader prints. */
+    private static List<String> readBy(String python, Path file) throws Exception {
         var reader = new ProcessBuilder(python, PYTHON_READER.toString(), file.toString())
                 .redirectErrorStream(true)
                 .start();
         String text = new String(reader.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         assertThat(reader.waitFor()).as(text).isZero();
-        assertThat(text.lines())
-                .contains(
-                        "    96 /collector/camera foxglove.CompressedImage",
-                        "    96 /collector/gripper troupe.Gripper",
-                        "    96 /watcher/fiducial troupe.Fiducials");
+        return text.lines().toList();
     }
 
     /** An interpreter with the package; skips the test, with one line that gives the reason, if there is none. */
