@@ -1,38 +1,28 @@
 package io.troupe.actor.guide;
 
-import io.troupe.actor.ActorSpace;
-import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.*;
 import io.troupe.actor.promise.Promise;
-import java.util.ArrayList;
-import java.util.List;
 
 /** The complete program of the README. */
 public class Hello {
-    interface Greeter {
-        Promise<String> greet(String name); // a request
-
-        void remember(String name); // a one-way message
+    interface Counter {
+        Promise<Integer> add(int n);
     }
 
-    static class PoliteGreeter implements Greeter {
-        private final List<String> names = new ArrayList<>(); // no lock: only the space's thread gets here
+    static class Sum implements Counter {
+        private int sum; // no lock: only the space's thread gets here
 
         @Override
-        public Promise<String> greet(String name) {
-            return Promise.of(names.contains(name) ? "Hello again, " + name : "Hello, " + name);
-        }
-
-        @Override
-        public void remember(String name) {
-            names.add(name);
+        public Promise<Integer> add(int n) {
+            return Promise.of(sum += n);
         }
     }
 
     public static void main(String[] args) {
         try (var space = ActorSpace.create(SpaceSettings.named("hello"))) {
-            Greeter greeter = space.spawn(Greeter.class, PoliteGreeter::new);
-            greeter.remember("Ada"); // queued; returns at once
-            greeter.greet("Ada").then(text -> System.out.println(text)); // runs on the space's thread
+            Counter counter = space.spawn(Counter.class, Sum::new);
+            counter.add(2); // queued; returns at once
+            counter.add(3).then(System.out::println); // the listener runs on the space's thread
         } // close() serves what was queued
     }
 }

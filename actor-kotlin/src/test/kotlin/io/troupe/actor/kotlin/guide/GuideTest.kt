@@ -47,17 +47,26 @@ import org.junit.jupiter.api.Test
 
 /** The samples of the guide's chapter on Kotlin behave as the chapter describes. */
 class GuideTest : InTestSpace() {
-    @Test
-    fun hello_isAWholeProgram() {
+    private fun printedBy(program: () -> Unit): String {
         val out = System.out
         val printed = ByteArrayOutputStream()
         System.setOut(PrintStream(printed, true))
         try {
-            main()
+            program()
         } finally {
             System.setOut(out)
         }
-        assertThat(printed.toString().trim()).isEqualTo("Hello again, Ada")
+        return printed.toString().trim()
+    }
+
+    @Test
+    fun sampleOfTheReadme_printsSeven() {
+        assertThat(printedBy(::readmeSample)).isEqualTo("7")
+    }
+
+    @Test
+    fun hello_isAWholeProgram() {
+        assertThat(printedBy(::main)).isEqualTo("Hello again, Ada")
     }
 
     // ---- kinds of functions
