@@ -12,9 +12,11 @@ import java.nio.file.NoSuchFileException;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
+import java.util.HashMap;
 import java.util.HashSet;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.TimeUnit;
@@ -45,6 +47,7 @@ final class ProcessTree {
 
     private static final long FIRST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(1);
     private static final long LONGEST_PAUSE_NANOS = TimeUnit.MILLISECONDS.toNanos(20);
+    private static final long FIRST_REPETITION_NANOS = TimeUnit.MILLISECONDS.toNanos(100);
 
     /**
      * An entry of the Linux process table. Zombies, which have ended but have not been reaped by their parents, are
@@ -207,39 +210,48 @@ final class ProcessTree {
     }
 
     /**
-     * Requests each process once to end, including those started meanwhile, and kills those that have not ended within
-     * the limit. Blocks.
+     * Requests each process to end, including those started meanwhile, and kills those that have not ended within the
+     * limit. Blocks.
+     *
+     * <p>The request is repeated while a process lives, after pauses that double: a process that its shell has just
+     * started has the shell's handlers until it runs its program, and loses a request that comes in between.
      *
      * @param limit time that the processes have to end on request
      * @param killLimit time limit for the end of killed processes
      * @return the processes that are still alive; usually empty
      */
     List<ProcessHandle> end(Duration limit, Duration killLimit) {
-        Set<ProcessHandle> asked = new HashSet<>();
-        Consumer<ProcessHandle> ask = each -> {
-            if (asked.add(each)) {
-                each.destroy();
-            }
-        };
-        alive().forEach(ask);
-        var unresponsive = awaitEnd(limit, ask);
+        var unresponsive = awaitEnd(limit, ProcessHandle::destroy);
         return unresponsive.isEmpty() ? unresponsive : awaitEnd(killLimit, ProcessHandle::destroyForcibly);
     }
 
+    /** A request to a process: when it is made again, and the pause before. */
+    private record Repetition(long atNanos, long pauseNanos) {}
+
     /**
-     * Polls until no process is alive or the limit is over. Each poll scans again, since living processes may start
+     * Makes a request to all processes until none is alive or the limit is over; at least once, and then looks at least
+     * once whether they live, however long a look takes. Each poll scans again, since living processes may start
      * others.
      */
-    private List<ProcessHandle> awaitEnd(Duration limit, Consumer<ProcessHandle> toEach) {
+    private List<ProcessHandle> awaitEnd(Duration limit, Consumer<ProcessHandle> request) {
         long limitNanos = TimeUnit.NANOSECONDS.convert(limit);
         long begunNanos = Clock.system().nanos();
         long pauseNanos = FIRST_PAUSE_NANOS;
+        Map<ProcessHandle, Repetition> repetitions = new HashMap<>();
         while (true) {
             var left = alive();
-            if (left.isEmpty() || Clock.system().nanos() - begunNanos >= limitNanos) {
+            long spentNanos = Clock.system().nanos() - begunNanos;
+            if (left.isEmpty() || !repetitions.isEmpty() && spentNanos >= limitNanos) {
                 return left;
             }
-            left.forEach(toEach);
+            for (ProcessHandle each : left) {
+                Repetition next = repetitions.get(each);
+                if (next == null || spentNanos >= next.atNanos) {
+                    request.accept(each);
+                    long wait = next == null ? FIRST_REPETITION_NANOS : 2 * next.pauseNanos;
+                    repetitions.put(each, new Repetition(spentNanos + wait, wait));
+                }
+            }
             LockSupport.parkNanos(pauseNanos);
             pauseNanos = Math.min(2 * pauseNanos, LONGEST_PAUSE_NANOS);
         }

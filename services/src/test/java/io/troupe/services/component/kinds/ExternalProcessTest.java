@@ -23,6 +23,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
+import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CopyOnWriteArrayList;
@@ -32,6 +33,7 @@ import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.Consumer;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
@@ -417,7 +419,34 @@ class ExternalProcessTest {
         assertThat(kills.get()).isGreaterThan(before);
     }
 
+    /** The request is made before the clock is looked at: a look at the processes may take longer than the limit. */
+    @Test
+    void processThatCannotBeKilled_isKilledOnce_evenIfTheLimitIsOverAtOnce() throws Exception {
+        var kills = new AtomicInteger();
+        var tree = ProcessTree.start(script(directory, Duration.ZERO, "exit 0"), null);
+        tree.add(immortal(kills));
+        assertThat(tree.end(Duration.ZERO, Duration.ZERO))
+                .extracting(ProcessHandle::pid)
+                .contains(Long.MAX_VALUE);
+        assertThat(kills.get()).isPositive();
+    }
+
+    /** A program that has just been started by a shell may lose a request to end, since it is not yet itself. */
+    @Test
+    void processThatLosesTheFirstRequests_isRequestedAgain() throws Exception {
+        var requests = new AtomicInteger();
+        var tree = ProcessTree.start(script(directory, Duration.ZERO, "exit 0"), null);
+        tree.add(process(Map.of("destroy", () -> requests.incrementAndGet() > 0, "isAlive", () -> requests.get() < 3)));
+        assertThat(tree.end(PATIENCE, Duration.ZERO)).isEmpty();
+        assertThat(requests.get()).isEqualTo(3);
+    }
+
     private static ProcessHandle immortal(AtomicInteger kills) {
+        return process(Map.of("destroyForcibly", () -> kills.incrementAndGet() > 0));
+    }
+
+    /** A process with some methods of its own. */
+    private static ProcessHandle process(Map<String, Supplier<Boolean>> own) {
         var loader = ExternalProcessTest.class.getClassLoader();
         var info = Proxy.newProxyInstance(
                 loader, new Class<?>[] {ProcessHandle.Info.class}, (proxy, method, values) -> Optional.of("/bin/rock"));
@@ -428,8 +457,8 @@ class ExternalProcessTest {
                     case "descendants" -> Stream.empty();
                     case "hashCode" -> 0;
                     case "equals" -> proxy == values[0];
-                    case "destroyForcibly" -> kills.incrementAndGet() > 0;
-                    default -> true;
+                    case "toString" -> "/bin/rock";
+                    default -> own.getOrDefault(method.getName(), () -> true).get();
                 });
     }
 
