@@ -18,6 +18,8 @@ import java.util.Optional;
 
 /** An actor as a service: published by one part of a program, found and called by another, here and over hosts. */
 public final class HelloService {
+    private static final Duration LIMIT = Duration.ofSeconds(10);
+
     public interface Greeter {
         Promise<String> greet(String name);
     }
@@ -36,11 +38,12 @@ public final class HelloService {
     }
 
     private static void inOneProcess() throws Exception {
-        try (var space = ActorSpace.create(SpaceSettings.named("ship"));
-                var broker = Broker.open(space, BrokerSettings.DEFAULT)) {
+        try (var space = ActorSpace.create(SpaceSettings.named("ship"))) {
+            var broker = Broker.open(space, BrokerSettings.DEFAULT);
             var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
             publish(services, space);
             System.out.println("in one process: " + call(services));
+            broker.shutDown().get(LIMIT); // stops the actor
         }
     }
 
@@ -49,12 +52,14 @@ public final class HelloService {
         try (var ship = ActorSpace.create(SpaceSettings.named("ship"));
                 var shore = ActorSpace.create(SpaceSettings.named("shore"));
                 var shipBus = NatsBus.open("ship", NatsSettings.at(server), BusSettings.on(ship));
-                var shoreBus = NatsBus.open("shore", NatsSettings.at(server), BusSettings.on(shore));
-                var shipBroker = Broker.open(ship, BrokerSettings.DEFAULT);
-                var shoreBroker = Broker.open(shore, BrokerSettings.DEFAULT)) {
+                var shoreBus = NatsBus.open("shore", NatsSettings.at(server), BusSettings.on(shore))) {
+            var shipBroker = Broker.open(ship, BrokerSettings.DEFAULT);
             publish(ActorServices.over(shipBus, shipBroker, ship, BrokerObserver.logging()), ship);
+            var shoreBroker = Broker.open(shore, BrokerSettings.DEFAULT);
             var guest = ActorServices.over(shoreBus, shoreBroker, shore, BrokerObserver.logging());
             System.out.println("over hosts: " + call(guest));
+            shoreBroker.shutDown().get(LIMIT);
+            shipBroker.shutDown().get(LIMIT);
         }
     }
 
@@ -66,7 +71,7 @@ public final class HelloService {
     /** Needs a greeting, whoever gives it; the call waits for a provider for at most 5 seconds. */
     private static String call(ActorServices services) throws Exception {
         try (var connection = services.connect(Greeter.class, Need.ofCapability("guest", "greeting"))) {
-            return connection.actor().greet("Ada").get(Duration.ofSeconds(10));
+            return connection.actor().greet("Ada").get(LIMIT);
         }
     }
 }

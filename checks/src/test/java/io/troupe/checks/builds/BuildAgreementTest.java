@@ -113,6 +113,7 @@ class BuildAgreementTest {
             build.gradle.kts        | providers.gradleProperty("jdk")       | JavaExec tasks run on the requested JDK
             docs/examples/consumer/build.gradle.kts | providers.gradleProperty("jdk") | as above
             docs/examples/consumer-kotlin/build.gradle.kts | providers.gradleProperty("jdk") | as above
+            docs/examples/consumer-service/build.gradle.kts | providers.gradleProperty("jdk") | as above
             docs/examples/consumer-kotlin/pom.xml | <kotlin.compiler.daemon>false</kotlin.compiler.daemon> | \
             no process outlives the build
             build.gradle.kts        | tasks.withType<JavaExec>().configureEach { javaLauncher.convention(launcher) } | \
