@@ -37,7 +37,7 @@ if [ $status -ne 0 ] && ! installed; then
 gradlew: $version could not be downloaded from services.gradle.org (see above).
 The same build runs with Maven, which needs Maven Central only:
     mvn -B -ntp verify                                          instead of ./gradlew check
-    mvn -B -q -ntp compile exec:exec -pl demo -am               instead of ./gradlew :demo:run
+    mvn -B -q -ntp compile exec:exec -pl demo -am               instead of ./gradlew run
 EOF
 fi
 exit $status

@@ -17,5 +17,5 @@ echo.>&2
 echo gradlew: %VERSION% could not be downloaded from services.gradle.org ^(see above^).>&2
 echo The same build runs with Maven, which needs Maven Central only:>&2
 echo     mvn -B -ntp verify                              instead of gradlew check>&2
-echo     mvn -B -q -ntp compile exec:exec -pl demo -am   instead of gradlew :demo:run>&2
+echo     mvn -B -q -ntp compile exec:exec -pl demo -am   instead of gradlew run>&2
 exit /b %STATUS%

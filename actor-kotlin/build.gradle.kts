@@ -1,6 +1,6 @@
 plugins { alias(libs.plugins.kotlin.jvm) }
 
-description = "Actors with suspend functions, and coroutines on an actor space, for Kotlin"
+description = "Actors with suspend functions, coroutines on an actor space, and flows, for Kotlin"
 
 dependencies {
     api(project(":actor-core"))

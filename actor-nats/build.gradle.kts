@@ -1,4 +1,4 @@
-description = "The bus over hosts, on NATS"
+description = "The bus of actor-service over hosts, carried by a NATS server"
 
 dependencies {
     api(project(":actor-service"))

@@ -1,4 +1,4 @@
-description = "Actors as services: bus and broker"
+description = "Actors as services: a bus with typed topics and requests, and a broker that finds, starts and replaces providers"
 
 dependencies {
     api(project(":actor-core"))

@@ -1,4 +1,4 @@
-description = "Parsing, names, drawing and statistics for the other modules"
+description = "What the other modules share: reading of text, SVG and DOT, statistics, a NATS server as a child process"
 
 dependencies { api(libs.jspecify) }
 

@@ -1,4 +1,4 @@
-description = "Log, summary and pictures of a run"
+description = "Log, summary and pictures of a run, a live page, and exports to other tools"
 
 dependencies {
     api(project(":playerlike-sim"))

@@ -319,7 +319,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
             if (!SuspendingCalls.areSupported()) {
                 throw wrong(
                         method,
-                        "is a suspend function: add io.troupe:troupe-actor-kotlin, which runs these, or return a Promise");
+                        "is a suspend function: add troupe-actor-kotlin, which runs these, or return a Promise");
             }
             Type result = SuspendingCalls.result(method);
             if (hasTwoForms(arguments.erase(result))) {

@@ -75,7 +75,7 @@ class KotlinTest extends InTestSpace {
     @Test
     void suspendFunction_withoutTheModuleThatRunsIt_isRejectedWithItsName() {
         String problem = "Suspending.greet(String) of actor type " + Suspending.class.getName();
-        rejects(test, Suspending.class, problem, "is a suspend function: add io.troupe:troupe-actor-kotlin");
+        rejects(test, Suspending.class, problem, "is a suspend function: add troupe-actor-kotlin");
     }
 
     @Test

@@ -57,6 +57,15 @@ public final class Repository {
                 .toList();
     }
 
+    /** Everything that is kept: all files but build output and what tools have put there. */
+    public static List<Path> allFiles() {
+        var foreign = "(?:.*/)?(?:target|build|out|__pycache__|\\.(?:git|gradle|idea|kotlin|vscode|settings))/.*";
+        return files(root(), "").stream()
+                .filter(Files::isRegularFile)
+                .filter(file -> !root().relativize(file).toString().replace('\\', '/').matches(foreign))
+                .toList();
+    }
+
     /** The files of a folder and its folders whose paths end so, sorted; empty if there is no such folder. */
     public static List<Path> files(Path folder, String end) {
         if (!Files.isDirectory(folder)) {

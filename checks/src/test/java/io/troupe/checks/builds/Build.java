@@ -9,11 +9,21 @@ import java.util.Locale;
 import java.util.Map;
 import java.util.SequencedCollection;
 import java.util.Set;
+import java.util.SortedMap;
 import java.util.SortedSet;
+import java.util.TreeMap;
 import java.util.TreeSet;
 
-/** A whole build as read from its files; modules by name. */
-record Build(String tool, String group, String version, Map<String, Module> modules) {
+/**
+ * A whole build as read from its files; modules by name.
+ *
+ * @param owner whose project it is: name, URL and address of the sources, by the names of their properties
+ */
+record Build(
+        String tool, String group, String version, SortedMap<String, String> owner, Map<String, Module> modules) {
+    /** The beginning of the names of properties that say whose project it is. */
+    static final String OWNER = "owner.";
+
     /** The purpose of a dependency, in Maven's words. */
     enum Scope {
         COMPILE,
@@ -48,15 +58,18 @@ record Build(String tool, String group, String version, Map<String, Module> modu
      *
      * @param kotlin the version of Kotlin's compiler and its arguments, those for one of main and test alone with its
      *     name in front; empty for a module in Java
+     * @param programs what a user can start: by the name of Gradle's task, which is the id of Maven's execution, the
+     *     options of the JVM and the main class; {@code run} is the main job
      */
     record Module(
             String description,
             String release,
             String automaticName,
             SortedSet<String> kotlin,
+            SortedMap<String, String> programs,
             SequencedCollection<Dependency> dependencies) {
         Module(String description, String release, String automaticName, SequencedCollection<Dependency> dependencies) {
-            this(description, release, automaticName, new TreeSet<>(), dependencies);
+            this(description, release, automaticName, new TreeSet<>(), new TreeMap<>(), dependencies);
         }
 
         /** The artifact id of the module in a folder: with the name of the project, since jars meet in one folder. */
@@ -101,6 +114,7 @@ record Build(String tool, String group, String version, Map<String, Module> modu
         var found = new ArrayList<String>();
         compare("group", group, other, other.group, found);
         compare("version", version, other, other.version, found);
+        compareEach("", owner, other, other.owner, found);
         for (String name : union(modules.keySet(), other.modules.keySet())) {
             var mine = modules.get(name);
             var theirs = other.modules.get(name);
@@ -118,6 +132,7 @@ record Build(String tool, String group, String version, Map<String, Module> modu
         compare(name + ": release level", mine.release, other, theirs.release, found);
         compare(name + ": Automatic-Module-Name", mine.automaticName, other, theirs.automaticName, found);
         compare(name + ": Kotlin", mine.kotlin.toString(), other, theirs.kotlin.toString(), found);
+        compareEach(name + ": ", mine.programs, other, theirs.programs, found);
         var ours = mine.byKey();
         var others = theirs.byKey();
         for (String key : union(ours.keySet(), others.keySet())) {
@@ -128,6 +143,14 @@ record Build(String tool, String group, String version, Map<String, Module> modu
             } else {
                 compare(name + ": dependency", here.toString(), other, there.toString(), found);
             }
+        }
+    }
+
+    private void compareEach(
+            String where, Map<String, String> mine, Build other, Map<String, String> theirs, List<String> found) {
+        for (String name : union(mine.keySet(), theirs.keySet())) {
+            String here = mine.getOrDefault(name, "");
+            compare(where + name, here, other, theirs.getOrDefault(name, ""), found);
         }
     }
 

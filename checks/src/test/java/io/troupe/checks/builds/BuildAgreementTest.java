@@ -11,6 +11,8 @@ import java.io.IOException;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
@@ -55,15 +57,45 @@ class BuildAgreementTest {
 
     @Test
     void module_inOneBuildOnly_isNamed() {
-        var gradle = new Build("Gradle", "g", "1", Map.of("core", SAMPLE));
-        var maven = new Build("Maven", "g", "2", Map.of());
+        var gradle = new Build("Gradle", "g", "1", new TreeMap<>(), Map.of("core", SAMPLE));
+        var maven = new Build("Maven", "g", "2", new TreeMap<>(), Map.of());
         assertThat(gradle.differencesTo(maven))
                 .containsExactly("version is \"1\" in Gradle, \"2\" in Maven", "module core: only in Gradle");
     }
 
+    @Test
+    void difference_inAProgramOrTheOwner_isNamed() {
+        var programs = new TreeMap<>(Map.of("nets", "-Xmx1g a.Nets"));
+        var module = new Module("Actors", "21", "a", new TreeSet<>(), programs, List.of(ASM));
+        var owner = new TreeMap<>(Map.of("owner.url", "https://a.example"));
+        var gradle = new Build("Gradle", "g", "1", owner, Map.of("core", module));
+        var maven = new Build("Maven", "g", "1", new TreeMap<>(), Map.of("core", SAMPLE));
+        assertThat(gradle.differencesTo(maven))
+                .containsExactly(
+                        "owner.url is \"https://a.example\" in Gradle, \"\" in Maven",
+                        "core: nets is \"-Xmx1g a.Nets\" in Gradle, \"\" in Maven");
+    }
+
+    /** Else {@code gradle run} starts other programs beside the main job, with the same arguments. */
+    @Test
+    void run_isTheMainJobAlone() throws IOException {
+        for (Build build : List.of(GradleReader.read(Repository.root()), PomReader.read(Repository.root()))) {
+            var running = build.modules().entrySet().stream()
+                    .filter(module -> module.getValue().programs().containsKey("run"));
+            assertThat(running.map(Map.Entry::getKey)).as(build.tool()).containsExactly("demo");
+        }
+        for (Path module : Repository.modules()) {
+            var script = text(module.getFileName() + "/build.gradle.kts");
+            assertThat(script.contains("application"))
+                    .as(module + " has the plugin application")
+                    .isEqualTo(module.endsWith("demo"));
+            assertThat(script).as("a task of that name").doesNotContainPattern("register(<\\w+>)?\\(\"run\"");
+        }
+    }
+
     private static void assertDifference(Module maven, String message) {
-        var gradle = new Build("Gradle", "g", "1", Map.of("core", SAMPLE));
-        var other = new Build("Maven", "g", "1", Map.of("core", maven));
+        var gradle = new Build("Gradle", "g", "1", new TreeMap<>(), Map.of("core", SAMPLE));
+        var other = new Build("Maven", "g", "1", new TreeMap<>(), Map.of("core", maven));
         assertThat(gradle.differencesTo(other)).containsExactly(message);
     }
 
@@ -81,14 +113,24 @@ class BuildAgreementTest {
             build.gradle.kts        | providers.gradleProperty("jdk")       | JavaExec tasks run on the requested JDK
             docs/examples/consumer/build.gradle.kts | providers.gradleProperty("jdk") | as above
             docs/examples/consumer-kotlin/build.gradle.kts | providers.gradleProperty("jdk") | as above
+            docs/examples/consumer-service/build.gradle.kts | providers.gradleProperty("jdk") | as above
             docs/examples/consumer-kotlin/pom.xml | <kotlin.compiler.daemon>false</kotlin.compiler.daemon> | \
             no process outlives the build
             build.gradle.kts        | tasks.withType<JavaExec>().configureEach { javaLauncher.convention(launcher) } | \
             as above
             build.gradle.kts        | archivesName.set("troupe-${project.name}") | Gradle would use the folder
             build.gradle.kts        | artifactId = "troupe-${project.name}" | Gradle would use the folder
-            jmh/pom.xml             | org.openjdk.jmh.Main ${args} -foe true | JMH exits with 0 when its forks fail
-            jmh/build.gradle.kts    | listOf("-foe", "true")                | JMH exits with 0 when its forks fail
+            jmh/pom.xml             | io.troupe.bench.JmhMain               | JMH exits with 0 when its forks fail
+            jmh/build.gradle.kts    | io.troupe.bench.JmhMain               | JMH exits with 0 when its forks fail
+            pom.xml                 | <executable>java</executable><skip>true</skip> | only what is named starts
+            pom.xml                 | <name>${owner.name}</name>            | of the developer
+            pom.xml                 | <url>${owner.url}</url>               | of the project
+            pom.xml                 | <connection>scm:git:${owner.scm}</connection> | of the sources
+            pom.xml                 | <url>${owner.scm}</url>               | of the sources
+            build.gradle.kts        | url.set(owner("url"))                 | of the project
+            build.gradle.kts        | developer { name.set(owner("name")); url.set(owner("url")) } | of the developer
+            build.gradle.kts        | scm { connection.set(owner("scm").map { "scm:git:$it" }); url.set(owner("scm")) } | \
+            of the sources
             stress/build.gradle.kts | filter { it.exists() } | jcstress takes a missing folder for an error
             demo/build.gradle.kts   | doFirst { (this as JavaExec).standardInput = System.`in` } | \
             input of the command line

@@ -12,6 +12,9 @@ import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
+import java.util.TreeMap;
+import java.util.TreeSet;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.BeforeEach;
@@ -100,6 +103,8 @@ class BuildReadersTest {
                         "Actors",
                         "21",
                         "a.b",
+                        new TreeSet<>(),
+                        new TreeMap<>(Map.of("run", "Main")),
                         List.of(
                                 new Dependency(Scope.TEST, "org.junit:junit", "5"),
                                 new Dependency(Scope.COMPILE, "org.ow2.asm:asm", "9.9"),
@@ -169,6 +174,31 @@ class BuildReadersTest {
     }
 
     @Test
+    void programs_ofBothBuilds_areReadInTheSameWords() throws IOException {
+        write("core/build.gradle.kts", """
+                tasks.register<JavaExec>("nets") {
+                    mainClass.set("a.Nets")
+                    jvmArgs("-Xmx1g")
+                }
+                """);
+        var execution = """
+                <build><plugins><plugin><artifactId>exec-maven-plugin</artifactId>
+                <executions><execution><id>nets</id><configuration>%s
+                  <commandlineArgs>-Xmx1g -classpath %%classpath a.Nets ${args}</commandlineArgs>
+                </configuration></execution></executions>
+                </plugin></plugins></build>
+                """;
+        var nets = Map.of("nets", "-Xmx1g a.Nets");
+        assertThat(GradleReader.read(root).modules().get("core").programs()).isEqualTo(nets);
+        assertThat(read(execution.formatted("<skip>false</skip>")).programs()).isEqualTo(nets);
+        assertRefused(
+                () -> read(execution.formatted("")), "core/pom.xml: nets is skipped by default, expected <skip>false");
+        assertRefused(
+                () -> read(execution.formatted("<skip>false</skip>").replace("-classpath", "-cp")),
+                "core/pom.xml: in nets expected OPTIONS -classpath %classpath MAIN ${..}");
+    }
+
+    @Test
     void exclusions_ofGradle_areRead() throws IOException {
         write("core/build.gradle.kts", """
                 dependencies {
@@ -231,6 +261,8 @@ class BuildReadersTest {
             core/build.gradle.kts: "release" is not understood in: tasks.compileJava
             core/build.gradle.kts | tasks.x { project.dependencies.add("api", "a") } | \
             core/build.gradle.kts: "dependencies" is not understood in: tasks.x
+            core/build.gradle.kts | tasks.register<JavaExec>("x") { } | \
+            core/build.gradle.kts: no mainClass.set("..") in: tasks.register<JavaExec>("x")
             core/build.gradle.kts | tasks.x { a = "            | a string is not closed
             core/build.gradle.kts | tasks.x { (                | core/build.gradle.kts: a bracket is not closed
             core/build.gradle.kts | }                          | core/build.gradle.kts: a } that nothing opened

@@ -16,6 +16,8 @@ import java.util.List;
 import java.util.Map;
 import java.util.Properties;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 
@@ -40,6 +42,9 @@ final class GradleReader {
             Pattern.compile("\"(\\w+)\"\\(libs\\.findLibrary\\(\"([\\w-]+)\"\\)\\.get\\(\\)\\)");
     private static final Pattern MANIFEST =
             Pattern.compile("\\s*manifest \\{ attributes\\(\"Automatic-Module-Name\" to \"([\\w.]+)\"\\) }\\s*");
+    private static final Pattern PROGRAM = Pattern.compile("tasks\\.register<JavaExec>\\(\"(\\w+)\"\\)|(application)");
+    private static final Pattern MAIN_CLASS = Pattern.compile("mainClass\\.set\\(\"([\\w.]+)\"\\)");
+    private static final Pattern JVM_OPTION = Pattern.compile("jvmArgs\\(\"([^\"]+)\"\\)");
     private static final Pattern RELEASE = Pattern.compile("options\\.release\\.set\\((\\d+)\\)");
     private static final Pattern TELLING = Pattern.compile(
             "\\b(dependencies|libs|findLibrary|project\\s*\\(|release|exclude|constraints|configurations|resolutionStrategy|platform|include|maven\\s*[({]|url\\s*=)");
@@ -79,7 +84,13 @@ final class GradleReader {
 
     static Build read(Path root) throws IOException {
         var reader = new GradleReader(root);
-        return new Build("Gradle", reader.property("group"), reader.property("version"), reader.modules);
+        var owner = new TreeMap<String, String>();
+        for (String name : reader.properties.stringPropertyNames()) {
+            if (name.startsWith(Build.OWNER)) {
+                owner.put(name, reader.property(name));
+            }
+        }
+        return new Build("Gradle", reader.property("group"), reader.property("version"), owner, reader.modules);
     }
 
     /** The libraries of the catalog that no script uses. */
@@ -115,7 +126,7 @@ final class GradleReader {
                 statement.inner(file).forEach(inner -> readShared(file, inner));
             } else if (PUBLISHED.matcher(statement.head()).matches()) {
                 QUOTED.matcher(statement.head()).results().forEach(name -> published.add(name.group(1)));
-            } else if (statement.head().startsWith("val ") || statement.head().startsWith("if (")) {
+            } else if (statement.head().matches("(?s)(?:val |fun |if \\().*")) {
                 requireNothingTelling(file, statement);
             } else {
                 throw notUnderstood(file, statement);
@@ -151,6 +162,7 @@ final class GradleReader {
         var description = "";
         var automaticName = "";
         var kotlin = new TreeSet<String>();
+        var programs = new TreeMap<String, String>();
         List<Dependency> dependencies = new ArrayList<>(forAll);
         for (var statement : KotlinScript.statements(file, script)) {
             var described = DESCRIPTION.matcher(statement.head());
@@ -179,11 +191,26 @@ final class GradleReader {
             } else if (statement.block()
                     && statement.head().matches("plugins|application|distributions\\.main|tasks\\b.*")) {
                 requireNothingTelling(file, statement);
+                readProgram(file, statement, programs);
             } else {
                 throw notUnderstood(file, statement);
             }
         }
-        return new Module(description, release, automaticName, kotlin, dependencies);
+        return new Module(description, release, automaticName, kotlin, programs, dependencies);
+    }
+
+    /** A task that starts a program; the plugin {@code application} has one that is called {@code run}. */
+    private static void readProgram(String file, Statement statement, SortedMap<String, String> programs) {
+        var task = PROGRAM.matcher(statement.head());
+        if (!task.matches()) {
+            return;
+        }
+        var main = MAIN_CLASS.matcher(statement.body());
+        NotUnderstood.unless(main.find(), file + ": no mainClass.set(\"..\") in: " + statement.head());
+        var program = new StringBuilder();
+        JVM_OPTION.matcher(statement.body()).results().forEach(option -> program.append(option.group(1))
+                .append(' '));
+        programs.put(task.group(2) == null ? task.group(1) : "run", program.append(main.group(1)).toString());
     }
 
     private static void readKotlin(String file, Statement statement, Set<String> arguments) {

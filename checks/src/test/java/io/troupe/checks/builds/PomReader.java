@@ -13,6 +13,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.SortedMap;
+import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.regex.Pattern;
 import java.util.stream.IntStream;
@@ -34,6 +36,8 @@ final class PomReader {
     private static final Set<String> IN_DEPENDENCY = words("groupId artifactId version type scope exclusions");
     private static final Set<String> IN_PROFILE = words("id activation properties");
     private static final String KOTLIN_PLUGIN = "kotlin-maven-plugin";
+    private static final String EXEC_PLUGIN = "exec-maven-plugin";
+    private static final Pattern PROGRAM = Pattern.compile("((?:-\\S+ )*)-classpath %classpath ([\\w.]+) \\$\\{\\w+}.*");
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
     private final Map<String, String> shared = new LinkedHashMap<>();
@@ -58,7 +62,9 @@ final class PomReader {
             var file = name + "/pom.xml";
             modules.put(name, reader.readModule(file, name, parse(file, Files.readString(root.resolve(file)))));
         }
-        return new Build("Maven", reader.value("project.groupId"), reader.value("project.version"), modules);
+        var owner = new TreeMap<>(reader.shared);
+        owner.keySet().removeIf(name -> !name.startsWith(Build.OWNER));
+        return new Build("Maven", reader.value("project.groupId"), reader.value("project.version"), owner, modules);
     }
 
     static Module module(String rootPom, String name, String pom) {
@@ -79,9 +85,13 @@ final class PomReader {
         all(project, "dependencies", "dependency")
                 .forEach(each -> dependencies.add(dependency(file, each, properties)));
         var kotlin = new TreeSet<String>();
+        var programs = new TreeMap<String, String>();
         for (Element plugin : all(project, "build", "plugins", "plugin")) {
             if (text(plugin, "artifactId").equals(KOTLIN_PLUGIN)) {
                 kotlin.addAll(kotlin(plugin, properties));
+            }
+            if (text(plugin, "artifactId").equals(EXEC_PLUGIN)) {
+                readPrograms(file, plugin, programs);
             }
             for (Element path : all(plugin, "configuration", "annotationProcessorPaths", "path")) {
                 var processor = dependency(file, path, properties);
@@ -93,7 +103,34 @@ final class PomReader {
                 interpolate("${maven.compiler.release}", properties),
                 properties.getOrDefault("module.name", ""),
                 kotlin,
+                programs,
                 dependencies);
+    }
+
+    /** The executions that start a program, and the main job, which is started without the name of an execution. */
+    private static void readPrograms(String file, Element plugin, SortedMap<String, String> programs) {
+        readProgram(file, "run", plugin, programs);
+        for (Element execution : all(plugin, "executions", "execution")) {
+            readProgram(file, text(execution, "id"), execution, programs);
+        }
+    }
+
+    /** All modules inherit that programs are skipped, so that only the one that is named starts. */
+    private static void readProgram(String file, String name, Element from, SortedMap<String, String> programs) {
+        for (Element configuration : all(from, "configuration")) {
+            var command = text(configuration, "commandlineArgs");
+            var program = PROGRAM.matcher(command);
+            if (!command.isEmpty()) {
+                NotUnderstood.unless(
+                        program.matches(),
+                        file + ": in " + name + " expected OPTIONS -classpath %classpath MAIN ${..}, found " + command);
+                var skip = text(configuration, "skip");
+                NotUnderstood.unless(
+                        skip.equals("false") || skip.equals("${skipTests}"),
+                        file + ": " + name + " is skipped by default, expected <skip>false</skip>");
+                programs.put(name, program.group(1) + program.group(2));
+            }
+        }
     }
 
     /** The version of Kotlin's compiler and its arguments, as in {@link Module}. */

@@ -1,0 +1,77 @@
+package hello;
+
+import io.troupe.actor.ActorSpace;
+import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.promise.Promise;
+import io.troupe.broker.ActorServices;
+import io.troupe.broker.Broker;
+import io.troupe.broker.BrokerObserver;
+import io.troupe.broker.BrokerSettings;
+import io.troupe.broker.Need;
+import io.troupe.bus.BusException;
+import io.troupe.bus.BusSettings;
+import io.troupe.bus.nats.NatsBus;
+import io.troupe.bus.nats.NatsSettings;
+import java.time.Duration;
+import java.util.List;
+import java.util.Optional;
+
+/** An actor as a service: published by one part of a program, found and called by another, here and over hosts. */
+public final class HelloService {
+    private static final Duration LIMIT = Duration.ofSeconds(10);
+
+    public interface Greeter {
+        Promise<String> greet(String name);
+    }
+
+    /** The argument is the address of a NATS server; else it is in the variable NATS_URL, or on this machine. */
+    public static void main(String[] args) throws Exception {
+        inOneProcess();
+        String server = args.length > 0
+                ? args[0]
+                : Optional.ofNullable(System.getenv("NATS_URL")).orElse("nats://127.0.0.1:4222");
+        try {
+            overHosts(server);
+        } catch (BusException noServer) {
+            System.out.println("not over hosts: " + noServer.getMessage());
+        }
+    }
+
+    private static void inOneProcess() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("ship"))) {
+            var broker = Broker.open(space, BrokerSettings.DEFAULT);
+            var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
+            publish(services, space);
+            System.out.println("in one process: " + call(services));
+            broker.shutDown().get(LIMIT); // stops the actor
+        }
+    }
+
+    /** Two nodes on one bus. They could be two programs, on two machines: nothing else would change. */
+    private static void overHosts(String server) throws Exception {
+        try (var ship = ActorSpace.create(SpaceSettings.named("ship"));
+                var shore = ActorSpace.create(SpaceSettings.named("shore"));
+                var shipBus = NatsBus.open("ship", NatsSettings.at(server), BusSettings.on(ship));
+                var shoreBus = NatsBus.open("shore", NatsSettings.at(server), BusSettings.on(shore))) {
+            var shipBroker = Broker.open(ship, BrokerSettings.DEFAULT);
+            publish(ActorServices.over(shipBus, shipBroker, ship, BrokerObserver.logging()), ship);
+            var shoreBroker = Broker.open(shore, BrokerSettings.DEFAULT);
+            var guest = ActorServices.over(shoreBus, shoreBroker, shore, BrokerObserver.logging());
+            System.out.println("over hosts: " + call(guest));
+            shoreBroker.shutDown().get(LIMIT);
+            shipBroker.shutDown().get(LIMIT);
+        }
+    }
+
+    /** The service "greeter", which has the capability "greeting". The broker starts the actor when somebody needs it. */
+    private static void publish(ActorServices services, ActorSpace space) {
+        services.publish(space, Greeter.class, "greeter", List.of("greeting"), () -> name -> Promise.of("Hello, " + name));
+    }
+
+    /** Needs a greeting, whoever gives it; the call waits for a provider for at most 5 seconds. */
+    private static String call(ActorServices services) throws Exception {
+        try (var connection = services.connect(Greeter.class, Need.ofCapability("guest", "greeting"))) {
+            return connection.actor().greet("Ada").get(LIMIT);
+        }
+    }
+}
