@@ -105,10 +105,14 @@ final class HostsCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException, InterruptedException {
+        return call(NatsServerProcess.isInstalled());
+    }
+
+    int call(boolean isServerInstalled) throws IOException, InterruptedException {
         OptionRange.checkSeconds(spec, seconds, MOST_SECONDS);
         Path file = world == null ? Installation.world("paper-arena.world") : world;
         WorldSpec read = loader.read(file).world();
-        if (!NatsServerProcess.isInstalled()) {
+        if (!isServerInstalled) {
             throw new ParameterException(spec.commandLine(), NatsServerProcess.HOW_TO_GET);
         }
         OutputDirectory.make(spec, out);

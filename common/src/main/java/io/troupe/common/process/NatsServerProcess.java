@@ -1,19 +1,17 @@
 package io.troupe.common.process;
 
 import java.io.BufferedReader;
-import java.io.File;
 import java.io.IOException;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.ExecutionException;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.TimeoutException;
 import java.util.regex.Pattern;
-import java.util.stream.Stream;
 
 /**
  * A NATS server on loopback, as a child process; for commands and tests that need one for a while.
@@ -24,7 +22,7 @@ import java.util.stream.Stream;
  * }
  * }</pre>
  *
- * <p><b>Role.</b> {@code nats-server} has to be on the PATH. The port is a free one, and stays the same when the server
+ * <p><b>Role.</b> {@link Programs#find} has to find {@code nats-server}. The port is a free one, and stays the same when the server
  * is started again.
  *
  * <p><b>Errors.</b> {@link IOException} with the server's log if it does not accept connections within
@@ -32,11 +30,9 @@ import java.util.stream.Stream;
  */
 public final class NatsServerProcess implements AutoCloseable {
     /** How to get the server, for error messages. */
-    public static final String HOW_TO_GET =
-            "nats-server is not on the PATH: on Debian and Ubuntu apt-get install nats-server, elsewhere see"
-                    + " https://nats.io/download";
+    public static final String HOW_TO_GET = "there is no nats-server in " + Programs.places()
+            + ": on Debian and Ubuntu apt-get install nats-server, elsewhere see https://nats.io/download";
 
-    private static final String PROGRAM = "nats-server";
     private static final int READY_SECONDS = 60;
     private static final int END_SECONDS = 10;
     private static final String ANY_PORT = "-1";
@@ -53,10 +49,13 @@ public final class NatsServerProcess implements AutoCloseable {
         this.process = begin(ANY_PORT);
     }
 
-    /** True if {@code nats-server} is on the PATH. */
+    /** True if the program is found. */
     public static boolean isInstalled() {
-        return Stream.of(System.getenv().getOrDefault("PATH", "").split(File.pathSeparator))
-                .anyMatch(folder -> Files.isExecutable(Path.of(folder, PROGRAM)));
+        return program().isPresent();
+    }
+
+    private static Optional<Path> program() {
+        return Programs.find("nats-server");
     }
 
     /** Starts a server and waits until it accepts connections. */
@@ -74,7 +73,8 @@ public final class NatsServerProcess implements AutoCloseable {
     }
 
     private Process begin(String itsPort) throws IOException {
-        var command = new ArrayList<>(List.of(PROGRAM, "-a", "127.0.0.1", "-p", itsPort));
+        String program = program().orElseThrow(() -> new IOException(HOW_TO_GET)).toString();
+        var command = new ArrayList<>(List.of(program, "-a", "127.0.0.1", "-p", itsPort));
         command.addAll(options);
         var builder = new ProcessBuilder(command).redirectErrorStream(true);
         builder.environment().putAll(environment);

@@ -1,6 +1,7 @@
 package io.troupe.view.live;
 
 import io.troupe.view.Json;
+import io.troupe.common.process.Programs;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -9,8 +10,6 @@ import java.net.http.HttpClient;
 import java.net.http.HttpRequest;
 import java.net.http.HttpResponse;
 import java.nio.charset.StandardCharsets;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.Base64;
 import java.util.List;
@@ -47,13 +46,8 @@ final class Browser implements AutoCloseable {
 
     /** Whether this machine has the browser and its driver. */
     static boolean isInstalled() {
-        return isOnThePath("chromedriver")
-                && Stream.of("chromium", "google-chrome", "chromium-browser").anyMatch(Browser::isOnThePath);
-    }
-
-    private static boolean isOnThePath(String program) {
-        return Stream.of(System.getenv().getOrDefault("PATH", "").split(":"))
-                .anyMatch(folder -> Files.isExecutable(Path.of(folder, program)));
+        return Programs.onPath("chromedriver").isPresent()
+                && Stream.of("chromium", "google-chrome", "chromium-browser").anyMatch(browser -> Programs.onPath(browser).isPresent());
     }
 
     static Browser open() throws IOException {

@@ -1,6 +1,7 @@
 package io.troupe.services.component.kinds;
 
 import io.troupe.actor.time.Clock;
+import io.troupe.common.process.Programs;
 import java.io.File;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -67,7 +68,7 @@ final class ProcessTree {
     /** Starts a program, in a new session if the system supports it. */
     static ProcessTree start(ProcessComponent.Settings settings) throws IOException {
         boolean hasTable = Files.isReadable(PROCESS_TABLE.resolve("self/stat"));
-        return start(settings, hasTable ? onPath("setsid").orElse(null) : null);
+        return start(settings, hasTable ? Programs.onPath("setsid").orElse(null) : null);
     }
 
     /** Starts a program, in a new session if {@code setsid} is given. */
@@ -85,15 +86,7 @@ final class ProcessTree {
     private static boolean isProgram(String name, Path directory) {
         return name.contains(File.separator)
                 ? Files.isExecutable(directory.resolve(name))
-                : onPath(name).isPresent();
-    }
-
-    private static Optional<Path> onPath(String program) {
-        String path = Optional.ofNullable(System.getenv("PATH")).orElse("");
-        return List.of(path.split(File.pathSeparator)).stream()
-                .map(directory -> Path.of(directory, program))
-                .filter(file -> Files.isRegularFile(file) && Files.isExecutable(file))
-                .findFirst();
+                : Programs.onPath(name).isPresent();
     }
 
     /** The process of the program. */
