@@ -62,7 +62,8 @@ public final class Repository {
         var foreign = "(?:.*/)?(?:target|build|out|__pycache__|\\.(?:git|gradle|idea|kotlin|vscode|settings))/.*";
         return files(root(), "").stream()
                 .filter(Files::isRegularFile)
-                .filter(file -> !root().relativize(file).toString().replace('\\', '/').matches(foreign))
+                .filter(file ->
+                        !root().relativize(file).toString().replace('\\', '/').matches(foreign))
                 .toList();
     }
 

@@ -18,8 +18,8 @@ import org.openjdk.jmh.runner.options.TimeValue;
 
 /**
  * JMH's command line with defaults. Without the name of a benchmark, a short set runs with short settings, about a
- * minute; an option replaces the setting that it names. Benchmarks that are named run as their annotations say, as in
- * JMH. The results are also written as JSON, to {@value #RESULTS} unless {@code -rff} names a file.
+ * minute; an option replaces the setting that it names. Benchmarks that are named have the settings of their
+ * annotations, as in JMH. The results are also written as JSON, to {@value #RESULTS} unless {@code -rff} names a file.
  *
  * <p><b>Errors.</b> A benchmark that fails ends the run, unless {@code -foe false} is given. The exit status is 1 then,
  * and when no benchmark ran; with an option that JMH does not know it is 2.

@@ -81,7 +81,8 @@ class JmhMainTest {
         assertThat(run("compute_roundRobin", results, "-p", "actors=0")).isEqualTo(1);
         assertThat(run("compute_roundRobin", results, "-p", "actors=0", "-foe", "false"))
                 .isEqualTo(1);
-        assertThat(errors.toString()).endsWith("no benchmark ran to its end, expected one or more" + System.lineSeparator());
+        assertThat(errors.toString())
+                .endsWith("no benchmark ran to its end, expected one or more" + System.lineSeparator());
     }
 
     @Test

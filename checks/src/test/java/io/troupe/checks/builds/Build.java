@@ -17,11 +17,10 @@ import java.util.TreeSet;
 /**
  * A whole build as read from its files; modules by name.
  *
- * @param owner whose project it is: name, URL and address of the sources, by the names of their properties
+ * @param owner whose project it is: name, URL and address of the sources, by their properties
  */
-record Build(
-        String tool, String group, String version, SortedMap<String, String> owner, Map<String, Module> modules) {
-    /** The beginning of the names of properties that say whose project it is. */
+record Build(String tool, String group, String version, SortedMap<String, String> owner, Map<String, Module> modules) {
+    /** The beginning of the names of properties that name the owner. */
     static final String OWNER = "owner.";
 
     /** The purpose of a dependency, in Maven's words. */

@@ -208,9 +208,13 @@ final class GradleReader {
         var main = MAIN_CLASS.matcher(statement.body());
         NotUnderstood.unless(main.find(), file + ": no mainClass.set(\"..\") in: " + statement.head());
         var program = new StringBuilder();
-        JVM_OPTION.matcher(statement.body()).results().forEach(option -> program.append(option.group(1))
-                .append(' '));
-        programs.put(task.group(2) == null ? task.group(1) : "run", program.append(main.group(1)).toString());
+        JVM_OPTION
+                .matcher(statement.body())
+                .results()
+                .forEach(option -> program.append(option.group(1)).append(' '));
+        programs.put(
+                task.group(2) == null ? task.group(1) : "run",
+                program.append(main.group(1)).toString());
     }
 
     private static void readKotlin(String file, Statement statement, Set<String> arguments) {

@@ -52,7 +52,7 @@ class OwnershipTest {
         }
     }
 
-    /** A name under .example belongs to nobody (RFC 2606). */
+    /** A name under .example is reserved (RFC 2606). */
     @Test
     void addressesOfTroupe_claimNoDomain() throws IOException {
         List<String> claimed = new ArrayList<>();
@@ -79,11 +79,14 @@ class OwnershipTest {
                 groups.put(name(file), found);
             }
         }
-        assertThat(groups.keySet()).allMatch(file -> MAY_NAME_THE_GROUP.matcher(file).matches());
+        assertThat(groups.keySet())
+                .allMatch(file -> MAY_NAME_THE_GROUP.matcher(file).matches());
         assertThat(groups.values().stream().flatMap(List::stream)).containsOnly(gradle.group());
         for (Path module : Repository.modules()) {
             var pom = name(module.resolve("pom.xml"));
-            assertThat(groups.get(pom)).as(pom + " names the group of its parent").hasSize(1);
+            assertThat(groups.get(pom))
+                    .as(pom + " names the group of its parent")
+                    .hasSize(1);
         }
     }
 
@@ -91,7 +94,10 @@ class OwnershipTest {
     private static Map<String, Integer> places(Pattern pattern) throws IOException {
         var places = new TreeMap<String, Integer>();
         for (Path file : Repository.allFiles()) {
-            long count = pattern.matcher(text(file)).results().map(MatchResult::start).count();
+            long count = pattern.matcher(text(file))
+                    .results()
+                    .map(MatchResult::start)
+                    .count();
             if (count > 0) {
                 places.put(name(file), (int) count);
             }

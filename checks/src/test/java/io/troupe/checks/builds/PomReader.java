@@ -37,7 +37,8 @@ final class PomReader {
     private static final Set<String> IN_PROFILE = words("id activation properties");
     private static final String KOTLIN_PLUGIN = "kotlin-maven-plugin";
     private static final String EXEC_PLUGIN = "exec-maven-plugin";
-    private static final Pattern PROGRAM = Pattern.compile("((?:-\\S+ )*)-classpath %classpath ([\\w.]+) \\$\\{\\w+}.*");
+    private static final Pattern PROGRAM =
+            Pattern.compile("((?:-\\S+ )*)-classpath %classpath ([\\w.]+) \\$\\{\\w+}.*");
     private static final Pattern PROPERTY = Pattern.compile("\\$\\{([^}]+)}");
 
     private final Map<String, String> shared = new LinkedHashMap<>();
