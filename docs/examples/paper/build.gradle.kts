@@ -7,14 +7,36 @@ dependencies {
 }
 
 // ./gradlew figure17 --args="--seconds 60"
-for ((figure, main) in mapOf("figure7" to "Figure7", "figure14" to "Demo1", "figure17" to "Demo2", "figure20" to "Demo3")) {
-    tasks.register<JavaExec>(figure) {
-        group = "application"
-        description = "Runs the code of the paper's F${figure.drop(1)}; --args=\"[HOST:PORT] [--seconds N]\"."
-        classpath = sourceSets["main"].runtimeClasspath
-        mainClass.set("io.troupe.paper.$main")
-        workingDir = rootDir
-    }
+tasks.register<JavaExec>("figure7") {
+    group = "application"
+    description = "Runs the code of the paper's Figure 7; --args=\"[HOST:PORT] [--seconds N]\"."
+    classpath = sourceSets["main"].runtimeClasspath
+    mainClass.set("io.troupe.paper.Figure7")
+    workingDir = rootDir
+}
+
+tasks.register<JavaExec>("figure14") {
+    group = "application"
+    description = "Runs the code of the paper's Figure 14; --args=\"[HOST:PORT] [--seconds N]\"."
+    classpath = sourceSets["main"].runtimeClasspath
+    mainClass.set("io.troupe.paper.Demo1")
+    workingDir = rootDir
+}
+
+tasks.register<JavaExec>("figure17") {
+    group = "application"
+    description = "Runs the code of the paper's Figure 17; --args=\"[HOST:PORT] [--seconds N]\"."
+    classpath = sourceSets["main"].runtimeClasspath
+    mainClass.set("io.troupe.paper.Demo2")
+    workingDir = rootDir
+}
+
+tasks.register<JavaExec>("figure20") {
+    group = "application"
+    description = "Runs the code of the paper's Figure 20; --args=\"[HOST:PORT] [--seconds N]\"."
+    classpath = sourceSets["main"].runtimeClasspath
+    mainClass.set("io.troupe.paper.Demo3")
+    workingDir = rootDir
 }
 
 tasks.test {

@@ -2,6 +2,7 @@ package io.troupe.paper;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
+import java.util.List;
 import java.util.concurrent.atomic.AtomicReference;
 
 /**
@@ -20,14 +21,15 @@ public class Demo3 extends Actor {
     private int color2 = 255;
 
     public static void main(String[] args) {
-        PaperRobots.drive(
-                args, 3, robots -> robots.driveByActors(space -> start(space, robots.host(), robots.port())));
+        PaperRobots.drive(args, 3, robots -> robots.driveByActors(space -> start(space, robots.host(), robots.port())));
     }
 
-    static void start(ActorSpace space, String host, int port) {
+    static List<Actor> start(ActorSpace space, String host, int port) {
         PaperServices robot1 = space.spawn(PaperServices.class, () -> new PaperServices(host, port));
         PaperServices robot2 = space.spawn(PaperServices.class, () -> new PaperServices(host, port));
-        space.spawn(Demo3.class, () -> new Demo3(robot1, robot2)).live();
+        Demo3 demo = space.spawn(Demo3.class, () -> new Demo3(robot1, robot2));
+        demo.live();
+        return List.of(demo, robot1, robot2);
     }
 
     Demo3(PaperServices robot1, PaperServices robot2) {

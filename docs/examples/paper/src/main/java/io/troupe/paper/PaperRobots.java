@@ -1,6 +1,8 @@
 package io.troupe.paper;
 
+import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
@@ -13,8 +15,11 @@ import io.troupe.sim.worldfile.ScenarioReader;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
+import java.util.List;
 import java.util.function.Consumer;
+import java.util.function.Function;
 import java.util.regex.Pattern;
 import org.jspecify.annotations.Nullable;
 
@@ -28,7 +33,8 @@ import org.jspecify.annotations.Nullable;
  * @param seconds by the robots' clock
  * @param arena the simulated one, or null if the robots are those of a Player server
  */
-record PaperRobots(String host, int port, double seconds, @Nullable Arena arena) {
+record PaperRobots(
+        String host, int port, double seconds, @Nullable Arena arena) {
     private static final double SECONDS = 300;
     private static final Pattern ADDRESS = Pattern.compile("(.+):(\\d{1,5})");
     private static final int FAILED = 1;
@@ -99,10 +105,17 @@ record PaperRobots(String host, int port, double seconds, @Nullable Arena arena)
     }
 
     /** The paper's arena, whose time passes while a program drives its robots. */
-    record Arena(Simulation simulation, SimulationRunner runner) implements AutoCloseable {
+    record Arena(Simulation simulation, SimulationRunner runner, CompletableFuture<@Nullable Void> standstill)
+            implements AutoCloseable {
         static Arena open(int clients) {
             var simulation = Simulation.open(scenario(), WorldSettings.DEFAULT);
-            return new Arena(simulation, SimulationRunner.start(simulation, clients, snapshot -> {}));
+            var standstill = new CompletableFuture<@Nullable Void>();
+            var runner = SimulationRunner.start(simulation, clients, snapshot -> {
+                if (simulation.isPaused()) {
+                    standstill.complete(null);
+                }
+            });
+            return new Arena(simulation, runner, standstill);
         }
 
         static Scenario scenario() {
@@ -123,15 +136,32 @@ record PaperRobots(String host, int port, double seconds, @Nullable Arena arena)
         }
     }
 
-    /** Runs actors on a space, which is closed when the time is over. */
-    void driveByActors(Consumer<ActorSpace> application) {
-        try (var space = ActorSpace.create(SpaceSettings.named("robots"))) {
+    /**
+     * Runs actors on a space until the time is over. Then they are stopped, and with the services their robots.
+     *
+     * @param application starts the actors, and returns the main code before the services that it uses
+     */
+    void driveByActors(Function<ActorSpace, List<Actor>> application) {
+        var settings = SpaceSettings.named("robots").withOnError((where, error) -> {
+            if (!(error instanceof ActorStoppedException)) { // at the end nobody answers the last request
+                System.err.println(where + ": " + error);
+            }
+        });
+        try (var space = ActorSpace.create(settings)) {
             var end = space.sequential(this::watchTime).toCompletableFuture();
-            application.accept(space);
+            List<Actor> actors = application.apply(space);
             end.join();
             if (arena != null) {
-                arena.runner.close(); // before the space: a reading that is on its way would be a dead letter
+                arena.standstill.join();
             }
+            for (var each : actors) {
+                var stopped = space.whenStopped(each).toCompletableFuture();
+                space.stop(each);
+                stopped.join();
+            }
+            var idle = new CompletableFuture<@Nullable Void>(); // a reading on its way to a closed space is a dead letter
+            space.onIdle(() -> idle.complete(null));
+            idle.join();
         } catch (CompletionException failed) {
             throw failed.getCause() instanceof PlayerException lost ? lost : failed;
         }

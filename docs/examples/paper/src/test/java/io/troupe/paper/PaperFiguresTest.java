@@ -48,6 +48,8 @@ class PaperFiguresTest {
     private static final Pattern WALL_CLOCK = Pattern.compile("(received color) \\d{13}");
 
     private final PrintStream standardOutput = System.out;
+    private final PrintStream standardError = System.err;
+    private final ByteArrayOutputStream errors = new ByteArrayOutputStream();
     private final ByteArrayOutputStream printed = new ByteArrayOutputStream();
     private final List<String> ours = new ArrayList<>();
 
@@ -59,10 +61,12 @@ class PaperFiguresTest {
     @AfterEach
     void restore() {
         System.setOut(standardOutput);
+        System.setErr(standardError);
     }
 
     private String takePrinted() {
-        String text = WALL_CLOCK.matcher(printed.toString(StandardCharsets.UTF_8)).replaceAll("$1 MILLIS");
+        String text =
+                WALL_CLOCK.matcher(printed.toString(StandardCharsets.UTF_8)).replaceAll("$1 MILLIS");
         printed.reset();
         return text;
     }
@@ -146,10 +150,7 @@ class PaperFiguresTest {
             port = free.getLocalPort();
         }
         var ended = start(Figure7.class, "127.0.0.1:" + port);
-        assertThat(ended.errors().lines())
-                .hasSize(2)
-                .first()
-                .isEqualTo("robot1: > Error connecting to Player: ");
+        assertThat(ended.errors().lines()).hasSize(2).first().isEqualTo("robot1: > Error connecting to Player: ");
         assertThat(ended.errors())
                 .contains("    [ io.troupe.player.PlayerException: [PlayerClient]: Error in PlayerClient init: ")
                 .contains("127.0.0.1:" + port);
@@ -234,7 +235,9 @@ class PaperFiguresTest {
         String text = takePrinted();
         drive(arbitrator(Mode.PROMISE, "color"));
         assertSameThroughAllThreeStates(changes(text, line -> line.contains(" ms color")));
-        assertThat(text.lines()).as("each colour is sent once, and each changes the state").hasSameSizeAs(ours);
+        assertThat(text.lines())
+                .as("each colour is sent once, and each changes the state")
+                .hasSameSizeAs(ours);
     }
 
     // ---- the programs as they are started
@@ -249,12 +252,15 @@ class PaperFiguresTest {
         }
     }
 
+    /** What a program prints, which ends without an error. */
     private String printedBy(int figure, String... arguments) {
+        System.setErr(new PrintStream(errors, true, StandardCharsets.UTF_8));
         switch (figure) {
             case 14 -> Demo1.main(arguments);
             case 17 -> Demo2.main(arguments);
             default -> Demo3.main(arguments);
         }
+        assertThat(errors.toString(StandardCharsets.UTF_8)).isEmpty();
         return takePrinted();
     }
 
@@ -264,7 +270,8 @@ class PaperFiguresTest {
         String here = printedBy(figure, "--seconds", "120");
         try (var simulation = open();
                 var server = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
-                var runner = SimulationRunner.start(simulation, figure == 14 ? 1 : 3, each -> {}, new Pace.OfAnswers())) {
+                var runner =
+                        SimulationRunner.start(simulation, figure == 14 ? 1 : 3, each -> {}, new Pace.OfAnswers())) {
             String there = printedBy(figure, "127.0.0.1:" + server.port(), "--seconds", "120");
             assertThat(there).startsWith(here.substring(0, here.lastIndexOf("State")));
             assertThat(runner.isRunning()).isTrue();
@@ -281,7 +288,7 @@ class PaperFiguresTest {
 
     private record Ended(int status, String errors) {}
 
-    /** Runs a program in a JVM of its own. */
+    /** Runs a program in another JVM. */
     private static Ended start(Class<?> program, String... arguments) throws IOException, InterruptedException {
         var java = Path.of(System.getProperty("java.home"), "bin", "java").toString();
         var command = new ArrayList<>(List.of(java, "-cp", System.getProperty("java.class.path"), program.getName()));
