@@ -5,9 +5,12 @@ import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.regex.Pattern;
 
 /** The checkout that contains the running test. */
 public final class Repository {
+    private static final Pattern MODULE = Pattern.compile("<module>([^<]+)</module>");
+
     private Repository() {}
 
     /** The root folder: the one with the settings of the Gradle build, searched from the working directory upwards. */
@@ -26,11 +29,13 @@ public final class Repository {
         return Files.readString(root().resolve(path));
     }
 
-    /** The folders of all modules, by name: those with a POM. */
+    /** The folders of all modules, sorted: those that the POM of the root lists. */
     public static List<Path> modules() {
-        try (var folders = Files.list(root())) {
-            var modules = folders.filter(folder -> Files.exists(folder.resolve("pom.xml")));
-            return modules.sorted().toList();
+        try {
+            var modules = MODULE.matcher(text("pom.xml")).results();
+            return modules.map(module -> root().resolve(module.group(1)))
+                    .sorted()
+                    .toList();
         } catch (IOException failure) {
             throw new UncheckedIOException(failure);
         }

@@ -128,6 +128,11 @@ public final class Main implements Callable<Integer> {
 
     /** Runs a command and returns its exit status, one of {@link #exitStatuses}. */
     static int execute(PrintWriter out, PrintWriter err, String... arguments) {
+        return commandLine(out, err).execute(withCommand(arguments));
+    }
+
+    /** All commands and their options. */
+    static CommandLine commandLine(PrintWriter out, PrintWriter err) {
         var troupe = new CommandLine(new Main());
         troupe.getCommandSpec()
                 .usageMessage() // not in the annotation, since subcommands would inherit it
@@ -160,8 +165,7 @@ public final class Main implements Callable<Integer> {
                         return reportFailure(err, thrown, FAILED);
                     }
                     throw thrown;
-                })
-                .execute(withCommand(arguments));
+                });
     }
 
     private static Map<String, String> exitStatuses() {
@@ -181,7 +185,7 @@ public final class Main implements Callable<Integer> {
     }
 
     /** Inserts {@code run} before options that have no command. */
-    private static String[] withCommand(String[] arguments) {
+    static String[] withCommand(String[] arguments) {
         boolean optionsOfRun = arguments.length > 0
                 && arguments[0].startsWith("--")
                 && !List.of("--help", "--version").contains(arguments[0]);

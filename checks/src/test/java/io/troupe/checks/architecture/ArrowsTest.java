@@ -39,6 +39,7 @@ class ArrowsTest {
         "verification,   io.troupe.petri..",
         "view,           io.troupe.view..",
         "demo,           io.troupe.demo..",
+        "paper,          io.troupe.paper..",
         "jmh,            io.troupe.bench..",
         "stress,         io.troupe.actor.. io.troupe.faults.."
     })
@@ -82,7 +83,8 @@ class ArrowsTest {
         "petri.structure,       petri",
         "petri.deadlock,        petri petri.structure",
         "petri.bip,             petri common..",
-        "view..,                actor.. bus broker.. player.. sim.. services.. common.."
+        "view..,                actor.. bus broker.. player.. sim.. services.. common..",
+        "paper,                 actor.. player.. sim.. services.."
     })
     void room_importsOnlyTheRoomsThatItMay(String from, String to) {
         var rooms = Stream.of((from + " " + to).split(" ")).map(room -> "io.troupe." + room);

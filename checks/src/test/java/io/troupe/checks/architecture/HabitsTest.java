@@ -58,7 +58,8 @@ class HabitsTest {
     void standardStreams_areUsedByCommandLinesOnly() {
         noClasses()
                 .that()
-                .resideOutsideOfPackages("io.troupe.common.measure", "io.troupe.demo..", "io.troupe.bench..")
+                .resideOutsideOfPackages(
+                        "io.troupe.common.measure", "io.troupe.demo..", "io.troupe.bench..", "io.troupe.paper")
                 .should(ACCESS_STANDARD_STREAMS)
                 .check(Classes.MAIN);
     }
@@ -72,7 +73,11 @@ class HabitsTest {
         noClasses()
                 .that()
                 .resideOutsideOfPackages(
-                        "io.troupe.actor.time", "io.troupe.common.measure", "io.troupe.demo..", "io.troupe.bench..")
+                        "io.troupe.actor.time",
+                        "io.troupe.common.measure",
+                        "io.troupe.demo..",
+                        "io.troupe.bench..",
+                        "io.troupe.paper")
                 .should(accessTargetWhere(clock))
                 .check(Classes.MAIN);
     }

@@ -30,6 +30,8 @@ import java.util.regex.Pattern;
 final class GradleReader {
     private static final Pattern QUOTED = Pattern.compile("\"([^\"]*)\"");
     private static final Pattern INCLUDE = Pattern.compile("include\\(\\s*(\"[\\w-]+\"\\s*,?\\s*)+\\)");
+    private static final Pattern FOLDER =
+            Pattern.compile("project\\(\":([\\w-]+)\"\\)\\.projectDir = file\\(\"([\\w/-]+)\"\\)");
     private static final Pattern PUBLISHED = Pattern.compile("val published = setOf\\((\\s*\"[\\w-]+\"\\s*,?)+\\)");
     private static final Pattern DESCRIPTION = Pattern.compile("description = \"([^\"]*)\"");
     private static final Pattern ON_MODULE = Pattern.compile("(\\w+)\\(project\\(\":([\\w-]+)\"\\)\\)");
@@ -76,8 +78,9 @@ final class GradleReader {
         properties.load(new StringReader(Files.readString(root.resolve("gradle.properties"))));
         catalog = new VersionCatalog(Files.readString(root.resolve("gradle/libs.versions.toml")));
         readRootScript(Files.readString(root.resolve("build.gradle.kts")));
-        for (String name : modules(Files.readString(root.resolve("settings.gradle.kts")))) {
-            var file = name + "/build.gradle.kts";
+        var folders = folders(Files.readString(root.resolve("settings.gradle.kts")));
+        for (String name : folders.keySet()) {
+            var file = folders.get(name) + "/build.gradle.kts";
             modules.put(name, readModule(file, published.contains(name), Files.readString(root.resolve(file))));
         }
     }
@@ -98,12 +101,19 @@ final class GradleReader {
         return new GradleReader(root).catalog.unused();
     }
 
-    static List<String> modules(String settings) {
+    /** The folders of the modules by their names; by default a folder has the name of its module. */
+    static Map<String, String> folders(String settings) {
         var file = "settings.gradle.kts";
-        List<String> modules = new ArrayList<>();
+        Map<String, String> folders = new LinkedHashMap<>();
         for (var statement : KotlinScript.statements(file, settings)) {
             if (INCLUDE.matcher(statement.head()).matches()) {
-                QUOTED.matcher(statement.head()).results().forEach(name -> modules.add(name.group(1)));
+                QUOTED.matcher(statement.head()).results().forEach(name -> folders.put(name.group(1), name.group(1)));
+            } else if (FOLDER.matcher(statement.head()).matches()) {
+                var folder =
+                        FOLDER.matcher(statement.head()).replaceAll("$1 $2").split(" ");
+                NotUnderstood.unless(
+                        folders.replace(folder[0], folder[1]) != null && folder[1].endsWith("/" + folder[0]),
+                        file + ": expected an included module and a folder of its name, found " + statement.head());
             } else if (statement.head().equals("dependencyResolutionManagement")) {
                 var body = statement.body().strip().replaceAll("\\s+", " ");
                 NotUnderstood.unless(
@@ -116,7 +126,7 @@ final class GradleReader {
                 throw notUnderstood(file, statement);
             }
         }
-        return modules;
+        return folders;
     }
 
     private void readRootScript(String script) {

@@ -59,8 +59,9 @@ final class PomReader {
     static Build read(Path root) throws IOException {
         var reader = new PomReader(parse("pom.xml", Files.readString(root.resolve("pom.xml"))));
         Map<String, Module> modules = new LinkedHashMap<>();
-        for (String name : reader.modules) {
-            var file = name + "/pom.xml";
+        for (String folder : reader.modules) {
+            var file = folder + "/pom.xml";
+            var name = folder.substring(folder.lastIndexOf('/') + 1);
             modules.put(name, reader.readModule(file, name, parse(file, Files.readString(root.resolve(file)))));
         }
         var owner = new TreeMap<>(reader.shared);

@@ -26,6 +26,7 @@ class SamplesTest {
             strings = {
                 "README.md",
                 "docs/guide/01-actors.md",
+                "docs/guide/02-the-papers-code.md",
                 "docs/guide/03-proving-a-wiring.md",
                 "docs/guide/04-bring-your-player-program.md",
                 "docs/guide/06-subsumption.md",

@@ -100,7 +100,9 @@ final class HouseFigures {
         List<Path> files;
         try (var walk = Files.walk(root)) {
             files = walk.filter(file -> file.toString().endsWith(".java"))
-                    .filter(file -> root.relativize(file).toString().matches("(?:[^/\\\\]+[/\\\\])?src[/\\\\].*"))
+                    .filter(file -> root.relativize(file)
+                            .toString()
+                            .matches("(?:docs[/\\\\]examples[/\\\\])?(?:[^/\\\\]+[/\\\\])?src[/\\\\].*"))
                     .sorted()
                     .toList();
         }

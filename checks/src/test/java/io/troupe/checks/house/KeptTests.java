@@ -128,7 +128,7 @@ final class KeptTests {
             files = walk.filter(file -> root.relativize(file)
                             .toString()
                             .replace('\\', '/')
-                            .matches("(?:[^/]+/)?src/(?!main/).*\\.java"))
+                            .matches("(?:docs/examples/)?(?:[^/]+/)?src/(?!main/).*\\.java"))
                     .sorted()
                     .toList();
         }

@@ -52,6 +52,7 @@ class TableCommandTest extends CommandLineBench {
         assertThat(written("states.dot"))
                 .contains("s1 -> s2 [label=\"red\"", "s3 -> s1 [label=\"blue\"", "start -> s1");
         assertThat(Path.of("..", "docs", "figures", "states.svg")).hasContent(written("states.svg"));
+        assertThat(Path.of("..", "docs", "figures", "rules.svg")).hasContent(written("rules.svg"));
         for (String name : List.of("states.svg", "rules.svg")) {
             String text = written(name);
             assertThat(text).doesNotContain("marker", "#00ff00");

@@ -43,7 +43,7 @@ class VerifyCommandTest extends CommandLineBench {
             assertWritten("deadlock-" + reading + ".svg", "graph-uncorrected-" + reading + ".svg");
             assertWritten("graph-robot-player-" + reading + ".dot");
         }
-        for (var name : List.of("corrected-A.svg", "graph-robot-player-A.svg")) {
+        for (var name : List.of("uncorrected-A.svg", "corrected-A.svg", "graph-robot-player-A.svg")) {
             assertThat(directory.resolve(name))
                     .as("the picture in the guide")
                     .hasSameTextualContentAs(Path.of("..", "docs", "figures", name));

@@ -468,11 +468,27 @@ class BrowserTest {
                         "Number([...document.querySelectorAll('#events li[data-kind=state]')].at(-2).dataset.time)");
         assertThat(page().number("troupe.source.now")).isEqualTo(at);
         page().await("troupe.model.frame.time > " + (at - 0.11) + " && troupe.model.frame.time <= " + (at + 1e-9));
-        page().get("(document.querySelector('#scrub').value = 120,"
-                + " document.querySelector('#scrub').dispatchEvent(new Event('input')))");
-        page().await("document.querySelector('#clock').textContent === '120.0 s'");
+        scrubTo(120);
         page().get("troupe.chooseTheme(true)");
         picture("watching-file.png");
+
+        page().get("troupe.chooseTheme(false)");
+        var robots = "document.querySelector('#robots').textContent.replace(/\\s/g, '')";
+        for (String moment : List.of(
+                "80 1 robot1wallFollower.*robot2spaceWanderer",
+                "128 2 robot1spaceWanderer.*robot2wallFollower",
+                "104 3 robot1spaceWanderer.*robot2spaceWanderer")) {
+            String[] timeStateServices = moment.split(" ");
+            scrubTo(Integer.parseInt(timeStateServices[0]));
+            page().await("/" + timeStateServices[2] + "/.test(" + robots + ")");
+            picture("paper-state-" + timeStateServices[1] + ".png"); // as Figures 9 to 11 of the paper
+        }
+    }
+
+    private static void scrubTo(int seconds) {
+        page().get("(document.querySelector('#scrub').value = " + seconds
+                + ", document.querySelector('#scrub').dispatchEvent(new Event('input')))");
+        page().await("document.querySelector('#clock').textContent === '" + seconds + ".0 s'");
     }
 
     /** Of a run with switches, in which a robot waits and is put elsewhere, and in which the world is reset. */
