@@ -445,8 +445,8 @@ class ExternalProcessTest {
         return process(Map.of("destroyForcibly", () -> kills.incrementAndGet() > 0));
     }
 
-    /** A process with some methods of its own. */
-    private static ProcessHandle process(Map<String, Supplier<Boolean>> own) {
+    /** A process with some methods replaced. */
+    private static ProcessHandle process(Map<String, Supplier<Boolean>> replaced) {
         var loader = ExternalProcessTest.class.getClassLoader();
         var info = Proxy.newProxyInstance(
                 loader, new Class<?>[] {ProcessHandle.Info.class}, (proxy, method, values) -> Optional.of("/bin/rock"));
@@ -458,7 +458,7 @@ class ExternalProcessTest {
                     case "hashCode" -> 0;
                     case "equals" -> proxy == values[0];
                     case "toString" -> "/bin/rock";
-                    default -> own.getOrDefault(method.getName(), () -> true).get();
+                    default -> replaced.getOrDefault(method.getName(), () -> true).get();
                 });
     }
 
