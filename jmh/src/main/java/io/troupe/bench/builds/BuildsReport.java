@@ -38,7 +38,7 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
     String head(BeforeBuild before) {
         int starts = settings.starts;
         return format(
-                "%s%n%nBefore: %s%n%n%d starts of three JVMs for each part, %d rounds of about %d ms after %d ms, seed %d."
+                "%s%n%nBefore: %s%n%n%d starts of three JVMs for each part, %d rounds of about %d ms of processor time after %d ms, seed %d."
                         + " Intervals of the median have a confidence of %.1f %%.%n",
                 Machine.text(),
                 before.entries().stream().map(Path::toString).collect(Collectors.joining(", ")),

@@ -50,6 +50,7 @@ public final class CompareBuilds implements Callable<Integer> {
     private static final int WRONG = 2;
     private static final int MOST_OPERATIONS = 100_000_000;
     private static final double GROWTH = 4;
+    private static final double WAITING_COUNTS = 0.25;
 
     @Option(
             names = "--before",
@@ -84,14 +85,14 @@ public final class CompareBuilds implements Callable<Integer> {
             names = "--turn",
             paramLabel = "MILLIS",
             converter = AtLeastOne.class,
-            description = "of the slowest JVM, about")
+            description = "of processor time, of the slowest JVM, about")
     int turnMillis = 40;
 
     @Option(
             names = "--warm-up",
             paramLabel = "MILLIS",
             converter = AtLeastOne.class,
-            description = "of each row, in each start")
+            description = "of processor time, of each row in each start")
     int warmUpMillis = 400;
 
     @Option(
@@ -275,25 +276,31 @@ public final class CompareBuilds implements Callable<Integer> {
         }
     }
 
-    /** Runs growing numbers of operations in all JVMs until the time is over; returns how many fill a turn. */
+    /**
+     * Runs growing numbers of operations in all JVMs until each has run for long enough; returns how many fill a turn.
+     */
     private int warmUp(Row row, BuildJvms jvms) throws RowFailure {
         int operations = 1;
-        double spentNanos = 0;
+        double spentNanos = 0; // of the JVM that has run least
         while (true) {
             Round<Turn> round = round(row, jvms, operations);
-            double slowestNanos = Math.max(
-                    1,
-                    Math.max(
-                            round.before().nanos(),
-                            Math.max(round.now().nanos(), round.again().nanos())));
-            spentNanos += slowestNanos;
-            double growth = turnMillis * 1e6 / slowestNanos;
+            List<Turn> turns = List.of(round.before(), round.now(), round.again());
+            spentNanos += turns.stream().mapToDouble(CompareBuilds::length).min().orElseThrow();
+            double growth = turnMillis
+                    * 1e6
+                    / turns.stream().mapToDouble(CompareBuilds::length).max().orElseThrow();
             boolean isOver = spentNanos >= warmUpMillis * 1e6;
-            operations = (int) Math.clamp(operations * (isOver ? growth : Math.min(GROWTH, growth)), 1, MOST_OPERATIONS);
+            operations =
+                    (int) Math.clamp(operations * (isOver ? growth : Math.min(GROWTH, growth)), 1, MOST_OPERATIONS);
             if (isOver) {
                 return operations;
             }
         }
+    }
+
+    /** The processor time: while other programs have the processor, nothing is compiled. But waiting counts a little. */
+    private static double length(Turn turn) {
+        return Math.max(1, Math.max(turn.processorNanos(), turn.nanos() * WAITING_COUNTS));
     }
 
     private Round<Turn> round(Row row, BuildJvms jvms, int operations) throws RowFailure {
