@@ -147,6 +147,9 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
                     failed.add(name + " (" + each.failure.getMessage() + ")");
                     continue;
                 }
+                if (each.keptFailure != null) {
+                    failed.add(name + ", bytes kept (" + each.keptFailure.getMessage() + ")");
+                }
                 add(clock(each), name + " by the clock", slower, faster);
                 add(processor(each), name + " by processor time", slower, faster);
                 add(allocation(each), name, moreBytes, fewerBytes);

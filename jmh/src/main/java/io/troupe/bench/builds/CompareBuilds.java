@@ -12,6 +12,7 @@ import io.troupe.bench.builds.Verdict.Round;
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.common.process.NatsServerProcess;
 import java.io.IOException;
+import java.io.PrintStream;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
@@ -143,6 +144,9 @@ public final class CompareBuilds implements Callable<Integer> {
         @Nullable
         RowFailure failure;
 
+        @Nullable
+        RowFailure keptFailure;
+
         RowResult(Row row) {
             this.row = row;
         }
@@ -150,11 +154,11 @@ public final class CompareBuilds implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        return call(System.getProperty("java.class.path"));
+        return call(System.getProperty("java.class.path"), System.out, System.err);
     }
 
     /** @param now the class path of this build */
-    int call(String now) throws IOException {
+    int call(String now, PrintStream out, PrintStream err) throws IOException {
         boolean hasServer = parts.contains(BuildPart.BUS) && NatsServerProcess.isInstalled();
         BeforeBuild build;
         try {
@@ -164,17 +168,17 @@ public final class CompareBuilds implements Callable<Integer> {
             }
             checkTexts(hasServer);
         } catch (IllegalArgumentException wrong) {
-            System.err.println(wrong.getMessage());
+            err.println(wrong.getMessage());
             return WRONG;
         }
         Path folder = Files.createTempDirectory("troupe-measuring");
         try {
             var classPaths = ClassPaths.of(build, now, folder);
             if (!hasServer) {
-                return compare(build, classPaths, null);
+                return compare(build, classPaths, null, out);
             }
             try (var server = NatsServerProcess.start()) {
-                return compare(build, classPaths, server.address());
+                return compare(build, classPaths, server.address(), out);
             }
         } finally {
             delete(folder);
@@ -214,9 +218,10 @@ public final class CompareBuilds implements Callable<Integer> {
         }
     }
 
-    private int compare(BeforeBuild build, ClassPaths classPaths, @Nullable String server) throws IOException {
+    private int compare(BeforeBuild build, ClassPaths classPaths, @Nullable String server, PrintStream out)
+            throws IOException {
         var report = new BuildsReport(this);
-        System.out.print(report.head(build));
+        out.print(report.head(build));
         var setting = setting(server);
         var random = new Random(seed);
         Map<BuildPart, List<RowResult>> results = new EnumMap<>(BuildPart.class);
@@ -227,11 +232,11 @@ public final class CompareBuilds implements Callable<Integer> {
                 if (!rows.isEmpty()) {
                     measure(part, rows, () -> new BuildJvms(part, setting, classPaths, random), line);
                     results.put(part, rows);
-                    line.interrupt(() -> System.out.print(report.table(part, rows)));
+                    line.interrupt(() -> out.print(report.table(part, rows)));
                 }
             }
         }
-        System.out.print(report.summary(results, server == null && parts.contains(BuildPart.BUS)));
+        out.print(report.summary(results, server == null && parts.contains(BuildPart.BUS)));
         return BuildsReport.isSlower(results) ? SLOWER : 0;
     }
 
@@ -328,7 +333,7 @@ public final class CompareBuilds implements Callable<Integer> {
                         result.keptBytes.put(build, jvms.keptBytes(result.row, build));
                     }
                 } catch (RowFailure failed) {
-                    line.interrupt(() -> System.err.println("bytes kept are not measured: " + failed.getMessage()));
+                    result.keptFailure = failed;
                 }
             }
         }
