@@ -30,8 +30,8 @@ record BeforeBuild(List<Path> entries) {
     private static final int DEPTH = 5;
 
     private static final Pattern JAR = Pattern.compile("troupe-.*(?<!-sources|-javadoc|-tests)\\.jar");
-    private static final List<List<String>> CLASSES = List.of(
-            List.of("target/classes"), List.of("build/classes/java/main", "build/resources/main"));
+    private static final List<List<String>> CLASSES =
+            List.of(List.of("target/classes"), List.of("build/classes/java/main", "build/resources/main"));
 
     /** A module that is measured or that these use, with a class by which it is known. */
     enum Module {
@@ -117,8 +117,10 @@ record BeforeBuild(List<Path> entries) {
         List<Path> newest = List.of();
         FileTime last = FileTime.fromMillis(0);
         for (List<String> names : CLASSES) {
-            List<Path> folders =
-                    names.stream().map(module::resolve).filter(Files::isDirectory).toList();
+            List<Path> folders = names.stream()
+                    .map(module::resolve)
+                    .filter(Files::isDirectory)
+                    .toList();
             for (Module each : Module.values()) {
                 FileTime written = timeOf(module.resolve(names.getFirst()).resolve(each.marker));
                 if (written.compareTo(last) > 0) {

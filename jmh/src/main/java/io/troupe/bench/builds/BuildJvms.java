@@ -162,8 +162,8 @@ final class BuildJvms implements AutoCloseable {
     }
 
     /**
-     * The main class of a build's JVM. It answers {@code turn <operations> <row>} by a {@link Turn}, and
-     * {@code kept <row>} by a number of bytes.
+     * The main class of a build's JVM. It answers {@code turn <operations> <row>} by a {@link Turn}, and {@code kept
+     * <row>} by a number of bytes.
      */
     static final class Child {
         private final BuildPart part;

@@ -40,7 +40,8 @@ enum BuildPart {
      *
      * @param server the address of a NATS server; null if there is none
      */
-    record Setting(List<Integer> robots, int threads, @Nullable String server) {
+    record Setting(
+            List<Integer> robots, int threads, @Nullable String server) {
         private static final String NONE = "none";
 
         List<String> arguments() {
@@ -77,9 +78,7 @@ enum BuildPart {
             case SIMULATOR -> EnumSet.of(PLAYERLIKE_SIM);
             case NETS -> EnumSet.of(VERIFICATION);
             case BUS ->
-                !overNats
-                        ? EnumSet.of(ACTOR_CORE, ACTOR_SERVICE)
-                        : EnumSet.of(ACTOR_CORE, ACTOR_SERVICE, ACTOR_NATS);
+                !overNats ? EnumSet.of(ACTOR_CORE, ACTOR_SERVICE) : EnumSet.of(ACTOR_CORE, ACTOR_SERVICE, ACTOR_NATS);
         };
     }
 

@@ -113,8 +113,7 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
         return Verdict.of(result.starts, turn -> 1 + turn.bytesEach());
     }
 
-    private static double median(
-            RowResult result, Function<Round<Turn>, Turn> build, ToDoubleFunction<Turn> figure) {
+    private static double median(RowResult result, Function<Round<Turn>, Turn> build, ToDoubleFunction<Turn> figure) {
         return SampleStatistics.of(result.starts.stream()
                         .flatMap(List::stream)
                         .map(build)
@@ -127,9 +126,7 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
     static boolean isSlower(Map<BuildPart, List<RowResult>> results) {
         return results.values().stream()
                 .flatMap(List::stream)
-                .anyMatch(each -> each.failure == null
-                        ? has(Kind.MORE, each)
-                        : each.failure.isOfThisBuild());
+                .anyMatch(each -> each.failure == null ? has(Kind.MORE, each) : each.failure.isOfThisBuild());
     }
 
     /** The last lines: what became slower, faster, and so on. */

@@ -42,9 +42,7 @@ import picocli.CommandLine.Option;
         name = "CompareBuilds",
         description = "Compares an older build of Troupe with this one, and says what became slower.",
         showDefaultValues = true,
-        footer = {
-            "",
-            "The exit status is 1 if something became slower, or does not run in this build, and otherwise 0."
+        footer = {"", "The exit status is 1 if something became slower, or does not run in this build, and otherwise 0."
         })
 public final class CompareBuilds implements Callable<Integer> {
     private static final int SLOWER = 1;
@@ -141,6 +139,7 @@ public final class CompareBuilds implements Callable<Integer> {
         final Row row;
         final List<List<Round<Turn>>> starts = new ArrayList<>();
         final Map<BuildJvms.Name, Double> keptBytes = new EnumMap<>(BuildJvms.Name.class);
+
         @Nullable
         RowFailure failure;
 
@@ -244,8 +243,7 @@ public final class CompareBuilds implements Callable<Integer> {
         BuildJvms start() throws IOException;
     }
 
-    private void measure(BuildPart part, List<RowResult> rows, Starter starter, ProgressLine line)
-            throws IOException {
+    private void measure(BuildPart part, List<RowResult> rows, Starter starter, ProgressLine line) throws IOException {
         for (int start = 1; start <= starts; start++) {
             BuildJvms jvms = starter.start();
             try {
@@ -290,7 +288,8 @@ public final class CompareBuilds implements Callable<Integer> {
         while (true) {
             Round<Turn> round = round(row, jvms, operations);
             List<Turn> turns = List.of(round.before(), round.now(), round.again());
-            spentNanos += turns.stream().mapToDouble(CompareBuilds::length).min().orElseThrow();
+            spentNanos +=
+                    turns.stream().mapToDouble(CompareBuilds::length).min().orElseThrow();
             double growth = turnMillis
                     * 1e6
                     / turns.stream().mapToDouble(CompareBuilds::length).max().orElseThrow();
@@ -303,7 +302,9 @@ public final class CompareBuilds implements Callable<Integer> {
         }
     }
 
-    /** The processor time: while other programs have the processor, nothing is compiled. But waiting counts a little. */
+    /**
+     * The processor time: while other programs have the processor, nothing is compiled. But waiting counts a little.
+     */
     private static double length(Turn turn) {
         return Math.max(1, Math.max(turn.processorNanos(), turn.nanos() * WAITING_COUNTS));
     }
@@ -312,7 +313,8 @@ public final class CompareBuilds implements Callable<Integer> {
         Round<Turn> round = jvms.round(row, operations);
         compareAnswers(BuildJvms.Name.AGAIN, round.again().answer(), round.now().answer());
         if (!otherAnswers) {
-            compareAnswers(BuildJvms.Name.BEFORE, round.before().answer(), round.now().answer());
+            compareAnswers(
+                    BuildJvms.Name.BEFORE, round.before().answer(), round.now().answer());
         }
         return round;
     }
@@ -320,7 +322,9 @@ public final class CompareBuilds implements Callable<Integer> {
     private static void compareAnswers(BuildJvms.Name build, String answer, String expected) throws RowFailure {
         if (!answer.equals(expected)) {
             throw new RowFailure(
-                    build, "it answers \"" + answer + "\", and this build \"" + expected + "\", expected the same", null);
+                    build,
+                    "it answers \"" + answer + "\", and this build \"" + expected + "\", expected the same",
+                    null);
         }
     }
 

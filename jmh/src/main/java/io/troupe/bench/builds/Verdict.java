@@ -91,8 +91,7 @@ record Verdict(Interval change, Interval itself, double noise, Kind kind) {
                 starts,
                 round -> (logarithm(figure, round.now) + logarithm(figure, round.again)) / 2
                         - logarithm(figure, round.before));
-        Interval itself =
-                interval(starts, round -> logarithm(figure, round.now) - logarithm(figure, round.again));
+        Interval itself = interval(starts, round -> logarithm(figure, round.now) - logarithm(figure, round.again));
         double noise = Math.max(LEAST_NOISE, Math.max(itself.high, 1 / itself.low) - 1);
         return new Verdict(change, itself, noise, kind(starts.size(), change, noise));
     }

@@ -118,8 +118,7 @@ public final class BusTable implements BuildTable {
     }
 
     private static Turn asks(BusPair pair, BusWorkload workload, int operations) throws Exception {
-        return TurnMeter.measure(
-                operations, () -> pair.askWhile(workload.payloadBytes(), new Countdown(operations)));
+        return TurnMeter.measure(operations, () -> pair.askWhile(workload.payloadBytes(), new Countdown(operations)));
     }
 
     /** True until so many operations have been counted. */
@@ -138,7 +137,8 @@ public final class BusTable implements BuildTable {
 
     @Override
     public double keptBytes(String row) throws Exception {
-        return BusMemory.ofNode(new LoopEngine.Group()::open, (bus, space) -> {}).heapBytes();
+        return BusMemory.ofNode(new LoopEngine.Group()::open, (bus, space) -> {})
+                .heapBytes();
     }
 
     private static BusWorkload named(String label) {

@@ -38,9 +38,8 @@ public final class WorldTable implements BuildTable {
     @Override
     public List<Row> rows() {
         return Stream.of(BuildScene.values())
-                .flatMap(scene -> robots.isEmpty()
-                        ? usual(scene)
-                        : robots.stream().map(count -> row(scene, count, Choice.QUICK)))
+                .flatMap(scene ->
+                        robots.isEmpty() ? usual(scene) : robots.stream().map(count -> row(scene, count, Choice.QUICK)))
                 .toList();
     }
 

@@ -66,8 +66,8 @@ class CompareBuildsTest {
     private static Outcome run(String now, String before, String options) throws Exception {
         var out = new ByteArrayOutputStream();
         var err = new ByteArrayOutputStream();
-        var arguments =
-                Stream.concat(Stream.of("--before", before), Stream.of(options.split(" "))).toArray(String[]::new);
+        var arguments = Stream.concat(Stream.of("--before", before), Stream.of(options.split(" ")))
+                .toArray(String[]::new);
         int status = parsed(arguments)
                 .call(
                         now,
@@ -85,7 +85,10 @@ class CompareBuildsTest {
 
     private static String placeOf(Class<?> type) {
         try {
-            return Path.of(type.getProtectionDomain().getCodeSource().getLocation().toURI())
+            return Path.of(type.getProtectionDomain()
+                            .getCodeSource()
+                            .getLocation()
+                            .toURI())
                     .toString();
         } catch (URISyntaxException wrong) {
             throw new IllegalStateException(type + " has no file", wrong);
@@ -110,12 +113,14 @@ class CompareBuildsTest {
         assertThat(usual.before).containsExactly(Path.of("a"), Path.of("b"));
         assertThat(usual.robots).containsExactly(2, 10);
         assertThat(usual)
-                .extracting(each -> each.starts, each -> each.rounds, each -> each.turnMillis, each -> each.warmUpMillis)
+                .extracting(
+                        each -> each.starts, each -> each.rounds, each -> each.turnMillis, each -> each.warmUpMillis)
                 .containsExactly(8, 5, 40, 400);
         var quick = parsed("--before", "a", "--starts", "9", "--quick", "--rounds", "7", "--parts", "bus,nets");
         assertThat(quick.parts).containsExactly(BuildPart.BUS, BuildPart.NETS);
         assertThat(quick)
-                .extracting(each -> each.starts, each -> each.rounds, each -> each.turnMillis, each -> each.warmUpMillis)
+                .extracting(
+                        each -> each.starts, each -> each.rounds, each -> each.turnMillis, each -> each.warmUpMillis)
                 .containsExactly(4, 7, 20, 150);
     }
 
@@ -151,7 +156,10 @@ class CompareBuildsTest {
     void thisBuild_besideItself_isMeasuredInAllRows(BuildPart part) throws Exception {
         var outcome = run(NOW, thisBuild(), SHORT + " --parts " + part);
         assertThat(outcome.status).as(outcome.out).isZero();
-        var rows = outcome.out.lines().filter(line -> line.contains("| not judged, fewer than 3 starts |")).toList();
+        var rows = outcome.out
+                .lines()
+                .filter(line -> line.contains("| not judged, fewer than 3 starts |"))
+                .toList();
         long expected = part.table(new BuildPart.Setting(List.of(), 1, null), "").rows().stream()
                 .filter(row -> row.choice() == Choice.QUICK)
                 .count();
@@ -189,14 +197,16 @@ class CompareBuildsTest {
                 .singleElement()
                 .asString()
                 .contains("| not judged, fewer than 3 starts |");
-        assertThat(outcome.lines("* Not compared: nets, corrected net, minimal siphons (")).hasSize(1);
+        assertThat(outcome.lines("* Not compared: nets, corrected net, minimal siphons ("))
+                .hasSize(1);
     }
 
     @Test
     void thisBuild_thatLacksAMethod_hasExitStatus1() throws Exception {
         String lacking = compiled("PaperNets", NETS.replace("BURN", "0")) + File.pathSeparator + NOW;
         var outcome = run(lacking, thisBuild(), SHORT + " --parts nets --row corrected");
-        assertThat(outcome.lines("* Not compared: nets, corrected net, minimal siphons (this build")).hasSize(1);
+        assertThat(outcome.lines("* Not compared: nets, corrected net, minimal siphons (this build"))
+                .hasSize(1);
         assertThat(outcome.status).isEqualTo(1);
     }
 

@@ -67,7 +67,8 @@ class VerdictTest {
 
     private static final Speeds NORMAL = random -> 0.05 * random.nextGaussian();
     /** Compiled in one of two ways. */
-    private static final Speeds TWO_SPEEDS = random -> (random.nextInt(3) == 0 ? 0.5 : 0) + 0.01 * random.nextGaussian();
+    private static final Speeds TWO_SPEEDS =
+            random -> (random.nextInt(3) == 0 ? 0.5 : 0) + 0.01 * random.nextGaussian();
     /** Often disturbed, sometimes by a lot. */
     private static final Speeds HEAVY = random -> 0.02 * random.nextGaussian() / Math.max(1e-3, random.nextDouble());
 
