@@ -161,7 +161,7 @@ final class ContenderProcess implements AutoCloseable {
          * Bytes per actor, the median of some trials. Small allocations of the contender meanwhile are divided by 2,000
          * actors.
          */
-        private static double bytesPerActor(Contender contender) throws Exception {
+        static double bytesPerActor(Contender contender) throws Exception {
             return bytesPerActor(() -> contender.create(ACTORS), contender::clear);
         }
 

@@ -31,6 +31,15 @@ class MeasureNetsTest {
     }
 
     @Test
+    void rowsOfTwoBuilds_areTasks_quickAndLongOnesToo() {
+        assertThat(new NetTable().rows())
+                .extracting(BuildTable.Row::name)
+                .hasSameSizeAs(MeasureNets.NetTask.all())
+                .containsAll(NetTable.QUICK)
+                .containsAll(NetTable.LONG);
+    }
+
+    @Test
     void arguments_thatAreWrong_areRefused() {
         assertThat(BenchmarkTests.parsed(new MeasureNets()).repetitions).isEqualTo(7);
         assertThat(BenchmarkTests.parsed(new MeasureNets(), "--repetitions", "3").repetitions)

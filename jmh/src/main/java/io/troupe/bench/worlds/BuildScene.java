@@ -11,7 +11,7 @@ import java.util.List;
 import java.util.Locale;
 import java.util.function.IntFunction;
 
-/** The scenes of {@link CompareWorlds} and {@link CompareBuilds}; the area grows with the number of robots. */
+/** The scenes of {@link CompareWorlds} and {@link WorldTable}; the area grows with the number of robots. */
 enum BuildScene {
     /** Sixteen sonars and a camera for each robot. */
     FULL(TiledScene::of),

@@ -1,0 +1,5 @@
+/** Compares an older build of Troupe with this one, and says what became slower. */
+@NullMarked
+package io.troupe.bench.builds;
+
+import org.jspecify.annotations.NullMarked;
