@@ -20,6 +20,8 @@ import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Set;
+import java.util.concurrent.CompletionStage;
+import java.util.concurrent.Future;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -255,6 +257,28 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         }
     }
 
+    /** Types as in source code, by their simple names: {@code List<String>}. */
+    private static final class TypeText {
+        private TypeText() {}
+
+        static String of(Type type) {
+            return switch (type) {
+                case Class<?> named -> named.getSimpleName();
+                case ParameterizedType generic ->
+                    of(generic.getRawType())
+                            + Arrays.stream(generic.getActualTypeArguments())
+                                    .map(TypeText::of)
+                                    .collect(Collectors.joining(", ", "<", ">"));
+                case GenericArrayType array -> of(array.getGenericComponentType()) + "[]";
+                case WildcardType wild when wild.getLowerBounds().length > 0 ->
+                    "? super " + of(wild.getLowerBounds()[0]);
+                case WildcardType wild ->
+                    wild.getUpperBounds()[0] == Object.class ? "?" : "? extends " + of(wild.getUpperBounds()[0]);
+                default -> type.getTypeName();
+            };
+        }
+    }
+
     /** The requirements on a method that is a message; the error for a violation names the alternative. */
     private static final class MethodRules {
         /** The virtual machine's limit of 255 argument slots, less the message under construction and its cell. */
@@ -279,17 +303,12 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         }
 
         void checkMessage(Method method) {
-            Class<?> result = method.getReturnType();
             if (!canBeMessage(method)) {
                 throw wrong(
                         method,
-                        "returns " + result.getSimpleName()
-                                + ", expected void (a one-way message) or Promise (a request): make it Promise<"
-                                + MethodType.methodType(result)
-                                        .wrap()
-                                        .returnType()
-                                        .getSimpleName()
-                                + "> and answer Promise.of(..)" + wayOut(method));
+                        "returns " + TypeText.of(method.getGenericReturnType())
+                                + ", expected void (a one-way message) or Promise (a request): make it "
+                                + asPromise(method) + wayOut(method));
             }
             if (SuspendingCalls.isSuspending(method)) {
                 checkSuspending(method);
@@ -313,6 +332,27 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                         "takes " + slots + " argument slots (a long or double takes two), expected at most " + SLOTS
                                 + ": pass an array or a record");
             }
+        }
+
+        /** The return type that the author of a method meant, and how to return its value. */
+        private static String asPromise(Method method) {
+            Class<?> result = method.getReturnType();
+            boolean isStage = CompletionStage.class.isAssignableFrom(result);
+            if (!isStage && !Future.class.isAssignableFrom(result) && !Promise.class.isAssignableFrom(result)) {
+                Class<?> boxed = MethodType.methodType(result).wrap().returnType();
+                String value = TypeText.of(result.isPrimitive() ? boxed : method.getGenericReturnType());
+                return "Promise<" + value + ">, and return Promise.of(..)";
+            }
+            String value = method.getGenericReturnType() instanceof ParameterizedType generic
+                            && generic.getActualTypeArguments().length == 1
+                    ? TypeText.of(generic.getActualTypeArguments()[0])
+                    : "Object";
+            String how = isStage
+                    ? ", and return Promise.from(future)"
+                    : Promise.class.isAssignableFrom(result)
+                            ? ", which " + result.getSimpleName() + " is"
+                            : ", and return space().offload(future::get), since get() blocks";
+            return "Promise<" + value + ">" + how;
         }
 
         private void checkSuspending(Method method) {

@@ -9,6 +9,9 @@ import java.lang.invoke.MethodType;
 import java.lang.invoke.VarHandle;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
+import java.util.Objects;
+import java.util.Optional;
+import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.objenesis.ObjenesisStd;
 import org.objenesis.instantiator.ObjectInstantiator;
@@ -177,15 +180,28 @@ abstract class ActorType {
                 }
             } else if (!Actor.class.isAssignableFrom(type)) {
                 problem = "it is a class that does not extend " + Actor.class.getName()
-                        + "; use an interface, or extend Actor";
+                        + byInterface(type).orElse("; use an interface, or extend Actor");
             } else if (Modifier.isFinal(type.getModifiers()) || type.isSealed()) {
-                problem = "it is final or sealed, so that its proxy cannot be a subclass (in Kotlin, make it open)";
+                problem = "it is final or sealed, so that its proxy cannot be a subclass (in Kotlin, make it open)"
+                        + byInterface(type).orElse("");
             } else if (type.isAnonymousClass()) {
                 problem = "it is anonymous";
             }
             if (problem != null) {
                 throw new ActorTypeException(type.getName() + " cannot be an actor type: " + problem);
             }
+        }
+
+        /** How to spawn an implementation of an interface, which is the most frequent mistake. */
+        private static Optional<String> byInterface(Class<?> type) {
+            String name = type.getSimpleName();
+            return Stream.<Class<?>>iterate(type, Objects::nonNull, Class::getSuperclass)
+                    .flatMap(each -> Stream.of(each.getInterfaces()))
+                    .filter(each -> !each.isSealed() && !each.getName().matches("(java|javax|kotlin)\\..*"))
+                    .findFirst()
+                    .map(Class::getSimpleName)
+                    .map(its -> "; spawn it by its interface: spawn(" + its + ".class, " + name
+                            + "::new), in Kotlin spawn<" + its + "> { " + name + "() }");
         }
 
         /**

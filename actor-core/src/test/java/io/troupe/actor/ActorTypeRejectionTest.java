@@ -30,6 +30,27 @@ class ActorTypeRejectionTest extends InTestSpace {
     private static final String TYPES = """
             interface Thermometer { int degrees(); }
               Thermometer.degrees() | returns int | Promise<Integer>
+            interface Listing { List<String> names(); }
+              Listing.names() | returns List<String>, expected void | make it Promise<List<String>>, and return Promise.of(..)
+            interface Wildcards { Map<? super String, ? extends List<?>>[] all(); }
+              Wildcards.all() | make it Promise<Map<? super String, ? extends List<?>>[]>
+            interface Completing { CompletableFuture<String> name(); }
+              returns CompletableFuture<String>, expected void | make it Promise<String>, and return Promise.from(future)
+            interface Staged { CompletionStage<List<String>> names(); }
+              Staged.names() | make it Promise<List<String>>, and return Promise.from(future)
+            interface Blocking { Future<String> name(); }
+              returns Future<String>, expected void | make it Promise<String>, and return space().offload(future::get)
+            interface Raw { CompletableFuture name(); }
+              Raw.name() | make it Promise<Object>, and return Promise.from(future)
+            interface Deferring { Deferred<String> name(); }
+              Deferring.name() | returns Deferred<String> | make it Promise<String>, which Deferred is
+            interface Welcome { void hello(); }
+            class Host implements java.io.Serializable, Welcome { public void hello() {} }
+              does not extend io.troupe.actor.Actor; spawn it by its interface | spawn(Welcome.class, Host::new) | spawn<Welcome> { Host() }
+            class Guest { public void hello() {} }
+              does not extend io.troupe.actor.Actor; use an interface, or extend Actor
+            final class Butler extends Actor implements Welcome { public void hello() {} }
+              it is final | spawn(Welcome.class, Butler::new)
             public class Gauge extends Actor { public int level() { return 1; } }
               Gauge.level() | less visible than public
             interface Labelled { default String label() { return "label of " + this; } }
@@ -96,7 +117,8 @@ class ActorTypeRejectionTest extends InTestSpace {
             """;
 
     private static final String IMPORTS =
-            "package types; import io.troupe.actor.*; import io.troupe.actor.promise.*; import java.util.*; ";
+            "package types; import io.troupe.actor.*; import io.troupe.actor.promise.*; import java.util.*;"
+                    + " import java.util.concurrent.*; ";
 
     @TempDir
     private static Path folder;

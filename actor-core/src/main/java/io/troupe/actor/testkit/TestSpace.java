@@ -188,12 +188,13 @@ public final class TestSpace implements AutoCloseable {
         space.close();
         if (!problems.isEmpty()) {
             var failure = new AssertionError("the space reported " + problems.size() + " problem(s), the first in "
-                    + problems.getFirst().where());
+                    + problems.getFirst().where() + "; if they are expected, takeProblems()");
             problems.forEach(problem -> failure.addSuppressed(problem.error()));
             throw failure;
         }
         if (!deadLetters.isEmpty()) {
-            throw new AssertionError("messages became dead letters: " + deadLetters);
+            throw new AssertionError("messages became dead letters: " + deadLetters
+                    + "; if they are expected, takeDeadLetters()");
         }
         for (var probe : probes) {
             var unanswered = probe.removeUnanswered();

@@ -146,7 +146,7 @@ class TestSpaceTest extends InTestSpace {
     void forgottenProblem_failsTheTestAtTheEnd() {
         silent.poke("ouch");
         test.crank();
-        assertFails(test::close, "Silent.poke(String) of Silent#1");
+        assertFails(test::close, "Silent.poke(String) of Silent#1; if they are expected, takeProblems()");
         test.takeProblems();
     }
 
