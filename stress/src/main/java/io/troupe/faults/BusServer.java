@@ -1,5 +1,6 @@
 package io.troupe.faults;
 
+import io.troupe.common.process.NatsServerProcess;
 import io.troupe.faults.hosts.HostProcess;
 import io.troupe.faults.hosts.Hosts;
 import java.io.IOException;
@@ -49,9 +50,15 @@ final class BusServer {
         return "nats://" + hosts.address(Hosts.SERVER) + ":" + port;
     }
 
+    private static String program() throws IOException {
+        return NatsServerProcess.program()
+                .orElseThrow(() -> new IOException(NatsServerProcess.HOW_TO_GET))
+                .toString();
+    }
+
     HostProcess start() throws IOException, InterruptedException {
         Path file = Files.writeString(folder.resolve("nats.conf"), CONFIGURATION.formatted(port));
-        var command = hosts.on(Hosts.SERVER, List.of("nats-server", "-c", file.toString()));
+        var command = hosts.on(Hosts.SERVER, List.of(program(), "-c", file.toString()));
         var server = HostProcess.start("nats-server", command, onSurprise);
         if (server.await("Server is ready", READY_SECONDS) == null) {
             onSurprise.accept("nats-server does not start: " + server.lastLines());

@@ -1,12 +1,12 @@
 package io.troupe.faults;
 
 import io.troupe.common.measure.ProgressLine;
+import io.troupe.common.process.NatsServerProcess;
 import io.troupe.faults.history.History;
 import io.troupe.faults.history.HistoryChecker;
 import io.troupe.faults.history.Violation;
 import io.troupe.faults.history.Violation.Rule;
 import io.troupe.faults.hosts.Hosts;
-import java.io.File;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -84,8 +84,8 @@ public final class FaultsMain implements Callable<Integer> {
                     spec.commandLine(),
                     "--faults is " + faults + " and --faults-per-run is " + faultsPerRun + ", expected at least 1");
         }
-        if (!isServerInstalled()) {
-            System.out.println("faults: nats-server is not installed (Debian: apt-get install nats-server)");
+        if (!NatsServerProcess.isInstalled()) {
+            System.out.println("faults: " + NatsServerProcess.HOW_TO_GET);
             return CommandLine.ExitCode.SOFTWARE;
         }
         long first = seed == null ? System.nanoTime() % 1_000_000 : seed;
@@ -157,12 +157,5 @@ public final class FaultsMain implements Callable<Integer> {
             }
         }
         Files.delete(folder);
-    }
-
-    /** Returns whether the program that the suite needs is on the path. */
-    static boolean isServerInstalled() {
-        String path = System.getenv().getOrDefault("PATH", "");
-        return Stream.of(path.split(File.pathSeparator))
-                .anyMatch(folder -> Files.isExecutable(Path.of(folder, "nats-server")));
     }
 }

@@ -3,6 +3,7 @@ package io.troupe.faults;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.troupe.common.process.NatsServerProcess;
 import io.troupe.faults.history.Event.Called;
 import io.troupe.faults.history.Event.Commanded;
 import io.troupe.faults.history.Event.Delivered;
@@ -82,7 +83,7 @@ class FaultsTest {
     /** Does one run, in which no rule may be broken. */
     private History run(int faults, Opener opener) throws IOException, InterruptedException {
         assumeTrue(
-                FaultsMain.isServerInstalled(),
+                NatsServerProcess.isInstalled(),
                 "nats-server is not installed (Debian: apt-get install nats-server): no faults are tested");
         History history;
         try (Hosts hosts = Hosts.open(Hosts.Kind.AUTO);

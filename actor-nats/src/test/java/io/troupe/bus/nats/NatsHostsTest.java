@@ -8,6 +8,7 @@ import io.troupe.bus.BusException;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusTimeoutException;
 import io.troupe.bus.BusTopic;
+import io.troupe.common.process.NatsServerProcess;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -53,7 +54,10 @@ class NatsHostsTest extends NatsTest {
 
     private static String check(String file, Map<String, String> environment) throws IOException {
         var builder = new ProcessBuilder(
-                        "nats-server", "-t", "-c", HOSTS.resolve(file).toString())
+                        NatsServerProcess.program().orElseThrow().toString(),
+                        "-t",
+                        "-c",
+                        HOSTS.resolve(file).toString())
                 .redirectErrorStream(true);
         builder.environment().putAll(environment);
         return new String(builder.start().getInputStream().readAllBytes());

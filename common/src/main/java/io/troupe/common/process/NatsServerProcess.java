@@ -54,7 +54,8 @@ public final class NatsServerProcess implements AutoCloseable {
         return program().isPresent();
     }
 
-    private static Optional<Path> program() {
+    /** The program, if it is installed. */
+    public static Optional<Path> program() {
         return Programs.find("nats-server");
     }
 
