@@ -41,6 +41,7 @@ tasks.register<JavaExec>("figure20") {
 
 tasks.test {
     inputs.dir("../../../demo/worlds").withPathSensitivity(PathSensitivity.RELATIVE)
+    inputs.dir("src/main/java/io/troupe/paper").withPathSensitivity(PathSensitivity.RELATIVE) // compared with the figures
 }
 
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.paper") } }

@@ -21,10 +21,10 @@ import picocli.CommandLine.ParameterException;
  * The commands of the documentation exist: those of troupe with their options, tasks of Gradle, modules and executions
  * of Maven, and the files of this repository that they name. Nothing is run.
  */
-class DocumentedCommandsTest {
-    private static final Path ROOT = Path.of("..");
-    private static final Pattern COMMAND =
-            Pattern.compile("`((?:\\./)?(?:troupe|gradlew|gradle|mvn) [^`]*)`|(?m)^ {0,4}((?:\\./troupe|\\./gradlew|mvn) .*)$");
+class DocumentedCommandsTest extends CommandLineBench {
+    private static final Path ROOT = Path.of("").toAbsolutePath().getParent();
+    private static final Pattern COMMAND = Pattern.compile(
+            "`((?:\\./)?(?:troupe|gradlew|gradle|mvn) [^`]*)`|(?m)^ {0,4}((?:\\./troupe|\\./gradlew|mvn) .*)$");
     private static final Pattern WORD = Pattern.compile("(?:[^\\s\"']|\"[^\"]*\"|'[^']*')+");
     private static final Pattern TASK = Pattern.compile("register<\\w+>\\(\"(\\w+)\"\\)");
     private static final Pattern PLACEHOLDER =
@@ -35,7 +35,7 @@ class DocumentedCommandsTest {
 
     private static List<Path> pages() throws IOException {
         List<Path> pages = new ArrayList<>(List.of(ROOT.resolve("README.md"), ROOT.resolve("CONTRIBUTING.md")));
-        try (Stream<Path> files = Files.walk(Path.of("..", "docs"))) {
+        try (Stream<Path> files = Files.walk(ROOT.resolve("docs"))) {
             files.filter(file -> file.toString().endsWith(".md")).sorted().forEach(pages::add);
         }
         return pages;
@@ -48,7 +48,9 @@ class DocumentedCommandsTest {
         for (Path page : pages()) {
             for (String command : commands(Files.readString(page))) {
                 commands.add(command);
-                problem(command).lines().forEach(problem -> problems.add(page + ": " + command + ": " + problem));
+                problem(command)
+                        .lines()
+                        .forEach(problem -> problems.add(ROOT.relativize(page) + ": " + command + ": " + problem));
             }
         }
         assertThat(commands).hasSizeGreaterThan(100);
@@ -69,7 +71,8 @@ class DocumentedCommandsTest {
         assertThat(problem("./gradlew figure8")).contains("figure8");
         assertThat(problem("./gradlew :demo:dance")).contains("dance");
         assertThat(problem("./gradlew :demo:run --args=\"dance\"")).contains("dance");
-        assertThat(problem("mvn compile exec:exec@figure8 -pl docs/examples/paper -am")).contains("figure8");
+        assertThat(problem("mvn compile exec:exec@figure8 -pl docs/examples/paper -am"))
+                .contains("figure8");
         assertThat(problem("mvn test -pl nowhere")).contains("nowhere");
         assertThat(problem("mvn test -pl demo -Dtest='DanceTest'")).contains("DanceTest");
         assertThat(problem("./troupe serve --port 0 && ./troupe dance")).contains("dance");
@@ -84,6 +87,18 @@ class DocumentedCommandsTest {
                 "mvn -B -ntp compile exec:exec@figure7 -pl docs/examples/paper -am -Dargs=\"--seconds 60\"")) {
             assertThat(problem(right)).isEmpty();
         }
+    }
+
+    @Test
+    void errorsOnTheMapOfThePaper_arePrintedByItsCommands() throws IOException {
+        String map = Files.readString(ROOT.resolve("docs/guide/19-map-of-the-paper.md"));
+        String examples = "../docs/examples/paper/";
+        assertThat(troupe("table " + examples + "both-follow-walls.table --out DIR"))
+                .isEqualTo(Main.USAGE);
+        assertThat(troupe("app " + ARENA + examples + "missing-service.app")).isEqualTo(Main.MISSING_SERVICE);
+        assertThat(err.toString().replace("../docs", "docs").lines())
+                .hasSize(2)
+                .allSatisfy(line -> assertThat(map).contains("\n    " + line + "\n"));
     }
 
     private static List<String> commands(String markdown) {
@@ -128,7 +143,11 @@ class DocumentedCommandsTest {
         var nowhere = new PrintWriter(PrintWriter.nullWriter());
         CommandLine troupe = Main.commandLine(nowhere, nowhere);
         String[] arguments = Main.withCommand(words.toArray(String[]::new));
-        if (isMention || words.stream().anyMatch(word -> PLACEHOLDER.matcher(word.replaceFirst("^--[\\w-]+=", "")).matches())) {
+        if (isMention
+                || words.stream()
+                        .anyMatch(word -> PLACEHOLDER
+                                .matcher(word.replaceFirst("^--[\\w-]+=", ""))
+                                .matches())) {
             return ofNames(troupe.getCommandSpec(), List.of(arguments));
         }
         try {
@@ -150,7 +169,9 @@ class DocumentedCommandsTest {
                 if (!command.optionsMap().containsKey(name)) {
                     return command.qualifiedName() + " has no option " + name + "\n";
                 }
-            } else if (isCommand && !command.subcommands().isEmpty() && !PLACEHOLDER.matcher(word).matches()) {
+            } else if (isCommand
+                    && !command.subcommands().isEmpty()
+                    && !PLACEHOLDER.matcher(word).matches()) {
                 CommandLine next = command.subcommands().get(word);
                 if (next == null) {
                     return command.qualifiedName() + " has no command " + word + "\n";
@@ -169,12 +190,15 @@ class DocumentedCommandsTest {
         String skipped = "";
         for (String word : words) {
             if (word.startsWith("--args=") && words.getFirst().equals(":demo:run")) {
-                String problem = ofTroupe(List.of(word.substring("--args=".length()).split(" ")), false);
+                String problem =
+                        ofTroupe(List.of(word.substring("--args=".length()).split(" ")), false);
                 if (!problem.isEmpty()) {
                     return problem;
                 }
             }
-            boolean isTask = !word.startsWith("-") && !WITH_VALUE.contains(skipped) && !PLACEHOLDER.matcher(word).matches();
+            boolean isTask = !word.startsWith("-")
+                    && !WITH_VALUE.contains(skipped)
+                    && !PLACEHOLDER.matcher(word).matches();
             skipped = word;
             if (isTask && !existsTask(word)) {
                 return "there is no task " + word + "\n";
@@ -227,7 +251,8 @@ class DocumentedCommandsTest {
 
     private static String ofMaven(List<String> words) throws IOException {
         int option = words.indexOf("-pl");
-        List<String> modules = option < 0 ? List.of() : List.of(words.get(option + 1).split(","));
+        List<String> modules =
+                option < 0 ? List.of() : List.of(words.get(option + 1).split(","));
         for (String module : modules) {
             if (!modules().contains(module)) {
                 return "there is no module " + module + "\n";

@@ -13,7 +13,8 @@ import org.junit.jupiter.api.Test;
 
 /** The map of the paper has a row for each of its figures, tables and challenges, and for the units of section 2. */
 class PaperMapTest {
-    private static final Pattern ROW = Pattern.compile("(?m)^\\| ([^|]+?) \\| ([^|]*?) \\| ([^|]*?) \\| ([^|]*?) ?\\|$");
+    private static final Pattern ROW =
+            Pattern.compile("(?m)^\\| ([^|]+?) \\| ([^|]*?) \\| ([^|]*?) \\| ([^|]*?) ?\\|$");
 
     private static final Stream<String> UNITS = Stream.of(
             "service layer",
@@ -43,12 +44,16 @@ class PaperMapTest {
 
     @Test
     void rowWithoutAWordOrAPlace_isNone() {
-        assertThat(rows("| Figure 1 | says | here | |\n| Figure 2 | | here | |\n| Figure 3 | says | | [a](b) |\n", "Figure"))
+        assertThat(rows(
+                        "| Figure 1 | says | here | |\n| Figure 2 | | here | |\n| Figure 3 | says | | [a](b) |\n",
+                        "Figure"))
                 .containsExactly("Figure 1");
     }
 
     private static List<String> numbered(String kind, int last) {
-        return IntStream.rangeClosed(1, last).mapToObj(each -> kind + " " + each).toList();
+        return IntStream.rangeClosed(1, last)
+                .mapToObj(each -> kind + " " + each)
+                .toList();
     }
 
     /** The first cells of rows that begin so, if the second and the third cell have something. */

@@ -15,9 +15,9 @@ import io.troupe.sim.worldfile.ScenarioReader;
 import java.net.InetSocketAddress;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.CompletionException;
-import java.util.List;
 import java.util.function.Consumer;
 import java.util.function.Function;
 import java.util.regex.Pattern;
@@ -143,7 +143,7 @@ record PaperRobots(
      */
     void driveByActors(Function<ActorSpace, List<Actor>> application) {
         var settings = SpaceSettings.named("robots").withOnError((where, error) -> {
-            if (!(error instanceof ActorStoppedException)) { // at the end nobody answers the last request
+            if (!(error instanceof ActorStoppedException)) { // the last request is not answered when the time is over
                 System.err.println(where + ": " + error);
             }
         });
@@ -159,7 +159,8 @@ record PaperRobots(
                 space.stop(each);
                 stopped.join();
             }
-            var idle = new CompletableFuture<@Nullable Void>(); // a reading on its way to a closed space is a dead letter
+            var idle =
+                    new CompletableFuture<@Nullable Void>(); // a reading on its way to a closed space is a dead letter
             space.onIdle(() -> idle.complete(null));
             idle.join();
         } catch (CompletionException failed) {
