@@ -80,7 +80,7 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
         List<Workload> ranked =
                 bars.keySet().stream().filter(Workload::isRanked).toList();
         long first = ranked.stream().filter(this::isOursFastest).count();
-        return "Troupe has the lowest median time per operation in " + first + " of " + ranked.size()
+        return "In this run Troupe has the lowest median time per operation in " + first + " of " + ranked.size()
                 + " workloads, limit and floor apart";
     }
 
