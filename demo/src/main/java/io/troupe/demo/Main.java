@@ -3,6 +3,7 @@ package io.troupe.demo;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.bus.BusException;
 import io.troupe.common.text.SourceException;
+import io.troupe.common.text.SourcePosition;
 import io.troupe.common.text.Suggestions;
 import io.troupe.demo.app.AppCommand;
 import io.troupe.demo.crowd.CrowdCommand;
@@ -21,9 +22,12 @@ import io.troupe.petri.PnmlException;
 import io.troupe.petri.wiring.WiringMonitor;
 import io.troupe.player.PlayerException;
 import io.troupe.services.component.application.ApplicationException;
+import io.troupe.services.component.application.ApplicationFileException;
 import io.troupe.services.subsumption.ServiceJarException;
 import io.troupe.sim.RecordingException;
+import io.troupe.sim.worldfile.WorldFileException;
 import io.troupe.view.RunLog;
+import io.troupe.view.tools.RunFileException;
 import java.io.BufferedOutputStream;
 import java.io.FileDescriptor;
 import java.io.FileOutputStream;
@@ -34,12 +38,14 @@ import java.io.PrintStream;
 import java.io.PrintWriter;
 import java.io.UncheckedIOException;
 import java.nio.file.FileSystemException;
+import java.nio.file.Files;
 import java.nio.file.InvalidPathException;
 import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import java.util.regex.Pattern;
@@ -81,6 +87,9 @@ import picocli.CommandLine.UnmatchedArgumentException;
             HelpCommand.class
         })
 public final class Main implements Callable<Integer> {
+    private static final int EXCERPT_COLUMNS = 100;
+    private static final String EXCERPT_INDENT = "    ";
+
     /** Exit status for a wrong option, file or number. */
     static final int USAGE = 2;
     /** Exit status for a failure during execution: a file that cannot be written, a lost server connection. */
@@ -149,7 +158,11 @@ public final class Main implements Callable<Integer> {
                     if (thrown instanceof SourceException
                             || thrown instanceof PnmlException
                             || thrown instanceof ServiceJarException) {
-                        return reportUsage(commandLine, thrown.getMessage());
+                        boolean isWholeFile = thrown instanceof SourceException source
+                                && source.where().isEmpty();
+                        return isWholeFile
+                                ? reportUsage(commandLine, thrown.getMessage())
+                                : reportMistake(err, thrown);
                     }
                     if (thrown instanceof MissingServiceException) {
                         return reportFailure(err, thrown, MISSING_SERVICE);
@@ -200,6 +213,39 @@ public final class Main implements Callable<Integer> {
                 "troupe: " + problem + " (see " + commandLine.getCommandSpec().qualifiedName() + " --help)");
         err.flush();
         return USAGE;
+    }
+
+    /** A mistake in a file: the message with the page about such files, then the line with a mark at the place. */
+    private static int reportMistake(PrintWriter err, Exception mistake) {
+        String page =
+                switch (mistake) {
+                    case WorldFileException world -> "05-worlds";
+                    case ApplicationFileException application -> "09-components";
+                    case RunFileException run -> "16-recordings-in-other-tools";
+                    case PnmlException net -> "03-proving-a-wiring";
+                    default -> "06-subsumption"; // tables, and jars with services
+                };
+        err.println("troupe: " + mistake.getMessage() + " (see docs/guide/" + page + ".md)");
+        if (mistake instanceof SourceException source) {
+            source.where().flatMap(Main::excerpt).ifPresent(err::println);
+        }
+        err.flush();
+        return USAGE;
+    }
+
+    /** The line of a position, with a mark below the column; empty if the file can no longer be read. */
+    private static Optional<String> excerpt(SourcePosition where) {
+        try (Stream<String> lines = Files.lines(where.file())) {
+            return lines.skip(where.line() - 1L).findFirst().map(line -> {
+                int column = Math.min(where.column() - 1, line.length());
+                int from = Math.max(0, column - EXCERPT_COLUMNS / 2);
+                String shown = line.substring(from, Math.min(line.length(), from + EXCERPT_COLUMNS));
+                String before = shown.substring(0, column - from).replaceAll("[^\\t]", " ");
+                return EXCERPT_INDENT + shown + System.lineSeparator() + EXCERPT_INDENT + before + "^";
+            });
+        } catch (IOException | UncheckedIOException unreadable) { // the message has the position
+            return Optional.empty();
+        }
     }
 
     /** The error message without class names. */

@@ -82,12 +82,15 @@ public abstract class CommandLineBench {
         assertFails(Main.USAGE, line, parts);
     }
 
-    /** The error is one line with the given parts. The line begins with the first part if that has "troupe: ". */
+    /**
+     * The error is one line with the given parts, and may have an indented excerpt of a file below it. The line begins
+     * with the first part if that has "troupe: ".
+     */
     protected final void assertFails(int status, String line, String... parts) {
         err.getBuffer().setLength(0);
         assertThat(troupe(line)).isEqualTo(status);
         String[] expected = Stream.of(parts).map(this::local).toArray(String[]::new);
-        assertThat(err.toString().lines())
+        assertThat(err.toString().lines().filter(each -> !each.startsWith("    ")))
                 .singleElement()
                 .asString()
                 .startsWith(expected[0].startsWith("troupe: ") ? expected[0] : "troupe: ")

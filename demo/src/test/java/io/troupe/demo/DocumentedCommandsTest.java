@@ -97,7 +97,7 @@ class DocumentedCommandsTest extends CommandLineBench {
                 .isEqualTo(Main.USAGE);
         assertThat(troupe("app " + ARENA + examples + "missing-service.app")).isEqualTo(Main.MISSING_SERVICE);
         assertThat(err.toString().replace("../docs", "docs").lines())
-                .hasSize(2)
+                .hasSize(4)
                 .allSatisfy(line -> assertThat(map).contains("\n    " + line + "\n"));
     }
 

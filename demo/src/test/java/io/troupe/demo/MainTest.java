@@ -116,9 +116,17 @@ class MainTest extends CommandLineBench {
     @Test
     void mistakeInAFile_isToldWithItsPlace() throws IOException {
         file("bad.pnml", "<pnml xmlns=\"http://www.pnml.org/version-2009/grammar/pnml\">");
-        assertRefused("verify --net DIR/bad.pnml --out DIR", "bad.pnml", "troupe verify");
+        assertRefused("verify --net DIR/bad.pnml --out DIR", "bad.pnml", "(see docs/guide/03-proving-a-wiring.md)");
         file("wrong.world", "interval_sim 100\nmodel ( siez [ 1 1 1 ] )\n");
-        assertRefused("run --world DIR/wrong.world --out DIR/o", "wrong.world:2:9: ", "siez", "size");
+        assertRefused("run --world DIR/wrong.world --out DIR/o", "wrong.world:2:9: ", "siez", "05-worlds.md");
+        assertThat(err.toString().lines().skip(1)).containsExactly("    model ( siez [ 1 1 1 ] )", "            ^");
+        file("long.world", "# " + "x".repeat(80) + "\n\tmodel (" + " ".repeat(200) + "siez 1 )\n");
+        assertRefused("draw DIR/long.world", "long.world:2:209: ");
+        assertThat(err.toString().lines().skip(1))
+                .containsExactly("    " + " ".repeat(50) + "siez 1 )", "    " + " ".repeat(50) + "^");
+        file("tab.world", "\tmodel ( siez 1 )\n");
+        assertRefused("draw DIR/tab.world", "tab.world:1:10: ");
+        assertThat(err.toString().lines().skip(1)).containsExactly("    \tmodel ( siez 1 )", "    \t        ^");
         file("poor.world", """
                 define ring ranger ( scount 1 spose[0] [ 0 0 0 ] )
                 define bot position ( size [ 0.4 0.4 0.4 ] ring() blobfinder ( ) )
