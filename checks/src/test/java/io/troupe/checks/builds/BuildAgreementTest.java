@@ -8,6 +8,7 @@ import io.troupe.checks.builds.Build.Dependency;
 import io.troupe.checks.builds.Build.Module;
 import io.troupe.checks.builds.Build.Scope;
 import java.io.IOException;
+import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
@@ -85,8 +86,8 @@ class BuildAgreementTest {
             assertThat(running.map(Map.Entry::getKey)).as(build.tool()).containsExactly("demo");
         }
         for (Path module : Repository.modules()) {
-            var script = text(module.getFileName() + "/build.gradle.kts");
-            assertThat(script.contains("application"))
+            var script = Files.readString(module.resolve("build.gradle.kts"));
+            assertThat(script.matches("(?s).*plugins \\{[^}]*\\bapplication\\b.*"))
                     .as(module + " has the plugin application")
                     .isEqualTo(module.endsWith("demo"));
             assertThat(script).as("a task of that name").doesNotContainPattern("register(<\\w+>)?\\(\"run\"");

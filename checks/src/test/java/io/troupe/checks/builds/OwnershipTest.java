@@ -24,7 +24,7 @@ import org.junit.jupiter.api.Test;
 class OwnershipTest {
     /** Maven takes no expression for the group of a parent, and a reader copies the lines of the README and samples. */
     private static final Pattern MAY_NAME_THE_GROUP = Pattern.compile(
-            "pom\\.xml|[\\w-]+/pom\\.xml|README\\.md|docs/examples/consumer[\\w-]*/(?:pom\\.xml|build\\.gradle\\.kts)");
+            "pom\\.xml|[\\w-]+/pom\\.xml|README\\.md|docs/examples/(?:consumer[\\w-]*|paper)/(?:pom\\.xml|build\\.gradle\\.kts)");
 
     private static final Pattern OF_MAVEN =
             Pattern.compile("<groupId>([^<]*)</groupId>\\s*<artifactId>troupe(?:-[\\w-]+)?</artifactId>");
