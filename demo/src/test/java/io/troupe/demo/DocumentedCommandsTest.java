@@ -69,6 +69,7 @@ class DocumentedCommandsTest extends CommandLineBench {
         assertThat(problem("./troupe verify --net")).contains("--net");
         assertThat(problem("troupe dance")).contains("dance");
         assertThat(problem("./gradlew figure8")).contains("figure8");
+        assertThat(problem("./gradlew run --args=\"dance\"")).contains("dance");
         assertThat(problem("./gradlew :demo:dance")).contains("dance");
         assertThat(problem("./gradlew :demo:run --args=\"dance\"")).contains("dance");
         assertThat(problem("mvn compile exec:exec@figure8 -pl docs/examples/paper -am"))
@@ -189,7 +190,7 @@ class DocumentedCommandsTest extends CommandLineBench {
     private static String ofGradle(List<String> words) throws IOException {
         String skipped = "";
         for (String word : words) {
-            if (word.startsWith("--args=") && words.getFirst().equals(":demo:run")) {
+            if (word.startsWith("--args=") && Set.of("run", ":demo:run").contains(words.getFirst())) {
                 String problem =
                         ofTroupe(List.of(word.substring("--args=".length()).split(" ")), false);
                 if (!problem.isEmpty()) {
@@ -209,7 +210,7 @@ class DocumentedCommandsTest extends CommandLineBench {
 
     private static boolean existsTask(String path) throws IOException {
         if (!path.startsWith(":")) {
-            return TASKS_OF_EVERY_MODULE.contains(path) || tasks().contains(path);
+            return TASKS_OF_EVERY_MODULE.contains(path) || tasks().contains(path) || existsTask(":demo:" + path);
         }
         String[] moduleAndTask = path.substring(1).split(":");
         Path script = script(moduleAndTask[0]);

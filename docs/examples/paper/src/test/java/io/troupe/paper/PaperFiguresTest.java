@@ -44,7 +44,7 @@ import org.junit.jupiter.params.provider.CsvSource;
  */
 @Timeout(120)
 class PaperFiguresTest {
-    private static final int TICKS = 1_500;
+    private static final int TICKS = 3_000;
     private static final Pattern WALL_CLOCK = Pattern.compile("(received color) \\d{13}");
 
     private final PrintStream standardOutput = System.out;
@@ -163,10 +163,10 @@ class PaperFiguresTest {
     void demo1OfFigure14_goesThroughAllThreeStates_asTheSynchronousModeDoes() throws Exception {
         try (var simulation = open()) {
             stamp(simulation.clock());
-            var demo = new Demo1("localhost", 6665, 2 * TICKS / 10.0 - 1); // connected before time begins
+            var demo = new Demo1("localhost", 6665, TICKS / 10.0 - 1); // connected before time begins
             var main = new FutureTask<>(demo::run, null);
             Thread.ofPlatform().name("Demo1").start(main);
-            tick(simulation, 2 * TICKS);
+            tick(simulation, TICKS);
             main.get();
         }
         var ofThePaper = changes(takePrinted(), line -> false);
@@ -177,7 +177,7 @@ class PaperFiguresTest {
             var settings = new SubsumptionRun.Settings(
                     Mode.SYNC, "localhost", 6665, table, simulation.clock(), ServiceObserver.NONE, listener);
             try (var run = SubsumptionRun.start(settings)) {
-                tick(simulation, 2 * TICKS);
+                tick(simulation, TICKS);
                 run.check();
             }
         }
