@@ -270,8 +270,8 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                                     .map(TypeText::of)
                                     .collect(Collectors.joining(", ", "<", ">"));
                 case GenericArrayType array -> of(array.getGenericComponentType()) + "[]";
-                case WildcardType wild when wild.getLowerBounds().length > 0 ->
-                    "? super " + of(wild.getLowerBounds()[0]);
+                case WildcardType wild
+                when wild.getLowerBounds().length > 0 -> "? super " + of(wild.getLowerBounds()[0]);
                 case WildcardType wild ->
                     wild.getUpperBounds()[0] == Object.class ? "?" : "? extends " + of(wild.getUpperBounds()[0]);
                 default -> type.getTypeName();

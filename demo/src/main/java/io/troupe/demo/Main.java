@@ -160,9 +160,7 @@ public final class Main implements Callable<Integer> {
                             || thrown instanceof ServiceJarException) {
                         boolean isWholeFile = thrown instanceof SourceException source
                                 && source.where().isEmpty();
-                        return isWholeFile
-                                ? reportUsage(commandLine, thrown.getMessage())
-                                : reportMistake(err, thrown);
+                        return isWholeFile ? reportUsage(commandLine, thrown.getMessage()) : reportMistake(err, thrown);
                     }
                     if (thrown instanceof MissingServiceException) {
                         return reportFailure(err, thrown, MISSING_SERVICE);
@@ -217,14 +215,13 @@ public final class Main implements Callable<Integer> {
 
     /** A mistake in a file: the message with the page about such files, then the line with a mark at the place. */
     private static int reportMistake(PrintWriter err, Exception mistake) {
-        String page =
-                switch (mistake) {
-                    case WorldFileException world -> "05-worlds";
-                    case ApplicationFileException application -> "09-components";
-                    case RunFileException run -> "16-recordings-in-other-tools";
-                    case PnmlException net -> "03-proving-a-wiring";
-                    default -> "06-subsumption"; // tables, and jars with services
-                };
+        String page = switch (mistake) {
+            case WorldFileException world -> "05-worlds";
+            case ApplicationFileException application -> "09-components";
+            case RunFileException run -> "16-recordings-in-other-tools";
+            case PnmlException net -> "03-proving-a-wiring";
+            default -> "06-subsumption"; // tables, and jars with services
+        };
         err.println("troupe: " + mistake.getMessage() + " (see docs/guide/" + page + ".md)");
         if (mistake instanceof SourceException source) {
             source.where().flatMap(Main::excerpt).ifPresent(err::println);

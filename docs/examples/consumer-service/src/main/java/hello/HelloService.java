@@ -63,12 +63,13 @@ public final class HelloService {
         }
     }
 
-    /** The service "greeter", which has the capability "greeting". The broker starts the actor when somebody needs it. */
+    /** The service "greeter" with the capability "greeting". The broker starts the actor when it is needed. */
     private static void publish(ActorServices services, ActorSpace space) {
-        services.publish(space, Greeter.class, "greeter", List.of("greeting"), () -> name -> Promise.of("Hello, " + name));
+        var capabilities = List.of("greeting");
+        services.publish(space, Greeter.class, "greeter", capabilities, () -> name -> Promise.of("Hello, " + name));
     }
 
-    /** Needs a greeting, whoever gives it; the call waits for a provider for at most 5 seconds. */
+    /** Needs a greeting from any provider; the call waits for a provider for at most 5 seconds. */
     private static String call(ActorServices services) throws Exception {
         try (var connection = services.connect(Greeter.class, Need.ofCapability("guest", "greeting"))) {
             return connection.actor().greet("Ada").get(LIMIT);

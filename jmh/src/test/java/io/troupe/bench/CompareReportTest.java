@@ -61,7 +61,8 @@ class CompareReportTest {
 
     @Test
     void drawing_saysWhatItFound_andThatShorterIsBetter_inTwoColumns() {
-        String title = "In this run Troupe has the lowest median time per operation in 2 of 2 workloads, limit and floor apart";
+        String title =
+                "In this run Troupe has the lowest median time per operation in 2 of 2 workloads, limit and floor apart";
         assertThat(drawing).contains("role='img' aria-label='" + title + "'", "<title>" + title + "</title>");
         assertThat(drawing).contains("shorter is better");
         assertThat(drawing.split("<text x='16' y='\\d+' class='t'>", -1)).hasSize(1 + 2);

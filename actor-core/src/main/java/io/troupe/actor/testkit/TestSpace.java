@@ -193,8 +193,8 @@ public final class TestSpace implements AutoCloseable {
             throw failure;
         }
         if (!deadLetters.isEmpty()) {
-            throw new AssertionError("messages became dead letters: " + deadLetters
-                    + "; if they are expected, takeDeadLetters()");
+            throw new AssertionError(
+                    "messages became dead letters: " + deadLetters + "; if they are expected, takeDeadLetters()");
         }
         for (var probe : probes) {
             var unanswered = probe.removeUnanswered();

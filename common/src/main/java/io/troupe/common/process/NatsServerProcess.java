@@ -22,8 +22,8 @@ import java.util.regex.Pattern;
  * }
  * }</pre>
  *
- * <p><b>Role.</b> {@link Programs#find} has to find {@code nats-server}. The port is a free one, and stays the same when the server
- * is started again.
+ * <p><b>Role.</b> {@link Programs#find} has to find {@code nats-server}. The port is a free one, and stays the same
+ * when the server is started again.
  *
  * <p><b>Errors.</b> {@link IOException} with the server's log if it does not accept connections within
  * {@value #READY_SECONDS} s.
@@ -74,7 +74,8 @@ public final class NatsServerProcess implements AutoCloseable {
     }
 
     private Process begin(String itsPort) throws IOException {
-        String program = program().orElseThrow(() -> new IOException(HOW_TO_GET)).toString();
+        String program =
+                program().orElseThrow(() -> new IOException(HOW_TO_GET)).toString();
         var command = new ArrayList<>(List.of(program, "-a", "127.0.0.1", "-p", itsPort));
         command.addAll(options);
         var builder = new ProcessBuilder(command).redirectErrorStream(true);

@@ -458,7 +458,8 @@ class ExternalProcessTest {
                     case "hashCode" -> 0;
                     case "equals" -> proxy == values[0];
                     case "toString" -> "/bin/rock";
-                    default -> replaced.getOrDefault(method.getName(), () -> true).get();
+                    default ->
+                        replaced.getOrDefault(method.getName(), () -> true).get();
                 });
     }
 
