@@ -194,7 +194,8 @@ class HostsCommandTest extends CommandLineBench {
     @Test
     void withoutServer_itTellsHowToGetOne_andWhereItWasLookedFor() {
         var command = new HostsCommand();
-        new CommandLine(command).parseArgs("--world", "worlds/paper-arena.world"); // tests run in the folder of the module
+        new CommandLine(command)
+                .parseArgs("--world", "worlds/paper-arena.world"); // tests run in the folder of the module
         assertThatThrownBy(() -> command.call(false))
                 .isInstanceOf(ParameterException.class)
                 .hasMessageStartingWith("there is no nats-server in the PATH, /usr/local/sbin, /usr/sbin, ")

@@ -22,8 +22,8 @@ import java.util.regex.Pattern;
  * }
  * }</pre>
  *
- * <p><b>Role.</b> {@link Programs#find} has to find {@code nats-server}. The port is a free one, and stays the same when the server
- * is started again.
+ * <p><b>Role.</b> {@link Programs#find} has to find {@code nats-server}. The port is a free one, and stays the same
+ * when the server is started again.
  *
  * <p><b>Errors.</b> {@link IOException} with the server's log if it does not accept connections within
  * {@value #READY_SECONDS} s.
@@ -34,7 +34,7 @@ public final class NatsServerProcess implements AutoCloseable {
             + ": on Debian and Ubuntu apt-get install nats-server, elsewhere see https://nats.io/download";
 
     private static final int READY_SECONDS = 60;
-    private static final int END_SECONDS = 10;
+    private static final int END_SECONDS = 60;
     private static final String ANY_PORT = "-1";
     private static final Pattern LISTENING = Pattern.compile("Listening for client connections on .*:(\\d+)");
 
@@ -74,7 +74,8 @@ public final class NatsServerProcess implements AutoCloseable {
     }
 
     private Process begin(String itsPort) throws IOException {
-        String program = program().orElseThrow(() -> new IOException(HOW_TO_GET)).toString();
+        String program =
+                program().orElseThrow(() -> new IOException(HOW_TO_GET)).toString();
         var command = new ArrayList<>(List.of(program, "-a", "127.0.0.1", "-p", itsPort));
         command.addAll(options);
         var builder = new ProcessBuilder(command).redirectErrorStream(true);
@@ -134,7 +135,10 @@ public final class NatsServerProcess implements AutoCloseable {
     public void kill() {
         process.destroyForcibly();
         try {
-            process.waitFor(END_SECONDS, TimeUnit.SECONDS);
+            if (!process.waitFor(END_SECONDS, TimeUnit.SECONDS)) {
+                throw new IllegalStateException("nats-server, process " + process.pid() + ", was still alive "
+                        + END_SECONDS + " s after kill -9");
+            }
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }

@@ -13,7 +13,9 @@ import java.util.stream.Stream;
  * <p><b>Threads.</b> Any; a look reads the file system.
  */
 public final class Programs {
-    /** Where packages put servers, which is not on the PATH of a plain user (Debian) or of a desktop program (macOS). */
+    /**
+     * Where packages put servers, which is not on the PATH of a plain user (Debian) or of a desktop program (macOS).
+     */
     private static final List<String> FURTHER_FOLDERS =
             List.of("/usr/local/sbin", "/usr/sbin", "/sbin", "/usr/local/bin", "/opt/homebrew/bin");
 

@@ -1,7 +1,7 @@
 package io.troupe.view.live;
 
-import io.troupe.view.Json;
 import io.troupe.common.process.Programs;
+import io.troupe.view.Json;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.UncheckedIOException;
@@ -47,7 +47,8 @@ final class Browser implements AutoCloseable {
     /** Whether this machine has the browser and its driver. */
     static boolean isInstalled() {
         return Programs.onPath("chromedriver").isPresent()
-                && Stream.of("chromium", "google-chrome", "chromium-browser").anyMatch(browser -> Programs.onPath(browser).isPresent());
+                && Stream.of("chromium", "google-chrome", "chromium-browser")
+                        .anyMatch(browser -> Programs.onPath(browser).isPresent());
     }
 
     static Browser open() throws IOException {
