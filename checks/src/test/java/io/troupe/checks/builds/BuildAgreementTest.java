@@ -189,7 +189,10 @@ class BuildAgreementTest {
     /** As many modules at a time, and JVMs with the same options unless the tests are thorough. */
     @Test
     void testsOfBothBuilds_runInTheSameWay() throws IOException {
-        var options = text("pom.xml").split("<tests.options>")[1].split("</tests.options>")[0].split(" ");
+        var options = text("pom.xml")
+                .split("<tests.options>")[1]
+                .split("</tests.options>")[0]
+                .split(" ");
         assertThat(text("build.gradle.kts")).contains("jvmArgs(\"" + String.join("\", \"", options) + "\")");
         var lanes = text(".mvn/maven.config").strip().substring("-T".length());
         assertThat(text("gradle.properties")).contains("org.gradle.workers.max=" + lanes, "org.gradle.parallel=true");
