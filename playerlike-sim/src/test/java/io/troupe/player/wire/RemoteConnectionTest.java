@@ -181,7 +181,7 @@ class RemoteConnectionTest implements PlayerConstants {
         server.on(4, 5, dropped -> {});
         var pos = wheels();
         client.setReadTimeout(50);
-        fails(this::addRule, server + " did not answer within 2000 ms: ReplaceRule[");
+        fails(this::addRule, server + " did not answer within 50 ms: ReplaceRule[");
         pos.setOdometry(new PlayerPose(1, 2, 3)); // logs a warning
         assertThat(client.readAll()).isEqualTo(PLAYER_MSGTYPE_RESP_NACK);
         client.setReadTimeout(30_000);

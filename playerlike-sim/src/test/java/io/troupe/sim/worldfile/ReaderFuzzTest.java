@@ -228,7 +228,7 @@ class ReaderFuzzTest extends WorldFiles {
                     return text.toString();
                 }))
                 .as("files that could be read")
-                .isBetween(1, FILES / 2);
+                .isBetween(Thorough.times(0, 1), FILES / 2);
     }
 
     @Test
@@ -270,6 +270,6 @@ class ReaderFuzzTest extends WorldFiles {
             Files.write(file("cave.png"), damaged);
             survivors += survives(file("cave.world"), "seed " + SEED + ", round " + round) ? 1 : 0;
         }
-        assertThat(survivors).as("images that could be read").isBetween(1, IMAGES - 1);
+        assertThat(survivors).as("images that could be read").isBetween(Thorough.times(0, 1), IMAGES - 1);
     }
 }
