@@ -20,7 +20,7 @@ import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-@Timeout(30)
+@Timeout(60)
 class ActorSpaceTest extends InTestSpace {
     private static final Duration FOREVER = ChronoUnit.FOREVER.getDuration();
 
@@ -95,7 +95,7 @@ class ActorSpaceTest extends InTestSpace {
         try (var space = ActorSpace.create(SpaceSettings.named("patient").withOnStall(FOREVER, stall -> {}))) {
             var served = new CountDownLatch(1);
             space.execute(served::countDown);
-            assertThat(served.await(3, TimeUnit.SECONDS)).isTrue();
+            assertThat(served.await(60, TimeUnit.SECONDS)).isTrue();
             assertThat(space.sequential(() -> 1).get(FOREVER)).isEqualTo(1);
         }
     }

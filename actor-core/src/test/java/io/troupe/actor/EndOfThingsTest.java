@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
 /** Promises, timers and calls whose actor or space ends first: none is lost, and no caller waits for ever. */
-@Timeout(20)
+@Timeout(60)
 class EndOfThingsTest extends InTestSpace {
     private static final Duration SECOND = Duration.ofSeconds(1);
     private static final Duration HOUR = Duration.ofHours(1);

@@ -21,7 +21,7 @@ import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /** Calls that fail, that no actor handles, or that are not answered in time; and user code of the space that throws. */
-@Timeout(20)
+@Timeout(60)
 class FailedCallTest extends InTestSpace {
     private static final Duration SECOND = Duration.ofSeconds(1);
 

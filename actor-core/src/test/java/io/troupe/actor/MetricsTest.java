@@ -115,7 +115,7 @@ class MetricsTest extends InTestSpace {
             });
             compiled.await();
             space.stop(worker);
-            assertThat(gone.await(20, TimeUnit.SECONDS)).isTrue();
+            assertThat(gone.await(60, TimeUnit.SECONDS)).isTrue();
         }
     }
 
@@ -285,7 +285,7 @@ class MetricsTest extends InTestSpace {
             try (var space = ActorSpace.create(settings)) {
                 var release = new CountDownLatch(1);
                 space.execute(() -> await(release));
-                boolean seen = reported.await(10, TimeUnit.SECONDS);
+                boolean seen = reported.await(60, TimeUnit.SECONDS);
                 release.countDown();
                 return seen;
             }
@@ -299,7 +299,7 @@ class MetricsTest extends InTestSpace {
             var served = new CountDownLatch(1);
             try (var space = ActorSpace.create(SpaceSettings.named("serving").withOnError((where, error) -> {}))) {
                 space.execute(served::countDown);
-                return served.await(10, TimeUnit.SECONDS) && space.metrics().errors() == 1;
+                return served.await(60, TimeUnit.SECONDS) && space.metrics().errors() == 1;
             }
         }
     }

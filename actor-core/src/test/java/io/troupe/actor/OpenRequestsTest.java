@@ -189,15 +189,15 @@ class OpenRequestsTest extends InTestSpace {
     }
 
     @Test
-    @Timeout(30)
+    @Timeout(60)
     void stop_onAThreadOfItsOwn_endsTheWaitOfTheCaller() throws Exception {
         var begun = new Deferred<String>((ActorSpace) null);
         try (var space = ActorSpace.create(SpaceSettings.named("short-lived"))) {
             Desk desk = space.spawn(Desk.class, Desk::new, ActorSettings.named("desk"));
             Promise<String> answer = desk.later("a");
             desk.work().thenAccept(one -> begun.resolve("stopped"));
-            assertThat(begun.get(Duration.ofSeconds(20))).isEqualTo("stopped");
-            Throwable error = answer.handle((value, rejection) -> rejection).get(Duration.ofSeconds(20));
+            assertThat(begun.get(Duration.ofSeconds(60))).isEqualTo("stopped");
+            Throwable error = answer.handle((value, rejection) -> rejection).get(Duration.ofSeconds(60));
             assertBegun(error, "Desk.later(a) of desk", "the actor desk has stopped");
         }
     }

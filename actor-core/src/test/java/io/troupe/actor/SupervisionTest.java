@@ -181,7 +181,7 @@ class SupervisionTest extends InTestSpace {
     }
 
     @Test
-    @Timeout(30)
+    @Timeout(60)
     void unlimitedRestart_whoseStartThrows_leavesTimeForOthers_andWaitsLongerAndLonger() {
         spawnStubborn(ActorSettings.DEFAULT);
         Fragile other = spawn(Supervision.RESUME);
@@ -198,7 +198,7 @@ class SupervisionTest extends InTestSpace {
     }
 
     @Test
-    @Timeout(30)
+    @Timeout(60)
     void callsOfAnActorThatWaitsForItsRestart_areServedInOrder_whenItHasStarted() {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
         note(stubborn, 1, 3);
@@ -219,7 +219,7 @@ class SupervisionTest extends InTestSpace {
     }
 
     @Test
-    @Timeout(30)
+    @Timeout(60)
     void callsOfAnActorThatWaitsForItsRestart_areRejected_whenItStops_andNoTimerIsLeft() {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
         assertThat(timers()).isOne();
@@ -234,7 +234,7 @@ class SupervisionTest extends InTestSpace {
     }
 
     @Test
-    @Timeout(30)
+    @Timeout(60)
     void callsThatWereHeldBack_areServedBeforeTheStopThatCameAfterThem() {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
         note(stubborn, 1, 400);
@@ -251,7 +251,7 @@ class SupervisionTest extends InTestSpace {
     }
 
     @Test
-    @Timeout(30)
+    @Timeout(60)
     void failureAmongCallsThatWereHeldBack_beforeAStop_letsItStopInsteadOfWaitingForARestart() {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
         note(stubborn, 1, 300);
@@ -271,7 +271,7 @@ class SupervisionTest extends InTestSpace {
     }
 
     @Test
-    @Timeout(30)
+    @Timeout(60)
     void failedStartsInARow_reachTheLimit_thoughThePausesExceedTheWindow() {
         refuses = true;
         var settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(5, Duration.ofMillis(15)));
@@ -306,7 +306,7 @@ class SupervisionTest extends InTestSpace {
     }
 
     @Test
-    @Timeout(30)
+    @Timeout(60)
     void callBeforeTheSpawnEntry_waitsForTheRestart_ifTheStartThrows() {
         callBeforeTheSpawnEntry(Supervision.restart(100, TEN_SECONDS));
         refuses = false;

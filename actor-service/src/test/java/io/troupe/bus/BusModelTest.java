@@ -8,6 +8,7 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.BusContract.Count;
 import io.troupe.bus.BusContract.Text;
+import io.troupe.common.measure.Thorough;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
@@ -23,7 +24,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 
 /** Runs random programs on a bus and on a simple model of it, and compares everything that is received and counted. */
 class BusModelTest {
-    private static final int PROGRAMS = Integer.getInteger("model.programs", 300);
+    private static final int PROGRAMS = Integer.getInteger("model.programs", Thorough.times(60, 300));
     private static final long SEED = Long.getLong("model.seed", -1L);
     private static final int CAPACITY = 3;
     private static final int STEPS = 60;

@@ -22,7 +22,7 @@ import org.junit.jupiter.params.provider.EnumSource;
 class ContendersTest {
     /** A lost message makes its workload wait for ever, which the time limit detects. */
     @Nested
-    @Timeout(value = 10, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
+    @Timeout(value = 60, unit = TimeUnit.SECONDS, threadMode = Timeout.ThreadMode.SEPARATE_THREAD)
     class Workloads {
         private static final int ROUNDS = 3;
 

@@ -3,6 +3,7 @@ package io.troupe.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.sim.model.DriveSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
@@ -118,7 +119,7 @@ class RecordingTest {
     // ---- sessions in which a controller and other threads use every command
 
     static LongStream seeds() {
-        return LongStream.rangeClosed(1, 12);
+        return LongStream.rangeClosed(1, Thorough.times(4, 12));
     }
 
     /** Robots with start speeds and velocity bounds; every other one has exact odometry. */

@@ -3,6 +3,7 @@ package io.troupe.faults;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.common.process.NatsServerProcess;
 import io.troupe.faults.history.Event.Called;
 import io.troupe.faults.history.Event.Commanded;
@@ -30,8 +31,8 @@ import org.junit.jupiter.api.io.TempDir;
 /** The short mode of the fault suite: the faults are random, the rules are not. */
 @Tag("threads")
 class FaultsTest {
-    private static final int FAULTS = 12;
-    private static final int DRIVER_FAULTS = 2;
+    private static final int FAULTS = Thorough.times(5, 12);
+    private static final int DRIVER_FAULTS = Thorough.times(1, 2);
 
     /** Their limits of time are for a machine that has nothing else to do; the command checks these, too. */
     private static final Set<Rule> OF_TIME = EnumSet.of(

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Test;
  * <p>{@code -Dmodel.seed=17} runs the program of that seed, {@code -Dmodel.programs=100000} runs that many.
  */
 class ActorModelTest {
-    private static final int PROGRAMS = 10_000;
+    private static final int PROGRAMS = System.getProperty("thorough") == null ? 1_000 : 10_000;
 
     private volatile long seed;
 

@@ -3,6 +3,7 @@ package io.troupe.bus.internal;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.common.measure.Thorough;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -299,7 +300,7 @@ class RecordCodecTest {
         byte[] original = codec.encode(VALUE);
         int read = 0;
         int refused = 0;
-        for (int round = 0; round < 100_000; round++) {
+        for (int round = 0; round < Thorough.times(10_000, 100_000); round++) {
             byte[] bytes = mutated(original, random);
             try {
                 assertThat(codec.decode(bytes, Everything.class)).isNotNull();
@@ -310,8 +311,8 @@ class RecordCodecTest {
                 throw new AssertionError("seed " + seed + ", round " + round + ": " + HEX.formatHex(bytes), other);
             }
         }
-        assertThat(read).as("read, of which seed %d", seed).isGreaterThan(1_000);
-        assertThat(refused).as("refused, of which seed %d", seed).isGreaterThan(1_000);
+        assertThat(read).as("read, of which seed %d", seed).isGreaterThan(Thorough.times(100, 1_000));
+        assertThat(refused).as("refused, of which seed %d", seed).isGreaterThan(Thorough.times(100, 1_000));
     }
 
     private static byte[] mutated(byte[] original, Random random) {
@@ -328,7 +329,7 @@ class RecordCodecTest {
     void property_randomValues_comeBackEqual() {
         long seed = new Random().nextLong();
         var random = new Random(seed);
-        for (int round = 0; round < 5_000; round++) {
+        for (int round = 0; round < Thorough.times(500, 5_000); round++) {
             var value = random(random, 0);
             assertThat(codec.decode(codec.encode(value), Everything.class))
                     .as("seed %d, round %d", seed, round)

@@ -177,6 +177,27 @@ class BuildAgreementTest {
                 .contains("<phase>compile</phase><goals><goal>copy-dependencies</goal></goals>");
     }
 
+    /** {@code -Downtests=NAME} skips the tests of all modules but that one. */
+    @Test
+    void everyModule_canBeTestedAlone() throws IOException {
+        for (Path module : Repository.modules()) {
+            assertThat(text(module.getFileName() + "/pom.xml"))
+                    .contains("<name>owntests</name><value>" + module.getFileName() + "</value>");
+        }
+    }
+
+    /** As many modules at a time, and JVMs with the same options unless the tests are thorough. */
+    @Test
+    void testsOfBothBuilds_runInTheSameWay() throws IOException {
+        var options = text("pom.xml")
+                .split("<tests.options>")[1]
+                .split("</tests.options>")[0]
+                .split(" ");
+        assertThat(text("build.gradle.kts")).contains("jvmArgs(\"" + String.join("\", \"", options) + "\")");
+        var lanes = text(".mvn/maven.config").strip().substring("-T".length());
+        assertThat(text("gradle.properties")).contains("org.gradle.workers.max=" + lanes, "org.gradle.parallel=true");
+    }
+
     @Test
     void artifacts_haveTheNameOfTheProject() {
         assertThat(Build.Module.artifact("services")).isEqualTo("troupe-services");

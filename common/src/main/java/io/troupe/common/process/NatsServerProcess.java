@@ -34,7 +34,7 @@ public final class NatsServerProcess implements AutoCloseable {
             + ": on Debian and Ubuntu apt-get install nats-server, elsewhere see https://nats.io/download";
 
     private static final int READY_SECONDS = 60;
-    private static final int END_SECONDS = 10;
+    private static final int END_SECONDS = 60;
     private static final String ANY_PORT = "-1";
     private static final Pattern LISTENING = Pattern.compile("Listening for client connections on .*:(\\d+)");
 
@@ -135,7 +135,10 @@ public final class NatsServerProcess implements AutoCloseable {
     public void kill() {
         process.destroyForcibly();
         try {
-            process.waitFor(END_SECONDS, TimeUnit.SECONDS);
+            if (!process.waitFor(END_SECONDS, TimeUnit.SECONDS)) {
+                throw new IllegalStateException("nats-server, process " + process.pid() + ", was still alive "
+                        + END_SECONDS + " s after kill -9");
+            }
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
         }

@@ -211,7 +211,7 @@ class AppCommandTest extends CommandLineBench {
                 Bus.inProcess("here", BusSettings.on(space)),
                 Broker.open(space, brokerSettings.withObserver(this::note)),
                 ApplicationSettings.DEFAULT.withObservers(observer, this::note))));
-        Application begun = application.get(20, TimeUnit.SECONDS);
+        Application begun = application.get(60, TimeUnit.SECONDS);
         begun.started().get(Duration.ofSeconds(60));
         return begun;
     }
@@ -230,7 +230,7 @@ class AppCommandTest extends CommandLineBench {
             }
             var process = ProcessHandle.of(processes.getFirst()).orElseThrow();
             process.destroyForcibly();
-            process.onExit().get(20, TimeUnit.SECONDS);
+            process.onExit().get(60, TimeUnit.SECONDS);
             while (events.stream().noneMatch(event -> event.startsWith("problem: snake has failed"))) {
                 Thread.onSpinWait(); // simulated time passes faster than the machine reports the exit of a process
             }
@@ -263,7 +263,7 @@ class AppCommandTest extends CommandLineBench {
                 tick(simulation, 100);
                 ends.add(pose(simulation, 0) + " " + pose(simulation, 1));
                 space.execute(application::stop);
-                application.ended().get(Duration.ofSeconds(20));
+                application.ended().get(Duration.ofSeconds(60));
             });
         }
         assertThat(ends).hasSize(2);

@@ -23,6 +23,7 @@ import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTopic;
 import io.troupe.bus.Operation;
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.wiring.Conformance;
 import io.troupe.services.component.ApplicationData;
 import io.troupe.services.component.Buffering;
@@ -41,7 +42,7 @@ import org.junit.jupiter.api.Test;
 
 /** Providers that fail at random do what is declared; events that are not declared are found. */
 class AppMonitorTest {
-    private static final int SEEDS = 100;
+    private static final int SEEDS = Thorough.times(20, 100);
 
     private record Nothing() {}
 

@@ -9,6 +9,7 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.wiring.Conformance;
 import io.troupe.petri.wiring.ProtocolEvent;
 import io.troupe.petri.wiring.WiringCheck;
@@ -56,7 +57,7 @@ import org.junit.jupiter.params.provider.EnumSource;
  */
 @Timeout(600)
 class RunMonitorTest {
-    private static final int SEEDS = Integer.getInteger("monitor.seeds", 4);
+    private static final int SEEDS = Integer.getInteger("monitor.seeds", Thorough.times(2, 4));
     private static final double SECONDS = Integer.getInteger("monitor.seconds", 10);
     private static final double LONG_SECONDS = 150; // with several switches
     private static final Scenario SCENARIO = ScenarioReader.read(Path.of("worlds/paper-arena.cfg"));

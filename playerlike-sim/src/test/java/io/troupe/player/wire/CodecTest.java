@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.sun.management.ThreadMXBean;
+import io.troupe.common.measure.Thorough;
 import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;
@@ -25,8 +26,8 @@ import org.junit.jupiter.params.provider.ValueSource;
  * bytes. {@code -Dwire.fuzz=1000000} sets the number of damaged payloads, {@code -Dwire.seed=7} their seed.
  */
 class CodecTest {
-    private static final int SEEDS = 300;
-    private static final int CASES = Integer.getInteger("wire.fuzz", 200_000);
+    private static final int SEEDS = Thorough.times(100, 300);
+    private static final int CASES = Integer.getInteger("wire.fuzz", Thorough.times(20_000, 200_000));
     private static final long SEED = Long.getLong("wire.seed", 1);
     private static final int[] CODES = {1, 4, 5, 6, 7, 31, 62, 10, 14, 3, 40};
     private static final int[] COUNTS = {0, 1, 2, 8, 1 << 16, 1 << 28, 1 << 30, Integer.MAX_VALUE, 1 << 31, -1};

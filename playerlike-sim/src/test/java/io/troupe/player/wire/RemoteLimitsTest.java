@@ -222,7 +222,7 @@ class RemoteLimitsTest implements PlayerConstants {
         var connection = (RemoteConnection) server.connect(Sink.NONE);
         Served.whileNoCarrierIsFree(() -> {
             connection.sendKeepAlive();
-            assertThat(asked.await(20, TimeUnit.SECONDS)).isTrue();
+            assertThat(asked.await(60, TimeUnit.SECONDS)).isTrue();
         });
         connection.close();
     }
@@ -343,7 +343,7 @@ class RemoteLimitsTest implements PlayerConstants {
             var trickle = Thread.ofPlatform().daemon().start(() -> {
                 try (var socket = listener.accept()) {
                     for (char each : "Player v.3.1.1-dev--------------".toCharArray()) {
-                        LockSupport.parkNanos(Duration.ofMillis(20).toNanos());
+                        LockSupport.parkNanos(Duration.ofMillis(500).toNanos()); // in all far longer than the limit
                         socket.getOutputStream().write(each);
                     }
                     socket.getInputStream().read();

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.sim.Specs;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Sonar;
@@ -378,14 +379,14 @@ class PhysicsTest {
         int touches = 0;
         long plainMoves = 0;
         long glidingMoves = 0;
-        for (long seed = 1; seed <= 80; seed++) {
+        for (long seed = 1; seed <= Thorough.times(16, 80); seed++) {
             var twins = new Twins(seed);
             twins.run(seed, stepsAtOnce, false);
             touches += twins.touches;
             plainMoves += twins.plain.cells().moveCount();
             glidingMoves += twins.gliding.cells().moveCount();
         }
-        assertThat(touches).as("touches compared").isGreaterThan(1_000);
+        assertThat(touches).as("touches compared").isGreaterThan(Thorough.times(150, 1_000));
         assertThat(glidingMoves).as("moves in jbox2d, of %d", plainMoves).isLessThan(plainMoves * 3 / 4);
     }
 
@@ -393,18 +394,18 @@ class PhysicsTest {
     @ValueSource(ints = {1, 10})
     void robots_endWhereJbox2dPutsThem_whenRobotsAndBoxesComeAndGo(int stepsAtOnce) {
         int touches = 0;
-        for (long seed = 101; seed <= 160; seed++) {
+        for (long seed = 101; seed <= 100 + Thorough.times(12, 60); seed++) {
             var twins = new Twins(seed);
             twins.run(seed, stepsAtOnce, true);
             touches += twins.touches;
         }
-        assertThat(touches).as("touches compared").isGreaterThan(500);
+        assertThat(touches).as("touches compared").isGreaterThan(Thorough.times(75, 500));
     }
 
     // ---- our rays, compared with those of jbox2d, which are slower and in single precision
 
     private static final double REACH_M = 6;
-    private static final int PLACES = 1_200;
+    private static final int PLACES = Thorough.times(150, 1_200);
     private static final int RAYS = 400;
     /**
      * jbox2d rotates bodies by a sine table: its result must lie between those of our rays at this angle to both sides.
@@ -438,8 +439,7 @@ class PhysicsTest {
                 hits += theirs < REACH_M ? 1 : 0;
             }
         }
-        assertThat(PLACES * RAYS).isEqualTo(480_000);
-        assertThat(hits).as("hits, seed %d", seed).isGreaterThan(200_000);
+        assertThat(hits).as("hits, seed %d", seed).isGreaterThan(PLACES * RAYS * 4 / 10);
         assertThat(largest).as("metres of difference, seed %d", seed).isLessThan(0.001);
     }
 

@@ -2,6 +2,7 @@ package io.troupe.sim.worldfile;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.Thorough;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
@@ -19,6 +20,9 @@ import org.junit.jupiter.api.Test;
  * the result is a scenario or a {@link WorldFileException}, never another exception.
  */
 class ReaderFuzzTest extends WorldFiles {
+    private static final int WORLDS = Thorough.times(300, 3_000);
+    private static final int FILES = Thorough.times(100, 1_000);
+    private static final int IMAGES = Thorough.times(20, 100);
     private static final long SEED = 20_260_303;
     private static final long SEED_OF_PIECES = 20_260_102;
     private static final Path SHIPPED = Path.of("..", "demo", "worlds");
@@ -104,7 +108,7 @@ class ReaderFuzzTest extends WorldFiles {
     }
 
     private void cutOffAnywhere(String name, String whole) {
-        for (int end = 0; end < whole.length(); end++) {
+        for (int end = 0; end < whole.length(); end += Thorough.times(7, 1)) {
             survives(write(name, whole.substring(0, end)), "the first " + end + " characters");
         }
     }
@@ -125,12 +129,12 @@ class ReaderFuzzTest extends WorldFiles {
     @Test
     void file_changedAtRandom_isReadOrRefused() {
         writeArena();
-        assertThat(survivors("t.world", 3000, SEED_OF_PIECES, random -> changed(WHOLE, random)))
+        assertThat(survivors("t.world", WORLDS, SEED_OF_PIECES, random -> changed(WHOLE, random)))
                 .as("worlds that could still be read")
-                .isBetween(30, 2970);
-        assertThat(survivors("t.cfg", 1000, SEED_OF_PIECES, random -> changed(CONFIG, random)))
+                .isBetween(WORLDS / 100, WORLDS * 99 / 100);
+        assertThat(survivors("t.cfg", FILES, SEED_OF_PIECES, random -> changed(CONFIG, random)))
                 .as("configurations that could still be read")
-                .isBetween(10, 990);
+                .isBetween(FILES / 100, FILES * 99 / 100);
     }
 
     private static String changed(String whole, Random random) {
@@ -187,7 +191,7 @@ class ReaderFuzzTest extends WorldFiles {
         int rounds = 0;
         for (Path file : files) {
             String whole = text(file);
-            for (int round = 0; round < 60; round++) {
+            for (int round = 0; round < Thorough.times(6, 60); round++) {
                 Files.writeString(file, damaged(whole, random));
                 // an include file is read through the world that uses it
                 Path asked = file.toString().endsWith(".inc") ? file("office.world") : file;
@@ -216,7 +220,7 @@ class ReaderFuzzTest extends WorldFiles {
 
     @Test
     void words_inAnyOrder_areReadOrRefused() {
-        assertThat(survivors("t.world", 1000, SEED, random -> {
+        assertThat(survivors("t.world", FILES, SEED, random -> {
                     var text = new StringBuilder();
                     for (int words = random.nextInt(40); words >= 0; words--) {
                         text.append(WORDS[random.nextInt(WORDS.length)]).append(' ');
@@ -224,18 +228,18 @@ class ReaderFuzzTest extends WorldFiles {
                     return text.toString();
                 }))
                 .as("files that could be read")
-                .isBetween(1, 500);
+                .isBetween(Thorough.times(0, 1), FILES / 2);
     }
 
     @Test
     void properties_inEntities_areReadOrRefused() {
-        assertThat(survivors("t.world", 1000, SEED, random -> {
+        assertThat(survivors("t.world", FILES, SEED, random -> {
                     var text = new StringBuilder();
                     entity(text, random, 0);
                     return text.toString();
                 }))
                 .as("files that could be read")
-                .isBetween(10, 990);
+                .isBetween(FILES / 100, FILES * 99 / 100);
     }
 
     /** An entity with properties, most of the right kind. */
@@ -257,7 +261,7 @@ class ReaderFuzzTest extends WorldFiles {
         byte[] whole = Files.readAllBytes(file("cave.png"));
         var random = new Random(SEED);
         int survivors = 0;
-        for (int round = 0; round < 100; round++) {
+        for (int round = 0; round < IMAGES; round++) {
             byte[] damaged = whole.clone();
             for (int changes = 1 + random.nextInt(3); changes > 0; changes--) {
                 // half of the changes hit the header
@@ -266,6 +270,6 @@ class ReaderFuzzTest extends WorldFiles {
             Files.write(file("cave.png"), damaged);
             survivors += survives(file("cave.world"), "seed " + SEED + ", round " + round) ? 1 : 0;
         }
-        assertThat(survivors).as("images that could be read").isBetween(1, 99);
+        assertThat(survivors).as("images that could be read").isBetween(Thorough.times(0, 1), IMAGES - 1);
     }
 }

@@ -11,6 +11,7 @@ import static io.troupe.services.subsumption.RobotsBench.WF;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.fail;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.ColourFinder;
@@ -30,7 +31,7 @@ import org.junit.jupiter.api.Test;
  * Random tables: built in code, parsed from an equivalent text in one of its possible forms, and written; and edits.
  */
 class RandomSubsumptionTableTest {
-    private static final int TABLES = 2_000;
+    private static final int TABLES = Thorough.times(200, 2_000);
     private static final List<Integer> COLOURS = List.of(BLUE, RED, GREEN, ORANGE, BLACK, 0xC8A2C8, 0x123456, 0xFFFFFF);
     private static final Service PATROL = declared("patrol = goToGoal(1, 2; again) colours");
     private static final Service DODGE = declared("dodge = avoid(near 0.3)");
@@ -244,7 +245,7 @@ class RandomSubsumptionTableTest {
 
     // ---- valid files after random edits
 
-    private static final int EDITED = 20_000;
+    private static final int EDITED = Thorough.times(2_000, 20_000);
     private static final String GOOD = """
             # all that a file can say
             robots 7

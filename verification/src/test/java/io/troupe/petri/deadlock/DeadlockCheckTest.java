@@ -3,6 +3,7 @@ package io.troupe.petri.deadlock;
 import static io.troupe.petri.Nets.net;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
@@ -101,7 +102,7 @@ class DeadlockCheckTest {
         var used = new EnumMap<Reduction, Integer>(Reduction.class);
         var smaller = 0;
         var dead = 0;
-        for (var seed = 1L; seed <= 3000; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(300, 3_000); seed++) {
             var random = new Random(seed);
             var plain = seed % 3 == 0 ? Nets.sparse(seed, 2) : Nets.any(random);
             var net = seed % 2 == 0 ? Nets.inhibited(plain, random) : plain;
@@ -116,9 +117,9 @@ class DeadlockCheckTest {
             dead += graph.dead().isEmpty() ? 0 : 1;
         }
         assertThat(used).as("uses of the rules").hasSameSizeAs(RULES);
-        assertThat(used.values()).as("%s", used).allMatch(count -> count > 60);
-        assertThat(smaller).isGreaterThan(1000);
-        assertThat(dead).isGreaterThan(500);
+        assertThat(used.values()).as("%s", used).allMatch(count -> count > Thorough.times(3, 60));
+        assertThat(smaller).isGreaterThan(Thorough.times(50, 1_000));
+        assertThat(dead).isGreaterThan(Thorough.times(25, 500));
     }
 
     /** Whether the reduced net is smaller. */
@@ -147,7 +148,7 @@ class DeadlockCheckTest {
     void decisions_ofRandomNets_areThoseOfTheFullGraph() {
         var found = 0;
         var proved = 0;
-        for (var seed = 1L; seed <= 1500; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(150, 1_500); seed++) {
             var random = new Random(-seed);
             var net = seed % 2 == 0 ? Nets.inhibited(Nets.any(random), random) : Nets.any(random);
             var graph = ReachabilityGraph.explore(net, LIMITS);
@@ -169,8 +170,8 @@ class DeadlockCheckTest {
                 case Unknown unknown -> assertThat(unknown).as("seed %d", seed).isNull();
             }
         }
-        assertThat(found).isGreaterThan(400);
-        assertThat(proved).isGreaterThan(200);
+        assertThat(found).isGreaterThan(Thorough.times(20, 400));
+        assertThat(proved).isGreaterThan(Thorough.times(10, 200));
     }
 
     /** The same question with all rules, with none, and with each alone; also of nets with equal parts. */
@@ -179,7 +180,7 @@ class DeadlockCheckTest {
         var found = 0;
         var proved = 0;
         var byOrbits = 0;
-        for (var seed = 1L; seed <= 1200; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(120, 1_200); seed++) {
             var random = new Random(seed);
             var net = seed % 2 == 0 ? Nets.inhibited(Nets.any(random), random) : Nets.parts(2 + (int) seed % 3, random);
             var graph = ReachabilityGraph.explore(net, LIMITS);
@@ -207,7 +208,7 @@ class DeadlockCheckTest {
         }
         assertThat(List.of(found, proved, byOrbits))
                 .as("can deadlock, cannot, proved by orbits")
-                .allMatch(count -> count > 100);
+                .allMatch(count -> count > Thorough.times(5, 100));
     }
 
     private static List<Set<Reduction>> alternatives() {

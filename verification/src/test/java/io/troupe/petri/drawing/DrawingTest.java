@@ -5,6 +5,7 @@ import static io.troupe.petri.Nets.refused;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Arc;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PaperNets;
@@ -219,7 +220,7 @@ class DrawingTest {
 
     @Test
     void randomNets_areDrawnInsideTheViewBox_withoutOverlap() {
-        for (var seed = 0; seed < 150; seed++) {
+        for (var seed = 0; seed < Thorough.times(25, 150); seed++) {
             var net = Nets.any(new Random(seed));
             var picture = picture(NetDrawing.of(net));
             assertThat(picture.titles("arc"))

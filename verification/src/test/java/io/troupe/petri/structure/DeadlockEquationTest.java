@@ -5,6 +5,7 @@ import static io.troupe.petri.Nets.refused;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.PetriNet;
@@ -112,7 +113,7 @@ class DeadlockEquationTest {
         var proved = 0;
         var candidates = 0;
         var spurious = 0;
-        for (var seed = 1L; seed <= 6000; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(600, 6_000); seed++) {
             var random = new Random(31 * seed);
             var plain = seed % 3 == 0 ? Nets.sparse(seed, 2) : Nets.any(random);
             var net = seed % 2 == 0 ? Nets.inhibited(plain, random) : plain;
@@ -132,8 +133,8 @@ class DeadlockEquationTest {
                     assertThat(undecided.reason()).as("seed %d", seed).startsWith("too ");
             }
         }
-        assertThat(proved).as("proved").isGreaterThan(1500);
-        assertThat(candidates).as("candidates").isGreaterThan(1500);
+        assertThat(proved).as("proved").isGreaterThan(Thorough.times(75, 1_500));
+        assertThat(candidates).as("candidates").isGreaterThan(Thorough.times(75, 1_500));
         assertThat(spurious).as("candidates that are not reachable").isLessThan(candidates / 20);
     }
 
@@ -142,7 +143,7 @@ class DeadlockEquationTest {
     void changedProofs_areRefused() {
         var refused = 0;
         var accepted = 0;
-        for (var seed = 1L; seed <= 3000; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(300, 3_000); seed++) {
             var random = new Random(17 * seed);
             var plain = seed % 3 == 0 ? Nets.sparse(seed, 2) : Nets.any(random);
             var net = seed % 2 == 0 ? Nets.inhibited(plain, random) : plain;
@@ -165,8 +166,8 @@ class DeadlockEquationTest {
                 accepted += holds ? 1 : 0;
             }
         }
-        assertThat(refused).isGreaterThan(1500);
-        assertThat(accepted).as("changes that are harmless").isGreaterThan(50);
+        assertThat(refused).isGreaterThan(Thorough.times(75, 1_500));
+        assertThat(accepted).as("changes that are harmless").isGreaterThan(Thorough.times(2, 50));
     }
 
     @Test

@@ -7,6 +7,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PaperNets.Reading;
@@ -245,7 +246,7 @@ class SiphonAnalysisTest {
     @ParameterizedTest
     @ValueSource(ints = {1, 2})
     void proofs_areNeverRefutedByAReachableMarking(int maxWeight) {
-        for (var seed = 1L; seed <= 500; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(250, 500); seed++) {
             var as = "seed " + seed;
             var net = Nets.sparse(seed, maxWeight);
             var graph = ReachabilityGraph.explore(net, 400);

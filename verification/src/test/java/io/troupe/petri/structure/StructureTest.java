@@ -9,6 +9,7 @@ import static java.util.stream.Collectors.joining;
 import static java.util.stream.Collectors.toSet;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Arc;
 import io.troupe.petri.Marking;
 import io.troupe.petri.Nets;
@@ -174,7 +175,7 @@ class StructureTest {
 
     @Test
     void minimalSetsOfRandomNets_areThoseOfTheDefinition() {
-        for (var seed = 1L; seed <= 3_000; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(300, 3_000); seed++) {
             var net = Nets.sparse(seed, 1);
             var siphons = Siphons.minimalSiphons(net).sets();
             var traps = Siphons.minimalTraps(net).sets();
@@ -187,7 +188,7 @@ class StructureTest {
 
     @Test
     void largestSiphonAndTrap_inEverySetOfRandomNets_areThoseOfTheDefinition() {
-        for (var seed = 1L; seed <= 150; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(15, 150); seed++) {
             var net = Nets.sparse(seed, 1);
             var siphons = new Definition(net, false);
             var traps = new Definition(net, true);
@@ -312,7 +313,7 @@ class StructureTest {
     @Test
     void randomNets_invariantsHoldAndNoneContainsAnother() {
         var some = 0;
-        for (var seed = 1L; seed <= 500; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(50, 500); seed++) {
             var net = Nets.sparse(seed, 2);
             var found = Invariants.ofPlaces(net).invariants();
             some += found.isEmpty() ? 0 : 1;
@@ -323,6 +324,6 @@ class StructureTest {
                         .noneMatch(other -> other != one && one.keySet().containsAll(other.keySet()));
             }
         }
-        assertThat(some).isGreaterThan(50);
+        assertThat(some).isGreaterThan(Thorough.times(2, 50));
     }
 }

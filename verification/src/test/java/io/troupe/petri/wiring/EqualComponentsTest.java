@@ -7,6 +7,7 @@ import static io.troupe.petri.wiring.Protocol.releases;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Symmetry;
@@ -127,7 +128,7 @@ class EqualComponentsTest {
     @Test
     void verdicts_ofRandomWirings_areThoseOfTheFullGraph() {
         var verdicts = new TreeMap<String, Integer>();
-        for (var seed = 1L; seed <= 600; seed++) {
+        for (var seed = 1L; seed <= Thorough.times(100, 600); seed++) {
             var wiring = random(new Random(seed));
             var whole = WiringCheck.check(wiring, 100_000);
             assertThat(whole.figures().isComplete()).as("seed %d", seed).isTrue();
@@ -151,7 +152,7 @@ class EqualComponentsTest {
             }
         }
         assertThat(verdicts).containsOnlyKeys("Blocked", "Deadlock", "Proved");
-        assertThat(verdicts.values()).as("%s", verdicts).allMatch(count -> count > 30);
+        assertThat(verdicts.values()).as("%s", verdicts).allMatch(count -> count > Thorough.times(2, 30));
     }
 
     /** Workers that take a tool or ask the server in any order, and some of which leave. */

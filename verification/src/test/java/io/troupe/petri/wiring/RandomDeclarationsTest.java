@@ -2,6 +2,7 @@ package io.troupe.petri.wiring;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchLimits;
@@ -22,7 +23,7 @@ import org.junit.jupiter.api.Test;
 
 /** Random wirings of all kinds of steps: their nets have the states and steps of an interpreter that knows no net. */
 class RandomDeclarationsTest {
-    private static final int WIRINGS = 300;
+    private static final int WIRINGS = Thorough.times(60, 300);
     private static final int MAX_WORLDS = 2_500;
 
     @Test
@@ -72,9 +73,9 @@ class RandomDeclarationsTest {
                         Step.Acquires.class,
                         Step.Releases.class,
                         Step.Stops.class);
-        assertThat(kinds.values()).as("%s", kinds).allMatch(number -> number > 20);
-        assertThat(compared).isGreaterThan(100);
-        assertThat(withDead).as("with a dead state").isBetween(10, compared - 10);
+        assertThat(kinds.values()).as("%s", kinds).allMatch(number -> number > Thorough.times(2, 20));
+        assertThat(compared).isGreaterThan(Thorough.times(20, 100));
+        assertThat(withDead).as("with a dead state").isBetween(Thorough.times(1, 10), compared - Thorough.times(1, 10));
     }
 
     private static String describe(Wiring wiring) {

@@ -3,6 +3,7 @@ package io.troupe.view.live;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
 import io.troupe.view.live.ViewCommand.Intervention;
@@ -93,7 +94,7 @@ class ViewCommandTest {
         long seed = 20_260;
         var random = new SplittableRandom(seed);
         int understood = 0;
-        for (int round = 0; round < 50_000; round++) {
+        for (int round = 0; round < Thorough.times(5_000, 50_000); round++) {
             String line = random.ints(random.nextInt(6), 0, WORDS.size())
                     .mapToObj(WORDS::get)
                     .collect(Collectors.joining(random.nextInt(10) == 0 ? "" : " "));
@@ -109,6 +110,6 @@ class ViewCommandTest {
                 assertThat(refused).as("seed %d, line '%s'", seed, line).hasMessageContaining("expected");
             }
         }
-        assertThat(understood).as("lines that were commands").isGreaterThan(100);
+        assertThat(understood).as("lines that were commands").isGreaterThan(Thorough.times(10, 100));
     }
 }

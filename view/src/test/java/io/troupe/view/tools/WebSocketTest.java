@@ -2,6 +2,7 @@ package io.troupe.view.tools;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.Thorough;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.EOFException;
@@ -124,7 +125,7 @@ class WebSocketTest {
     void randomBytes_endTheConnection() throws IOException {
         long seed = new Random().nextLong();
         var random = new Random(seed);
-        for (int round = 0; round < 20_000; round++) {
+        for (int round = 0; round < Thorough.times(2_000, 20_000); round++) {
             byte[] bytes = new byte[random.nextInt(60)];
             random.nextBytes(bytes);
             if (bytes.length > 1 && random.nextBoolean()) {
