@@ -31,26 +31,53 @@ class SameBitsTest {
 
     /** Scenes by name, with the checksums of their first sixth and of the whole, and their lengths. */
     enum Scene {
-        TEN_THOUSAND_WANDER("7f6bae63", "84edca93", 12, Motion.WANDER, () -> Arena.crowd(10_000, 5, Specs.RED, Specs.GREEN)),
+        TEN_THOUSAND_WANDER(
+                "7f6bae63", "84edca93", 12, Motion.WANDER, () -> Arena.crowd(10_000, 5, Specs.RED, Specs.GREEN)),
         TEN_THOUSAND_BLIND("8cb80853", "236289f4", 12, Motion.BLIND, () -> Arena.crowd(10_000, 6, Specs.RED)),
         THOUSAND_WANDER(
-                "73d39fd0", "979f7090", 100, Motion.WANDER, () -> Arena.crowd(1_000, 7, Specs.RED, Specs.GREEN, Specs.BLUE)),
+                "73d39fd0",
+                "979f7090",
+                100,
+                Motion.WANDER,
+                () -> Arena.crowd(1_000, 7, Specs.RED, Specs.GREEN, Specs.BLUE)),
         THOUSAND_BLIND("04469201", "050d088e", 100, Motion.BLIND, () -> sonarsOnly(Arena.crowd(1_000, 8))),
         HUNDRED_WANDER("fe881be7", "05a61a44", 400, Motion.WANDER, () -> sonarsOnly(Arena.crowd(100, 9))),
         HUNDRED_RANDOM("d519d046", "988d2336", 400, Motion.RANDOM, () -> Arena.crowd(100, 10, Specs.BLUE)),
-        PILE("45dbd66f", "ff815f27", 150, Motion.PILE, () -> RandomWorld.arena(1, 24, 0).withRobots(300)),
+        PILE(
+                "45dbd66f",
+                "ff815f27",
+                150,
+                Motion.PILE,
+                () -> RandomWorld.arena(1, 24, 0).withRobots(300)),
         LASERS_IN_CLUTTER("eccffeab", "d0b6eb79", 100, Motion.RANDOM, () -> lasers(RandomWorld.arena(2, 16, 1.2), 20)),
-        CAVE("6fdc1f25", "63c4258b", 150, Motion.WANDER, () -> RandomWorld.cave(3, 30).withRobots(60)),
+        CAVE(
+                "6fdc1f25",
+                "63c4258b",
+                150,
+                Motion.WANDER,
+                () -> RandomWorld.cave(3, 30).withRobots(60)),
         LASERS_IN_CAVE("734374d9", "b16ccd21", 60, Motion.RANDOM, () -> lasers(RandomWorld.cave(4, 30), 30)),
         MAZE(
-                "f44fb688", "2d533e6a",
+                "f44fb688",
+                "2d533e6a",
                 150,
                 Motion.WANDER,
                 () -> RandomWorld.maze(5, 12, 12, 2.5).withRobots(80)),
-        OFFICE("0a4ff839", "8fe37124", 150, Motion.RANDOM, () -> RandomWorld.office(6, 6, 5).withRobots(80)),
-        FAST("6b717770", "14fbcc2c", 100, Motion.FAST, () -> RandomWorld.arena(7, 30, 0.2).withRobots(60)),
+        OFFICE(
+                "0a4ff839",
+                "8fe37124",
+                150,
+                Motion.RANDOM,
+                () -> RandomWorld.office(6, 6, 5).withRobots(80)),
+        FAST(
+                "6b717770",
+                "14fbcc2c",
+                100,
+                Motion.FAST,
+                () -> RandomWorld.arena(7, 30, 0.2).withRobots(60)),
         SHORT_STEPS(
-                "3935cf16", "898dfe4f",
+                "3935cf16",
+                "898dfe4f",
                 30,
                 Motion.WANDER,
                 () -> RandomWorld.arena(8, 12, 0.1).withRobots(20));
