@@ -181,7 +181,7 @@ class BuildAgreementTest {
     @Test
     void everyModule_canBeTestedAlone() throws IOException {
         for (Path module : Repository.modules()) {
-            assertThat(text(module.getFileName() + "/pom.xml"))
+            assertThat(Files.readString(module.resolve("pom.xml")))
                     .contains("<name>owntests</name><value>" + module.getFileName() + "</value>");
         }
     }
