@@ -2,10 +2,10 @@ package io.troupe.bench.builds;
 
 import io.troupe.bench.BuildTable.Turn;
 import io.troupe.bench.builds.BuildJvms.Name;
+import io.troupe.bench.builds.BuildVerdict.Interval;
+import io.troupe.bench.builds.BuildVerdict.Kind;
+import io.troupe.bench.builds.BuildVerdict.Round;
 import io.troupe.bench.builds.CompareBuilds.RowResult;
-import io.troupe.bench.builds.Verdict.Interval;
-import io.troupe.bench.builds.Verdict.Kind;
-import io.troupe.bench.builds.Verdict.Round;
 import io.troupe.common.measure.SampleStatistics;
 import io.troupe.common.process.NatsServerProcess;
 import java.nio.file.Path;
@@ -63,8 +63,8 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
                     result.row.name(),
                     String.valueOf(result.failure.getMessage()).replace("|", "\\|"));
         }
-        Verdict clock = clock(result);
-        Verdict processor = processor(result);
+        BuildVerdict clock = clock(result);
+        BuildVerdict processor = processor(result);
         return format(
                 "| %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s | %s |%n",
                 result.row.name(),
@@ -83,7 +83,7 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
 
     private static String result(RowResult result) {
         if (clock(result).kind() == Kind.TOO_FEW_STARTS) {
-            return "not judged, fewer than " + Verdict.LEAST_STARTS + " starts";
+            return "not judged, fewer than " + BuildVerdict.LEAST_STARTS + " starts";
         }
         List<String> found = new ArrayList<>();
         if (has(Kind.MORE, result)) {
@@ -100,17 +100,17 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
         return clock(result).kind() == kind || processor(result).kind() == kind;
     }
 
-    private static Verdict clock(RowResult result) {
-        return Verdict.of(result.starts, turn -> Math.max(LEAST_NANOS, turn.nanosEach()));
+    private static BuildVerdict clock(RowResult result) {
+        return BuildVerdict.of(result.starts, turn -> Math.max(LEAST_NANOS, turn.nanosEach()));
     }
 
-    private static Verdict processor(RowResult result) {
-        return Verdict.of(result.starts, turn -> Math.max(LEAST_NANOS, turn.processorNanosEach()));
+    private static BuildVerdict processor(RowResult result) {
+        return BuildVerdict.of(result.starts, turn -> Math.max(LEAST_NANOS, turn.processorNanosEach()));
     }
 
     /** One byte is added to each, since some rows allocate nothing. */
-    private static Verdict allocation(RowResult result) {
-        return Verdict.of(result.starts, turn -> 1 + turn.bytesEach());
+    private static BuildVerdict allocation(RowResult result) {
+        return BuildVerdict.of(result.starts, turn -> 1 + turn.bytesEach());
     }
 
     private static double median(RowResult result, Function<Round<Turn>, Turn> build, ToDoubleFunction<Turn> figure) {
@@ -168,7 +168,7 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
                 + line("Noise above 10 %, so a smaller change would not be seen", noisy);
     }
 
-    private static void add(Verdict verdict, String name, List<String> more, List<String> less) {
+    private static void add(BuildVerdict verdict, String name, List<String> more, List<String> less) {
         String text = name + " " + text(verdict.change()) + ", noise " + noise(verdict);
         switch (verdict.kind()) {
             case MORE -> more.add(text);
@@ -181,7 +181,7 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
         return format("* %s: %s%n", title, rows.isEmpty() ? "none" : String.join("; ", rows));
     }
 
-    private static String noise(Verdict verdict) {
+    private static String noise(BuildVerdict verdict) {
         return format("%.0f %%", 100 * verdict.noise());
     }
 

@@ -8,7 +8,7 @@ import io.troupe.bench.BuildTable.Row;
 import io.troupe.bench.BuildTable.Turn;
 import io.troupe.bench.builds.BuildJvms.ClassPaths;
 import io.troupe.bench.builds.BuildJvms.RowFailure;
-import io.troupe.bench.builds.Verdict.Round;
+import io.troupe.bench.builds.BuildVerdict.Round;
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.common.process.NatsServerProcess;
 import java.io.IOException;
@@ -32,8 +32,8 @@ import picocli.CommandLine.Option;
  * Compares an older build of Troupe with this one, and says what became slower.
  *
  * <p><b>Role.</b> For each part several starts of three JVMs, one with the older build and two with this one, take
- * turns with equal work, in random order within a round. The {@link Verdict} compares the difference of the builds with
- * that of this build from itself.
+ * turns with equal work, in random order within a round. The {@link BuildVerdict} compares the difference of the builds
+ * with that of this build from itself.
  *
  * <p><b>Errors.</b> A row that the older build cannot run, or whose answers differ between the builds, is reported and
  * left out. The exit status is 1 if a row became slower or does not run in this build, and 2 if an option is wrong.

@@ -3,9 +3,9 @@ package io.troupe.bench.builds;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.bench.builds.Verdict.Interval;
-import io.troupe.bench.builds.Verdict.Kind;
-import io.troupe.bench.builds.Verdict.Round;
+import io.troupe.bench.builds.BuildVerdict.Interval;
+import io.troupe.bench.builds.BuildVerdict.Kind;
+import io.troupe.bench.builds.BuildVerdict.Round;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -16,7 +16,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 
-class VerdictTest {
+class BuildVerdictTest {
     private static final int ROWS = 10_000;
 
     /** The confidence of the interval from the r-th lowest to the r-th highest of n values, by the binomial formula. */
@@ -37,12 +37,12 @@ class VerdictTest {
                     new Round<>(10.0, 1_000.0, 900.0),
                     new Round<>(20.0, 20 * factor / 1.01, 20 * factor * 1.01)));
         }
-        Verdict verdict = Verdict.of(starts, each -> each);
+        BuildVerdict verdict = BuildVerdict.of(starts, each -> each);
         assertThat(verdict.change().low()).isCloseTo(1.1, within(1e-9)); // the second of eight
         assertThat(verdict.change().high()).isCloseTo(1.5, within(1e-9));
         assertThat(verdict.change().median()).isCloseTo(Math.sqrt(1.25 * 1.3), within(1e-9));
         assertThat(verdict.itself().median()).isCloseTo(1, within(1e-9));
-        assertThat(verdict.noise()).isEqualTo(Verdict.LEAST_NOISE);
+        assertThat(verdict.noise()).isEqualTo(BuildVerdict.LEAST_NOISE);
         assertThat(verdict.kind()).isEqualTo(Kind.MORE);
     }
 
@@ -57,9 +57,9 @@ class VerdictTest {
         assertThat(verdict(2, 9, 1).kind()).isEqualTo(Kind.TOO_FEW_STARTS);
     }
 
-    private static Verdict verdict(int starts, double change, double itself) {
+    private static BuildVerdict verdict(int starts, double change, double itself) {
         var round = new Round<>(7.0, 7 * change * Math.sqrt(itself), 7 * change / Math.sqrt(itself));
-        return Verdict.of(Collections.nCopies(starts, List.of(round)), each -> each);
+        return BuildVerdict.of(Collections.nCopies(starts, List.of(round)), each -> each);
     }
 
     /** Draws the logarithm of the speed of a JVM. */
@@ -83,7 +83,7 @@ class VerdictTest {
                         change * Math.exp(speeds.applyAsDouble(random)),
                         change * Math.exp(speeds.applyAsDouble(random)))));
             }
-            found += Verdict.of(all, each -> each).kind() == kind ? 1 : 0;
+            found += BuildVerdict.of(all, each -> each).kind() == kind ? 1 : 0;
         }
         return (double) found / ROWS;
     }

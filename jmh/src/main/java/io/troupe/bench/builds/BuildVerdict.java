@@ -27,7 +27,7 @@ import java.util.function.ToDoubleFunction;
  * @param itself this build divided by itself
  * @param noise 0.05 if only changes by more than 5 % count
  */
-record Verdict(Interval change, Interval itself, double noise, Kind kind) {
+record BuildVerdict(Interval change, Interval itself, double noise, Kind kind) {
     /** The confidence of an interval, if there are five starts or more. */
     static final double WANTED = 0.9;
     /** Smaller changes are never reported. */
@@ -86,14 +86,14 @@ record Verdict(Interval change, Interval itself, double noise, Kind kind) {
      *
      * @param figure a positive number, such as a time
      */
-    static <T> Verdict of(List<List<Round<T>>> starts, ToDoubleFunction<T> figure) {
+    static <T> BuildVerdict of(List<List<Round<T>>> starts, ToDoubleFunction<T> figure) {
         Interval change = interval(
                 starts,
                 round -> (logarithm(figure, round.now) + logarithm(figure, round.again)) / 2
                         - logarithm(figure, round.before));
         Interval itself = interval(starts, round -> logarithm(figure, round.now) - logarithm(figure, round.again));
         double noise = Math.max(LEAST_NOISE, Math.max(itself.high, 1 / itself.low) - 1);
-        return new Verdict(change, itself, noise, kind(starts.size(), change, noise));
+        return new BuildVerdict(change, itself, noise, kind(starts.size(), change, noise));
     }
 
     private static <T> double logarithm(ToDoubleFunction<T> figure, T turn) {
