@@ -104,7 +104,7 @@ class VerifyCommandTest extends CommandLineBench {
         inhibited.transition("both", List.of("f", "g"), List.of("b"));
         inhibited.transition("up", List.of("f"), List.of("f", "many")).inhibitor("b", "up");
         inhibited.transition("down", List.of("f", "many"), List.of("f"));
-        assertThat(verify(inhibited.build(), "--memory 1")).isEqualTo(3);
+        assertThat(verify(inhibited.build(), "--memory 1 --time 600")).isEqualTo(3);
         assertThat(out.toString())
                 .contains("growing: not known whether it can deadlock: no dead marking among ")
                 .contains("then the memory was used up (--memory)\n", "growing: out of memory at ");

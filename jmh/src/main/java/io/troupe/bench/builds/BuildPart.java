@@ -22,7 +22,7 @@ import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.ITypeConverter;
 
-/** A part of the comparison of two builds: one table, which has JVMs of its own. */
+/** A part of the comparison of two builds: one table, which has separate JVMs. */
 enum BuildPart {
     ACTORS("-Xmx512m", "-XX:+UseG1GC"),
     SIMULATOR("-Xmx2g", "-XX:+UseSerialGC"),

@@ -95,7 +95,7 @@ record BuildsReport(CompareBuilds settings, String loadBefore) {
         return found.isEmpty() ? "no difference beyond noise" : String.join(" and ", found);
     }
 
-    /** True if the clock or the processor time says so. */
+    /** True by the clock or by the processor time. */
     private static boolean has(Kind kind, RowResult result) {
         return clock(result).kind() == kind || processor(result).kind() == kind;
     }

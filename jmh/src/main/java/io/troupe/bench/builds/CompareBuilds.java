@@ -29,7 +29,7 @@ import picocli.CommandLine.Help.Visibility;
 import picocli.CommandLine.Option;
 
 /**
- * Compares an older build of Troupe with this one, and says what became slower.
+ * Compares an older build of Troupe with this one, and reports what became slower.
  *
  * <p><b>Role.</b> For each part several starts of three JVMs, one with the older build and two with this one, take
  * turns with equal work, in random order within a round. The {@link BuildVerdict} compares the difference of the builds
@@ -40,7 +40,7 @@ import picocli.CommandLine.Option;
  */
 @Command(
         name = "CompareBuilds",
-        description = "Compares an older build of Troupe with this one, and says what became slower.",
+        description = "Compares an older build of Troupe with this one, and reports what became slower.",
         showDefaultValues = true,
         footer = {"", "The exit status is 1 if something became slower, or does not run in this build, and otherwise 0."
         })

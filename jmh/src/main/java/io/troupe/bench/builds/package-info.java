@@ -1,4 +1,4 @@
-/** Compares an older build of Troupe with this one, and says what became slower. */
+/** Compares an older build of Troupe with this one, and reports what became slower. */
 @NullMarked
 package io.troupe.bench.builds;
 
