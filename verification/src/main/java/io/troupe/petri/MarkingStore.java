@@ -158,13 +158,18 @@ final class MarkingStore {
         return Arrays.equals(chunks.get(id >>> CHUNK_BITS), start, start + words, packed, 0, words);
     }
 
-    private static int hash(long[] packed) {
+    /**
+     * A product depends on the bits of its factor that are not above its own. So a bit of any field must come down, by a
+     * shift, and go through one more product: else markings that differ in the last field of a word alone have equal
+     * low bits, and share a slot.
+     */
+    static int hash(long[] packed) {
         var hash = 0L;
         for (var word : packed) {
             hash = (hash ^ word) * 0x9E3779B97F4A7C15L;
             hash ^= hash >>> 32;
         }
-        return (int) hash;
+        return (int) (hash * 0xBF58476D1CE4E5B9L >>> 32);
     }
 
     private int offset(int id) {
