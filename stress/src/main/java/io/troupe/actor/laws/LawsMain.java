@@ -6,6 +6,9 @@ import java.io.IOException;
 import java.io.OutputStream;
 import java.io.PrintStream;
 import java.nio.charset.StandardCharsets;
+import java.nio.file.Files;
+import java.nio.file.Path;
+import java.util.Arrays;
 import java.util.List;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
@@ -13,7 +16,8 @@ import org.jspecify.annotations.Nullable;
 import org.openjdk.jcstress.Main;
 
 /**
- * Runs jcstress with the given arguments, and fails unless every law (jcstress test) passed.
+ * Runs jcstress with the given arguments, and fails unless every law (jcstress test) passed. After {@code --log FILE} as
+ * the first two arguments its output goes to that file, and one line is printed.
  *
  * <p><b>Errors.</b> jcstress itself fails only on a forbidden outcome. Its exit status is also 0 when laws ended in an
  * error, for example on a JVM that cannot load them, and when no law ran at all. In these cases the exit status of this
@@ -29,10 +33,29 @@ public final class LawsMain {
     private LawsMain() {}
 
     public static void main(String[] arguments) throws Exception {
-        String fault = run(arguments, Main::main);
+        String fault = runLogged(arguments, Main::main);
         if (fault != null) {
             System.err.println("laws: " + fault);
             System.exit(1);
+        }
+    }
+
+    /** As {@link #run}; a fault and an error name the log. */
+    static @Nullable String runLogged(String[] arguments, Runner runner) throws Exception {
+        if (arguments.length < 2 || !arguments[0].equals("--log")) {
+            return run(arguments, runner);
+        }
+        Path log = Path.of(arguments[1]).toAbsolutePath();
+        Files.createDirectories(log.getParent());
+        PrintStream console = System.out;
+        try (var file = new PrintStream(Files.newOutputStream(log), true, console.charset())) {
+            System.setOut(file);
+            String fault = run(Arrays.copyOfRange(arguments, 2, arguments.length), runner);
+            return fault == null ? null : fault + "; all that jcstress printed is in " + log;
+        } catch (Throwable e) {
+            throw new IllegalStateException("the laws failed; all that jcstress printed is in " + log, e);
+        } finally {
+            System.setOut(console);
         }
     }
 

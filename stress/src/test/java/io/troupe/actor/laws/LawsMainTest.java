@@ -6,7 +6,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import java.io.ByteArrayOutputStream;
 import java.io.PrintStream;
+import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.io.TempDir;
 
 /** In each of these runs jcstress itself ends with exit status 0, except in the one that throws. */
 class LawsMainTest {
@@ -66,5 +68,27 @@ class LawsMainTest {
             System.setOut(console);
         }
         assertThat(printed.toString(UTF_8)).isEqualToIgnoringNewLines("forbidden – outcome");
+    }
+
+    @Test
+    void log_takesTheOutput_andIsNamedByAFault(@TempDir Path directory) throws Exception {
+        PrintStream console = System.out;
+        Path log = directory.resolve("new").resolve("laws.txt");
+        String[] arguments = {"--log", log.toString(), "-m", "sanity"};
+        assertThat(LawsMain.runLogged(arguments, rest -> {
+                    assertThat(rest).containsExactly("-m", "sanity");
+                    System.out.println(status(12, 12, 0, 0, 0));
+                }))
+                .isNull();
+        assertThat(log).content().contains("12 passed");
+        assertThat(LawsMain.runLogged(arguments, rest -> System.out.println(status(12, 11, 0, 1, 0))))
+                .contains("1 soft errs")
+                .endsWith("all that jcstress printed is in " + log);
+        assertThatThrownBy(() -> LawsMain.runLogged(arguments, rest -> {
+                    throw new AssertionError("TEST FAILURES");
+                }))
+                .hasMessageEndingWith("is in " + log)
+                .hasRootCauseMessage("TEST FAILURES");
+        assertThat(System.out).isSameAs(console);
     }
 }
