@@ -110,7 +110,7 @@ class ViewOptionsTest extends CommandLineBench {
 
     @Test
     void crowd_isShown() {
-        assertThat(assertAnswersWhile("crowd --sizes 3 --seconds 1 --out DIR --view 0"))
+        assertThat(assertAnswersWhile("crowd --sizes 3 --seconds 1 --repeat 1 --out DIR --view 0"))
                 .contains("times real time");
     }
 

@@ -2,6 +2,7 @@ package io.troupe.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.Thorough;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 
@@ -20,14 +21,16 @@ class MeasureNetsTest {
         assertThat(row).startsWith("| count | 12,345 markings; none dead | ");
     }
 
+    /** Those of more than a second only if tests are thorough. */
     @Test
     void tasks_findTheKnownNumbers() {
         assertThat(MeasureNets.NetTask.all())
                 .filteredOn(task -> !task.name().contains("full graph"))
+                .filteredOn(task -> Thorough.on() || !NetTable.LONG.contains(task.name()))
                 .extracting(task -> task.work().get())
                 .extracting(found -> found.items() + " " + found.unit() + "; " + found.text())
                 .contains("78130 markings; 1458 dead, COMPLETE", "44 siphons; all of them", "48 siphons; all of them")
-                .anyMatch(text -> text.endsWith("Deadlock, 1458 dead; proposal Proved"));
+                .anyMatch(text -> !Thorough.on() || text.endsWith("Deadlock, 1458 dead; proposal Proved"));
     }
 
     @Test

@@ -1,5 +1,6 @@
 package io.troupe.checks.docs;
 
+import static java.util.stream.Collectors.toMap;
 import static java.util.stream.Collectors.toSet;
 import static org.assertj.core.api.Assertions.assertThat;
 
@@ -15,6 +16,7 @@ import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
 import java.util.regex.Pattern;
+import org.junit.jupiter.api.BeforeAll;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -84,8 +86,12 @@ class SamplesTest {
         requireInSources(all);
     }
 
-    private static void requireInSources(List<Sample> samples) throws IOException {
-        Map<String, String> essences = new TreeMap<>();
+    private static Map<String, String> essences = Map.of();
+
+    /** Read once for all pages. */
+    @BeforeAll
+    static void readSources() throws IOException {
+        essences = new TreeMap<>();
         for (Path source : Repository.javaSources()) {
             essences.put(source.toString(), Samples.essence(Files.readString(source)));
         }
@@ -95,6 +101,9 @@ class SamplesTest {
         for (String script : List.of("pom.xml", "build.gradle.kts")) { // how to depend on Troupe, of the README
             essences.put(script, Samples.essence(Repository.text("docs/examples/consumer/" + script)));
         }
+    }
+
+    private static void requireInSources(List<Sample> samples) {
         Map<String, Set<String>> missing = new TreeMap<>();
         samples.forEach(sample -> missing.put(sample.toString(), Samples.missing(sample, essences)));
         missing.values().removeIf(Set::isEmpty);
@@ -257,9 +266,11 @@ class SamplesTest {
          * @param sources essences by path
          */
         static Set<String> missing(Sample sample, Map<String, String> sources) {
+            Map<String, String> pieces =
+                    sample.pieces().stream().distinct().collect(toMap(piece -> piece, Samples::essence));
             return sources.values().stream()
-                    .map(essence -> sample.pieces().stream()
-                            .filter(piece -> !essence.contains(essence(piece)))
+                    .map(source -> pieces.keySet().stream()
+                            .filter(piece -> !source.contains(pieces.get(piece)))
                             .collect(toSet()))
                     .min(Comparator.comparingInt(Set::size))
                     .orElse(Set.copyOf(sample.pieces()));
