@@ -342,8 +342,9 @@ class CollisionTest {
             Snapshot now = world.advance();
             touches += now.contacts().size();
             for (RobotReading robot : now.robots()) {
+                int at = tick;
                 assertThat(awayM(robot, middle))
-                        .as("seed %d, tick %d: %s", SEED, tick, robot.pose())
+                        .as(() -> "seed %d, tick %d: %s".formatted(SEED, at, robot.pose()))
                         .isLessThan(mostM);
             }
         }

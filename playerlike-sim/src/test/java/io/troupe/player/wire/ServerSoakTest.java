@@ -2,6 +2,7 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.sim.Pace;
 import io.troupe.sim.SimulationRunner;
 import java.io.IOException;
@@ -26,8 +27,8 @@ import org.junit.jupiter.api.Test;
  * and the heap in use.
  */
 class ServerSoakTest {
-    private static final int FRAMES = 50;
-    private static final long EACH = 20;
+    private static final int FRAMES = Thorough.times(15, 50);
+    private static final long EACH = Thorough.times(6, 20);
 
     /** What one kind of client does repeatedly; returns the amount of work done. */
     private interface Behaviour {
