@@ -97,7 +97,7 @@ final class ActorCell extends Recipient {
     }
 
     /**
-     * For callers on other threads, for threads that only borrow the space (crank, sequential bodies), for bounded
+     * For callers on other threads, for threads that only borrow the space (runQueued, sequential bodies), for bounded
      * mailboxes, and for spaces with contexts or a call observer.
      */
     private void sendSlowly(Node call, @Nullable Supplier<Runnable> context) {

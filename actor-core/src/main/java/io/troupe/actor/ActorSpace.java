@@ -78,14 +78,14 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
         return Global.SPACE;
     }
 
-    /** Creates a space, with a new daemon thread unless it is cranked by hand. */
+    /** Creates a space, with a new daemon thread unless it has none. */
     public static ActorSpace create(SpaceSettings settings) {
         return open(new SpaceHome(settings), true);
     }
 
     private static ActorSpace open(SpaceHome home, boolean closeable) {
         var space = new ActorSpace(home, closeable);
-        if (!home.isCrankedByHand()) {
+        if (!home.isThreadless()) {
             home.startThread();
         }
         return space;
@@ -333,12 +333,12 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
 
     /**
      * Runs everything that is queued, and what follows from it, until nothing is queued; only for a space that is
-     * cranked by hand. The calling thread is the space's thread meanwhile.
+     * without a thread. The calling thread is the space's thread meanwhile.
      *
-     * @throws IllegalStateException if the space has its own thread, or is already being cranked
+     * @throws IllegalStateException if the space has its own thread, or is being run already
      */
-    public void crank() {
-        home.loop.crank();
+    public void runQueued() {
+        home.loop.runQueued();
     }
 
     /** The clock of this space's timers. */
@@ -347,7 +347,7 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     }
 
     /**
-     * True if the space is idle: no entry in any queue, no timer due. Exact between cranks, and between two turns on
+     * True if the space is idle: no entry in any queue, no timer due. Exact between two runs, and between two turns on
      * the space's thread.
      */
     public boolean isQuiet() {
@@ -356,7 +356,7 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
 
     /**
      * A moment of this space's clock before which no timer is due; {@link Long#MAX_VALUE} if there is none. For code
-     * that moves the clock of a space cranked by hand; exact under the same conditions as {@link #isQuiet}.
+     * that moves the clock of a space without a thread; exact under the same conditions as {@link #isQuiet}.
      */
     public long nextTimerNanos() {
         return home.dispatcher.timers.nextDeadline();
@@ -392,7 +392,7 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     @Override
     public void close() {
         beginClosing();
-        if (home.isCrankedByHand() ? !home.isCurrent() : Home.current() == null) {
+        if (home.isThreadless() ? !home.isCurrent() : Home.current() == null) {
             awaitEnd(CLOSING_TIME);
         }
     }
@@ -412,7 +412,7 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
                     "close(" + patience + ") would wait for itself on the thread of space " + this + ": call close()");
         }
         Home here = Home.current();
-        if (here != null && !home.isCrankedByHand()) {
+        if (here != null && !home.isThreadless()) {
             throw new IllegalStateException("close(" + patience + ") of space " + this + " would stop space " + here
                     + " while it waits: call close(), and whenClosed() to learn of the end");
         }
@@ -430,8 +430,8 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     }
 
     private void awaitEnd(Duration patience) {
-        if (home.isCrankedByHand()) {
-            crank();
+        if (home.isThreadless()) {
+            runQueued();
         } else {
             home.closing.await(patience);
         }

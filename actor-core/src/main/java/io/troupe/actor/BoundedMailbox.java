@@ -47,7 +47,7 @@ final class BoundedMailbox {
         if (!room.tryAcquire()) {
             if (bound.overflow() != MailboxBound.Overflow.BLOCK
                     || Home.current() != null
-                    || cell.space().isCrankedByHand()) {
+                    || cell.space().isThreadless()) {
                 return Admission.REFUSED;
             }
             try {

@@ -6,7 +6,7 @@ package io.troupe.actor;
  * {@snippet :
  * Consumer<DeadLetter> onDeadLetter = letter -> log.add(letter.message() + " to " + letter.actor());
  * ActorSpace space = ActorSpace.create(
- *         SpaceSettings.named("shop").withOnDeadLetter(onDeadLetter).withHandCrank());
+ *         SpaceSettings.named("shop").withOnDeadLetter(onDeadLetter).withoutThread());
  * Counter counter = space.spawn(Counter.class, Counter::new);
  * space.close();
  * counter.add(1); // too late

@@ -115,7 +115,7 @@ final class Dispatcher {
             space.beginForItself();
         }
         worked |= quota > 0 && timers.runDue(runTask) > 0;
-        if (!worked && space.isCrankedByHand()) { // a space with a thread does so before it sleeps
+        if (!worked && space.isThreadless()) { // a space with a thread does so before it sleeps
             forgetServed();
         }
         return worked;

@@ -26,7 +26,7 @@ public record MailboxBound(int capacity, Overflow overflow) {
         /**
          * A caller outside every actor space waits for room; if it is interrupted, the call is rejected as by
          * {@link #REJECT}. A caller on the thread of a space must not wait, and its call is treated as by
-         * {@link #REJECT}. The same holds for every caller of an actor in a space cranked by hand, where no other
+         * {@link #REJECT}. The same holds for every caller of an actor in a space without a thread, where no other
          * thread would make room.
          */
         BLOCK,

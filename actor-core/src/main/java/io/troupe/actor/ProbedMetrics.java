@@ -46,7 +46,7 @@ final class ProbedMetrics implements SpaceMetrics {
 
     @Override
     public long waiting() {
-        if (space.isCrankedByHand()) {
+        if (space.isThreadless()) {
             return dispatcher.waiting();
         }
         Finding last = found; // read before the next probe can arrive
@@ -56,7 +56,7 @@ final class ProbedMetrics implements SpaceMetrics {
 
     @Override
     public Duration latency() {
-        if (space.isCrankedByHand()) {
+        if (space.isThreadless()) {
             return Duration.ZERO;
         }
         Duration last = found.latency; // read before the next probe can arrive

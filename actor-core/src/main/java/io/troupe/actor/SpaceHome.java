@@ -335,8 +335,8 @@ final class SpaceHome extends Home {
         return timers;
     }
 
-    boolean isCrankedByHand() {
-        return settings.handCranked();
+    boolean isThreadless() {
+        return settings.threadless();
     }
 
     boolean isClosing() {

@@ -5,7 +5,7 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The event loop of a space: pass after pass through the queues, with sleeps; or, when it is cranked, as many passes as
+ * The event loop of a space: pass after pass through the queues, with sleeps; or, when it has no thread, as many passes as
  * there is work for.
  */
 final class SpaceLoop {
@@ -87,18 +87,18 @@ final class SpaceLoop {
         }
     }
 
-    /** See {@link ActorSpace#crank}. */
-    void crank() {
-        if (!settings.handCranked()) {
+    /** See {@link ActorSpace#runQueued}. */
+    void runQueued() {
+        if (!settings.threadless()) {
             throw new IllegalStateException(
-                    "space " + space + " has a thread of its own and cannot be cranked by hand");
+                    "space " + space + " has a thread of its own, expected one without");
         }
         if (closing.isOver()) {
             return; // later callers are rejected immediately
         }
         Thread serving = space.servingThread();
         if (serving != null) {
-            throw new IllegalStateException("space " + space + " is being cranked already, by " + serving.getName());
+            throw new IllegalStateException("space " + space + " is being run already, by " + serving.getName());
         }
         Home before = space.enter();
         try {

@@ -12,8 +12,8 @@ import java.time.Duration;
  *
  * <p><b>Threads.</b> Any thread. <b>Cost.</b> Constant, and none while no method is called. The backlog is measured by
  * a probe that is queued like a message. Each call of {@link #waiting} or {@link #latency} sends a probe unless one is
- * queued, and returns the result of the last one. So call them periodically, as a monitor does. In a space cranked by
- * hand no probe is sent: the entries in the queues are counted, which is exact between cranks.
+ * queued, and returns the result of the last one. So call them periodically, as a monitor does. In a space without a
+ * thread no probe is sent: the entries in the queues are counted, which is exact between two runs.
  */
 public interface SpaceMetrics {
     /** Messages, requests, callbacks, timers and tasks processed since the space was created. */

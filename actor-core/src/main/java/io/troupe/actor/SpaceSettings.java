@@ -21,11 +21,11 @@ import org.jspecify.annotations.Nullable;
  * @param clock the clock of its timers
  * @param onError receives errors that have no caller
  * @param onDeadLetter receives messages that were not delivered, on the thread that detected this
- * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = off. A space cranked by
- *     hand reports none
+ * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = off. A space without
+ *     a thread reports none
  * @param onStall receives such a report, on a helper thread that it may block
  * @param offloadLimit the number of concurrent runs of {@link ActorSpace#offload}
- * @param handCranked true for a space without a thread, which runs only in {@link ActorSpace#crank}
+ * @param threadless true for a space without a thread, which runs only in {@link ActorSpace#runQueued}
  * @param actorQuota after so many calls of one actor in a row, those of the others that are queued come first; zero =
  *     all calls are handled in the order of arrival
  * @param context carried from callers to turns; null = none
@@ -39,7 +39,7 @@ public record SpaceSettings(
         Duration stallLimit,
         Consumer<Stall> onStall,
         int offloadLimit,
-        boolean handCranked,
+        boolean threadless,
         int actorQuota,
         @Nullable TurnContext<?> context,
         @Nullable CallObserver callObserver) {
@@ -90,7 +90,7 @@ public record SpaceSettings(
                 stallLimit,
                 onStall,
                 offloadLimit,
-                handCranked,
+                threadless,
                 actorQuota,
                 context,
                 callObserver);
@@ -105,7 +105,7 @@ public record SpaceSettings(
                 stallLimit,
                 onStall,
                 offloadLimit,
-                handCranked,
+                threadless,
                 actorQuota,
                 context,
                 callObserver);
@@ -120,7 +120,7 @@ public record SpaceSettings(
                 stallLimit,
                 onStall,
                 offloadLimit,
-                handCranked,
+                threadless,
                 actorQuota,
                 context,
                 callObserver);
@@ -135,7 +135,7 @@ public record SpaceSettings(
                 stallLimit,
                 onStall,
                 offloadLimit,
-                handCranked,
+                threadless,
                 actorQuota,
                 context,
                 callObserver);
@@ -150,13 +150,13 @@ public record SpaceSettings(
                 limit,
                 handler,
                 offloadLimit,
-                handCranked,
+                threadless,
                 actorQuota,
                 context,
                 callObserver);
     }
 
-    public SpaceSettings withHandCrank() {
+    public SpaceSettings withoutThread() {
         return new SpaceSettings(
                 name,
                 clock,
@@ -180,7 +180,7 @@ public record SpaceSettings(
                 stallLimit,
                 onStall,
                 limit,
-                handCranked,
+                threadless,
                 actorQuota,
                 context,
                 callObserver);
@@ -201,7 +201,7 @@ public record SpaceSettings(
                 stallLimit,
                 onStall,
                 offloadLimit,
-                handCranked,
+                threadless,
                 calls,
                 context,
                 callObserver);
@@ -223,7 +223,7 @@ public record SpaceSettings(
                 stallLimit,
                 onStall,
                 offloadLimit,
-                handCranked,
+                threadless,
                 actorQuota,
                 Objects.requireNonNull(newContext, "newContext"),
                 callObserver);
@@ -242,7 +242,7 @@ public record SpaceSettings(
                 stallLimit,
                 onStall,
                 offloadLimit,
-                handCranked,
+                threadless,
                 actorQuota,
                 context,
                 Objects.requireNonNull(observer, "observer"));

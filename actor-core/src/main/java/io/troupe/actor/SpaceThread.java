@@ -4,7 +4,7 @@ import io.troupe.actor.internal.loop.DetachedNodes;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The thread of a space that is not cranked by hand. It holds references to the rings of its space.
+ * The thread of a space, unless it has none. It holds references to the rings of its space.
  *
  * <p>This is for speed. The processor can begin with one message while it is still executing the one before, unless the
  * address for the next entry depends on a long chain of loads through the current message. From the thread the chain is

@@ -30,7 +30,7 @@ class ActorPoolTest extends InTestSpace {
     private final AtomicInteger made = new AtomicInteger();
     private final List<ActorSpace> spaces = IntStream.range(0, SIZE)
             .mapToObj(number ->
-                    ActorSpace.create(SpaceSettings.named("space-" + number).withHandCrank()))
+                    ActorSpace.create(SpaceSettings.named("space-" + number).withoutThread()))
             .toList();
     private final ActorPool<Worker> pool =
             ActorPool.on(spaces, Worker.class, () -> new Working(made.getAndIncrement()), ActorSettings.DEFAULT);
@@ -101,16 +101,16 @@ class ActorPoolTest extends InTestSpace {
         }
     }
 
-    private void crank() {
+    private void runQueued() {
         for (int round = 0; round < 3; round++) {
-            test.crank();
-            spaces.forEach(ActorSpace::crank);
+            test.runQueued();
+            spaces.forEach(ActorSpace::runQueued);
         }
-        test.crank();
+        test.runQueued();
     }
 
     private <T> @Nullable T get(Promise<T> promise) {
-        crank();
+        runQueued();
         return promise.getNow();
     }
 
@@ -121,7 +121,7 @@ class ActorPoolTest extends InTestSpace {
 
     @Test
     void roundRobin_givesEachActorItsTurn() {
-        crank();
+        runQueued();
         List<Integer> numbers = new ArrayList<>();
         for (int call = 0; call < 2 * SIZE; call++) {
             numbers.add(get(pool.roundRobin().number()));
@@ -149,7 +149,7 @@ class ActorPoolTest extends InTestSpace {
         pool.byFirstArgument().note(7, 0.5, "x");
         pool.byFirstArgument().note(7, 0.25, "y");
         pool.byFirstArgument().note(null);
-        crank();
+        runQueued();
         assertThat(log).extracting(line -> line.substring(2)).containsExactlyInAnyOrder("7 0.5 x", "7 0.25 y", "null");
         assertThat(log.stream()
                         .filter(line -> line.contains(" 7 "))
@@ -164,7 +164,7 @@ class ActorPoolTest extends InTestSpace {
     @Test
     void broadcast_reachesAll_andAnswersWhenAllHave_orWithTheFirstError() {
         pool.broadcast().note("all");
-        crank();
+        runQueued();
         assertThat(log).containsExactlyInAnyOrder("0 all", "1 all", "2 all");
         assertThat(get(pool.broadcast().number())).isZero();
         var answer = new Deferred<Integer>();
@@ -174,7 +174,7 @@ class ActorPoolTest extends InTestSpace {
         assertThat(get(whole)).isEqualTo(5);
         Promise<Integer> failing = pool.broadcast().fail(1);
         failing.handle((value, error) -> error);
-        crank();
+        runQueued();
         assertThat(failing.error()).hasMessage("failed 1");
     }
 
@@ -182,7 +182,7 @@ class ActorPoolTest extends InTestSpace {
     void callback_receivesTheResultsOfAll_onTheCallersSpace() {
         CallbackProbe<Integer> numbers = test.callback();
         test.run(() -> pool.broadcast().count(numbers));
-        crank();
+        runQueued();
         assertThat(numbers.results()).containsExactlyInAnyOrder(0, 1, 2);
     }
 
@@ -218,12 +218,12 @@ class ActorPoolTest extends InTestSpace {
             classes.roundRobin().put("b");
             List<Promise<List<String>>> texts =
                     classes.actors().stream().map(ClassActor::texts).toList();
-            crank();
+            runQueued();
             assertThat(texts).extracting(Promise::getNow).containsExactly(List.of("a"), List.of("b"), List.of());
             assertThatThrownBy(() -> classes.roundRobin().hidden()).isInstanceOf(IllegalStateException.class);
             assertThatThrownBy(() -> classes.roundRobin().started()).isInstanceOf(IllegalStateException.class);
         }
-        crank();
+        runQueued();
         assertThat(pool.spaces())
                 .allSatisfy(space -> assertThat(space.metrics().actors()).isOne());
     }

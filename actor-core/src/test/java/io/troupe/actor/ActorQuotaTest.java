@@ -25,7 +25,7 @@ class ActorQuotaTest {
 
     private ActorSpace space(int quota) {
         return ActorSpace.create(SpaceSettings.named("fair")
-                .withHandCrank()
+                .withoutThread()
                 .withOnError((where, error) -> errors.add(error))
                 .withOnDeadLetter(letter -> log.add("dead " + letter.message()))
                 .withActorQuota(quota));
@@ -81,7 +81,7 @@ class ActorQuotaTest {
         var idle = actor("idle");
         IntStream.range(0, 500).forEach(hot::note);
         idle.note(0);
-        space.crank();
+        space.runQueued();
         assertThat(log.indexOf("idle0")).isEqualTo(QUOTA);
         assertThat(notesOf("hot")).isEqualTo(notes("hot", 500));
     }
@@ -94,7 +94,7 @@ class ActorQuotaTest {
             IntStream.range(0, 500).forEach(hot::note);
             idle.ask(0).then(number -> idle.note(1));
         });
-        space.crank();
+        space.runQueued();
         assertThat(log.indexOf("idle0")).isEqualTo(QUOTA);
         assertThat(log.indexOf("idle1")).isBetween(QUOTA + 1, 3 * QUOTA + 1);
         assertThat(notesOf("hot")).isEqualTo(notes("hot", 500));
@@ -106,7 +106,7 @@ class ActorQuotaTest {
         var second = actor("b");
         IntStream.range(0, 64).forEach(first::note);
         IntStream.range(0, 64).forEach(second::note);
-        space.crank();
+        space.runQueued();
         assertThat(log.subList(0, 4 * QUOTA))
                 .filteredOn(line -> line.startsWith("b"))
                 .hasSize(2 * QUOTA);
@@ -121,7 +121,7 @@ class ActorQuotaTest {
         Noter idle = plain.spawn(Noter.class, () -> new PlainNoter("idle"));
         IntStream.range(0, 500).forEach(hot::note);
         idle.note(0);
-        plain.crank();
+        plain.runQueued();
         assertThat(log.indexOf("idle0")).isEqualTo(500);
     }
 
@@ -131,7 +131,7 @@ class ActorQuotaTest {
         IntStream.range(0, 100).forEach(hot::note);
         space.stop(hot);
         hot.note(100);
-        space.crank();
+        space.runQueued();
         assertThat(log)
                 .isEqualTo(IntStream.rangeClosed(0, 100)
                         .mapToObj(number -> number < 100 ? "hot" + number : "dead Noter.note(100)")
@@ -143,7 +143,7 @@ class ActorQuotaTest {
         var hot = actor(
                 "hot", ActorSettings.named("hot").withSupervision(Supervision.restart(10, Duration.ofMinutes(1))));
         IntStream.range(0, 100).forEach(number -> hot.note(number == 20 || number == 40 ? -number : number));
-        space.crank();
+        space.runQueued();
         assertThat(log)
                 .isEqualTo(IntStream.range(0, 100)
                         .mapToObj(number -> "hot" + (number == 20 || number == 40 ? -number : number))
@@ -162,7 +162,7 @@ class ActorQuotaTest {
             asked.getLast().exceptionally(error -> 0);
             space.execute(space::close);
         });
-        space.crank();
+        space.runQueued();
         assertThat(asked).allMatch(Promise::isDone);
         assertThat(asked.stream().filter(Promise::isRejected)).hasSize(100 - QUOTA);
     }
@@ -171,7 +171,7 @@ class ActorQuotaTest {
     void boundedMailbox_dropsTheOldestAndKeepsTheOrder() {
         var hot = actor("hot", ActorSettings.named("hot").withMailbox(40, MailboxBound.Overflow.DROP_OLDEST));
         IntStream.range(0, 100).forEach(hot::note);
-        space.crank();
+        space.runQueued();
         assertThat(notesOf("hot")).isEqualTo(notes("hot", 100).subList(60, 100));
     }
 
@@ -214,7 +214,7 @@ class ActorQuotaTest {
             } else {
                 calls.run();
             }
-            fair.crank();
+            fair.runQueued();
         }
         expected.forEach((name, notes) -> assertThat(notesOf(name)).isEqualTo(notes));
     }

@@ -32,7 +32,7 @@ class ActorSpaceTest extends InTestSpace {
         doer.run(me -> promise.thenAccept(log::add));
         stop(doer);
         promise.resolve("late");
-        test.crank();
+        test.runQueued();
         assertThat(log).isEmpty();
     }
 
@@ -58,12 +58,12 @@ class ActorSpaceTest extends InTestSpace {
     void onIdle_waitsForEverythingThatComesOfWhatWaits() {
         test.space().onIdle(() -> log.add("idle"));
         doer.run(me -> pass(2));
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("pass 2", "pass 1", "pass 0", "idle");
     }
 
     @Test
-    void spacesCrankedInsideEachOther_knowWhoseTurnItIs() {
+    void spacesRunInsideEachOther_knowWhoseTurnItIs() {
         try (var inner = new TestSpace()) {
             var seen = new ArrayList<ActorSpace>();
             test.run(() -> {
@@ -77,9 +77,9 @@ class ActorSpaceTest extends InTestSpace {
     }
 
     @Test
-    void crank_ofASpaceWithAThread_isRejected() {
+    void runQueued_ofASpaceWithAThread_isRejected() {
         try (var space = ActorSpace.create(SpaceSettings.named("threaded"))) {
-            assertThatThrownBy(space::crank)
+            assertThatThrownBy(space::runQueued)
                     .isInstanceOf(IllegalStateException.class)
                     .hasMessageContainingAll("threaded", "thread of its own");
         }
@@ -106,12 +106,12 @@ class ActorSpaceTest extends InTestSpace {
         var deferred = new Deferred<Integer>();
         test.run(() -> promise.set(deferred.thenApply(one -> one)));
         deferred.resolve(1);
-        test.crank();
+        test.runQueued();
         doer.run(me -> {});
         promise.get()
                 .toCompletableFuture()
                 .thenAccept(one -> test.space().delay(Duration.ofSeconds(1)).thenRun(() -> log.add("alarm")));
-        test.crank();
+        test.runQueued();
         stop(doer);
         test.advance(Duration.ofSeconds(2));
         assertThat(log).containsExactly("alarm");
@@ -211,7 +211,7 @@ class ActorSpaceTest extends InTestSpace {
             second.run(other -> log.add("second"));
             log.add("first ends");
         });
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("first begins", "first ends", "second");
     }
 
@@ -237,7 +237,7 @@ class ActorSpaceTest extends InTestSpace {
             promise.resolve("done");
         });
         doer.run(me -> log.add("mail 2"));
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("mail 1", "callback", "mail 2");
     }
 
@@ -260,7 +260,7 @@ class ActorSpaceTest extends InTestSpace {
             answered.then(value -> log.add("answered after " + spins));
             answered.resolve(1);
         }));
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("answered after 1");
         assertThat(spins).isEqualTo(10_000);
     }
@@ -268,7 +268,7 @@ class ActorSpaceTest extends InTestSpace {
     @Test
     void endlessCallbacks_letMessagesAndTimersIn_after256() {
         doer.run(me -> me.after(Duration.ofSeconds(1), () -> log.add("timer")));
-        test.crank();
+        test.runQueued();
         Runnable advance = () -> test.clock().advance(Duration.ofSeconds(1));
         for (Runnable other : List.<Runnable>of(poked::poke, () -> onAnotherThread(poked::poke), advance)) {
             callbacks = 0;
@@ -291,7 +291,7 @@ class ActorSpaceTest extends InTestSpace {
         });
         trigger.resolve("now"); // a callback from outside
         poked.poke(); // and a message behind it
-        test.crank();
+        test.runQueued();
         assertThat(callbacks).isEqualTo(10_000);
         assertThat(callbacksBeforeThePoke()).isBetween(1, 256);
     }
@@ -303,7 +303,7 @@ class ActorSpaceTest extends InTestSpace {
             poked.poke();
         }
         answer.resolve(1); // queued behind 200 messages in the inbox
-        test.crank();
+        test.runQueued();
         assertThat(log).hasSize(201).startsWith("answer");
     }
 
@@ -346,7 +346,7 @@ class ActorSpaceTest extends InTestSpace {
             poked.poke();
             answered += more;
         }
-        test.crank();
+        test.runQueued();
         assertThat(log).hasSize(5).containsOnly("poked after 2000");
     }
 
@@ -367,7 +367,7 @@ class ActorSpaceTest extends InTestSpace {
     private final SteppedClock clock = new SteppedClock();
 
     private ActorSpace steppedSpace() {
-        return ActorSpace.create(SpaceSettings.named("stepped").withClock(clock).withHandCrank());
+        return ActorSpace.create(SpaceSettings.named("stepped").withClock(clock).withoutThread());
     }
 
     /** Queues messages, each of which is counted and moves the clock. */
@@ -386,9 +386,9 @@ class ActorSpaceTest extends InTestSpace {
         try (var space = steppedSpace()) {
             var servedBefore = new ArrayList<Integer>();
             space.execute(() -> space.delay(Duration.ofMillis(1)).thenRun(() -> servedBefore.add(spins)));
-            space.crank();
+            space.runQueued();
             queue(space, 200, number -> number == 99 ? 1_000_000 : 0);
-            space.crank();
+            space.runQueued();
             assertThat(servedBefore)
                     .singleElement()
                     .satisfies(count -> assertThat(count).isBetween(100, 116));
@@ -406,9 +406,9 @@ class ActorSpaceTest extends InTestSpace {
                     expected.add(millis / 2);
                 }
             });
-            space.crank();
+            space.runQueued();
             queue(space, 200, number -> 2_000_000);
-            space.crank();
+            space.runQueued();
             assertThat(servedBefore).hasSize(20).isEqualTo(expected);
         }
     }
@@ -417,14 +417,14 @@ class ActorSpaceTest extends InTestSpace {
     void timeOut_amongManyMessages_reportsThatTheRequestBehindThemHasNotBegun() {
         try (var space = steppedSpace()) {
             Doer desk = space.spawn(Doer.class, Doer::new);
-            space.crank();
+            space.runQueued();
             var requests = new ArrayList<Promise<Integer>>();
             space.execute(() -> requests.getFirst()
                     .orTimeout(Duration.ofMillis(1))
                     .exceptionally(late -> log.add(late.getMessage()) ? 0 : 1));
             queue(space, 60, number -> 200_000);
             requests.add(desk.ask(me -> Promise.of(1)));
-            space.crank();
+            space.runQueued();
             assertThat(log).singleElement().asString().contains("which has not begun it: ");
         }
     }

@@ -243,7 +243,7 @@ class ActorTypeRejectionTest extends InTestSpace {
         String why = "package-private in another package";
         rejects(test, loader.loadClass("two.Bad"), "Base.help()", why, "protected or private");
         assertThat(test.space().spawn(loader.loadClass("two.Good"), () -> null)).isNotNull();
-        test.crank();
+        test.runQueued();
         assertThat(test.takeProblems()).hasSize(1); // the factory
     }
 

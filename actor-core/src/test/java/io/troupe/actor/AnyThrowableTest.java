@@ -81,7 +81,7 @@ class AnyThrowableTest {
     @EnumSource(Kind.class)
     void error_thrownAnywhereInAnActor_isReported_andTheSpaceServesOthers(Kind kind) throws Exception {
         var settings = SpaceSettings.named("any-error")
-                .withHandCrank()
+                .withoutThread()
                 .withClock(new ManualClock())
                 .withOnError((where, error) -> reported.add(error));
         try (var space = ActorSpace.create(settings)) {
@@ -92,11 +92,11 @@ class AnyThrowableTest {
             });
             space.execute(kind::raise);
             space.onIdle(kind::raise);
-            space.crank();
+            space.runQueued();
             assertThat(asked.error()).isInstanceOf(kind.make().getClass());
             space.stop(failing);
             Promise<Integer> answer = answerOf(space);
-            space.crank();
+            space.runQueued();
             assertThat(answer.getNow()).isEqualTo(1);
         }
         // started, timer, listener, message, task, idle action, stopped; an error of the virtual machine a second time

@@ -43,11 +43,11 @@ class BacklogTest extends InTestSpace {
         topic.publish(1);
         topic.publish(2);
         assertThat(topic.publish(3)).isEqualTo(2);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("newest 3", "all 1", "all 2", "all 3");
         assertThat(newest.skipped()).isEqualTo(2);
         topic.publish(4);
-        test.crank();
+        test.runQueued();
         assertThat(log).endsWith("newest 4", "all 4");
         assertThat(newest.skipped()).isEqualTo(2);
     }
@@ -60,7 +60,7 @@ class BacklogTest extends InTestSpace {
             topic.publish(value);
         }
         topic.finish();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("got 8", "got 9", "got 10", "end null");
         assertThat(few.skipped()).isEqualTo(7);
     }
@@ -71,7 +71,7 @@ class BacklogTest extends InTestSpace {
         Sensor sensor = test.spawn(Sensor.class, () -> readings::set);
         var newest = stream(Backlog.newest(2));
         sensor.readings(newest);
-        test.crank();
+        test.runQueued();
         test.run(() -> {
             Callback<Integer> to = readings.get();
             to.next(1);
@@ -89,7 +89,7 @@ class BacklogTest extends InTestSpace {
         assertThatThrownBy(() -> Backlog.newest(0)).hasMessage("most is 0, expected 1 or more");
     }
 
-    /** Between two cranks a subscriber that keeps n values receives the last n of those published. */
+    /** Between two runs a subscriber that keeps n values receives the last n of those published. */
     @Test
     void randomBursts_leaveTheNewestOfEach() {
         long seed = System.nanoTime();
@@ -112,7 +112,7 @@ class BacklogTest extends InTestSpace {
                     expected.add(next);
                 }
             }
-            test.crank();
+            test.runQueued();
         }
         assertThat(received).as("seed %s", seed).isEqualTo(expected);
         assertThat(some.skipped()).as("seed %s", seed).isEqualTo(published - expected.size());
@@ -129,7 +129,7 @@ class BacklogTest extends InTestSpace {
         assertThat(Reachable.from(test.space()))
                 .filteredOn(Frame.class::isInstance)
                 .hasSize(5);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("frame 99995", "frame 99996", "frame 99997", "frame 99998", "frame 99999");
         assertThat(few.skipped()).isEqualTo(MANY - 5);
     }
@@ -143,11 +143,11 @@ class BacklogTest extends InTestSpace {
             }
         }
         Reader reader = test.spawn(Reader.class, Reader::new);
-        test.crank();
+        test.runQueued();
         topic.publish(1);
         topic.publish(2);
         test.space().stop(reader); // queued behind the values, which are callbacks
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("got 2");
         assertThat(topic.publish(3)).isZero();
     }

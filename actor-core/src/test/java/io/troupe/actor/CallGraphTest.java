@@ -14,7 +14,7 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
-/** Who calls whom, in spaces cranked by hand and on a clock that only the actors move: each count is worked out. */
+/** Who calls whom, in spaces without threads and on a clock that only the actors move: each count is worked out. */
 class CallGraphTest {
     private static final Duration STALL = Duration.ofMillis(50);
 
@@ -25,7 +25,7 @@ class CallGraphTest {
 
     private SpaceSettings settings(String name) {
         return SpaceSettings.named(name)
-                .withHandCrank()
+                .withoutThread()
                 .withOnError((where, error) -> log.add(where + " " + error.getMessage()))
                 .withOnDeadLetter(letter -> log.add("dead " + letter.message()))
                 .withOnStall(STALL, stall -> {})
@@ -118,7 +118,7 @@ class CallGraphTest {
         assertThat(edges()).containsExactly("outside -> clerk 1 0", "outside -> store 2 0");
         assertThat(node("clerk").waiting()).isEqualTo(1);
         assertThat(node("store").waiting()).isEqualTo(2);
-        space.crank();
+        space.runQueued();
         assertThat(edges()).containsExactly("outside -> clerk 1 0", "outside -> store 2 0", "clerk -> store 3 0");
         assertThat(node("clerk").waiting()).isZero();
         assertThat(node("store").waiting()).isZero();
@@ -133,7 +133,7 @@ class CallGraphTest {
         clerk.order(3, 7);
         store.take(50);
         store.take(51);
-        space.crank();
+        space.runQueued();
         CallGraph.Node stored = node("store");
         assertThat(stored.turns()).as("the start and five calls").isEqualTo(6);
         assertThat(stored.busy()).isEqualTo(Duration.ofMillis(3 * 7 + 50 + 51));
@@ -153,7 +153,7 @@ class CallGraphTest {
                     seen.add(node("Sink").current());
                 })
                 .accept(20);
-        space.crank();
+        space.runQueued();
         assertThat(seen).containsExactly(Duration.ofMillis(20));
     }
 
@@ -161,7 +161,7 @@ class CallGraphTest {
     void resultsOfACallback_areCountedFromTheirSender() {
         Clerk clerk = clerk(space.spawn(Store.class, PlainStore::new, ActorSettings.named("store")));
         clerk.watch(4);
-        space.crank();
+        space.runQueued();
         assertThat(edges()).containsExactly("outside -> clerk 1 0", "clerk -> store 1 0", "store -> clerk 0 4");
         assertThat(node("clerk").turns())
                 .as("the start, a call, four results and the end")
@@ -185,24 +185,24 @@ class CallGraphTest {
             first.take(0);
             second.take(0);
         });
-        space.crank();
+        space.runQueued();
         assertThat(edges()).containsExactly("tasks -> Store 2 0");
         assertThat(node(CallGraph.TASKS).space()).isEqualTo("shop");
     }
 
     @Test
     void spacesWithOneGraph_areOneGraph_andOneWithoutIsKnownAsACaller() {
-        var settings = SpaceSettings.named("street").withHandCrank();
+        var settings = SpaceSettings.named("street").withoutThread();
         try (var other = ActorSpace.create(settings("house"));
                 var uncounted = ActorSpace.create(settings)) {
             Store store = other.spawn(Store.class, PlainStore::new, ActorSettings.named("store"));
             clerk(store).order(2, 0);
             uncounted.spawn(Sink.class, () -> store::take).accept(0);
-            space.crank();
-            uncounted.crank();
+            space.runQueued();
+            uncounted.runQueued();
             assertThat(edges()).containsExactly("outside -> clerk 1 0", "clerk -> store 2 0", "Sink -> store 1 0");
             assertThat(node("store").waiting()).isEqualTo(3);
-            other.crank();
+            other.runQueued();
             assertThat(node("store").waiting()).isZero();
             assertThat(graph.snapshot().nodes().stream().map(CallGraph.Node::space))
                     .containsExactly("", "shop", "house", "street");
@@ -220,16 +220,16 @@ class CallGraphTest {
         }
         assertThat(edges()).containsExactly("outside -> store 5 0");
         assertThat(node("store").waiting()).isEqualTo(2);
-        space.crank();
+        space.runQueued();
         assertThat(log).as("dead letters").hasSize(3);
         assertThat(node("store").waiting()).isZero();
         space.stop(store);
-        space.crank();
+        space.runQueued();
         store.take(0);
         store.ask(0).cancel();
         store.take(0);
         assertThat(node("store").waiting()).isEqualTo(2);
-        space.crank();
+        space.runQueued();
         assertThat(node("store").waiting()).isZero();
     }
 
@@ -240,7 +240,7 @@ class CallGraphTest {
         other.execute(other::close);
         store.take(0);
         store.take(0);
-        other.crank();
+        other.runQueued();
         other.close();
         assertThat(node("store").waiting()).isZero();
     }
@@ -251,7 +251,7 @@ class CallGraphTest {
             space.spawn(Sink.class, () -> number -> {}, ActorSettings.named("actor " + i))
                     .accept(1);
         }
-        space.crank();
+        space.runQueued();
         CallGraph.Snapshot snapshot = graph.snapshot();
         assertThat(snapshot.nodes()).hasSize(CallGraph.MOST_NODES + 1);
         long calls = snapshot.edges().stream().mapToLong(CallGraph.Edge::calls).sum();
@@ -285,7 +285,7 @@ class CallGraphTest {
             user.set("Ada");
             store.ask(0).then(taken -> users.add(user.get() + " again"));
             user.remove();
-            other.crank();
+            other.runQueued();
             assertThat(users).containsExactly("Ada", "Ada again");
         }
         assertThat(edges()).containsExactly("outside -> Store 1 0");
@@ -319,9 +319,9 @@ class CallGraphTest {
 
     @Test
     void spaceWithoutAGraph_countsNothing() {
-        try (var plain = ActorSpace.create(SpaceSettings.named("plain").withHandCrank())) {
+        try (var plain = ActorSpace.create(SpaceSettings.named("plain").withoutThread())) {
             plain.spawn(Store.class, PlainStore::new).take(1);
-            plain.crank();
+            plain.runQueued();
         }
         assertThat(graph.snapshot()).isEqualTo(new CallGraph.Snapshot(List.of(), List.of()));
     }

@@ -10,7 +10,7 @@ import java.util.List;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 
-/** What is observed of each call, in a space cranked by hand. */
+/** What is observed of each call, in a space without a thread. */
 class CallObserverTest {
     private final List<String> log = new ArrayList<>();
 
@@ -42,7 +42,7 @@ class CallObserverTest {
 
     private ActorSpace space(CallObserver observer) {
         return ActorSpace.create(SpaceSettings.named("shop")
-                .withHandCrank()
+                .withoutThread()
                 .withOnError((where, error) -> log.add(where + ": " + error.getMessage()))
                 .withOnDeadLetter(letter -> log.add("dead letter"))
                 .withCallObserver(observer));
@@ -82,11 +82,11 @@ class CallObserverTest {
         store.count("pens");
         assertThat(log).containsExactly("outside calls store.put[pen]", "outside calls store.count[pens]");
         log.clear();
-        space.crank();
+        space.runQueued();
         assertThat(log).containsExactly("store begins put", "store begins count");
         log.clear();
         space.execute(() -> later.reject(new IllegalStateException("empty")));
-        space.crank();
+        space.runQueued();
         assertThat(log).first().isEqualTo("count is settled: java.lang.IllegalStateException: empty");
     }
 
@@ -100,13 +100,13 @@ class CallObserverTest {
         Store store = store(Promise.of(1), ActorSettings.named("store"));
         Promise<Integer> cancelled = store.count("pens");
         cancelled.cancel();
-        space.crank();
+        space.runQueued();
         assertThat(log).contains("store drops count").doesNotContain("store begins count");
         log.clear();
         space.stop(store);
-        space.crank();
+        space.runQueued();
         store.put("late");
-        space.crank();
+        space.runQueued();
         assertThat(log).containsExactly("outside calls store.put[late]", "store drops put", "dead letter");
     }
 
@@ -135,7 +135,7 @@ class CallObserverTest {
         space = space(new Broken());
         Promise<Integer> count =
                 store(Promise.of(1), ActorSettings.named("store")).count("pens");
-        space.crank();
+        space.runQueued();
         assertThat(count.getNow()).isEqualTo(1);
         assertThat(log)
                 .contains(
@@ -162,7 +162,7 @@ class CallObserverTest {
             space = space(observer);
             Promise<Integer> count =
                     store(Promise.of(1), ActorSettings.named("store")).count("pens");
-            space.crank();
+            space.runQueued();
             assertThat(count.getNow()).isEqualTo(1);
             assertThat(log)
                     .containsExactlyInAnyOrder(

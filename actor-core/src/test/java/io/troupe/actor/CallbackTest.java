@@ -61,7 +61,7 @@ class CallbackTest extends InTestSpace {
     void results_arriveInOrder_inTheCallersCallbackQueue_beforeItsMessages_untilItStops() {
         Reader reader = test.spawn(Reader.class, Reader::new);
         reader.read();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("asked", "result 0", "result 1", "result 2", "mail");
         stop(reader);
         test.run(() -> kept.getFirst().next(99));
@@ -77,7 +77,7 @@ class CallbackTest extends InTestSpace {
             results.next(7);
             results.fail(new IllegalStateException("broken"));
         });
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("7/null", "null/broken");
     }
 
@@ -93,7 +93,7 @@ class CallbackTest extends InTestSpace {
             results.next(7);
             results.finish();
         });
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("next 7", "end null");
     }
 
@@ -101,14 +101,14 @@ class CallbackTest extends InTestSpace {
     void cancelledStream_getsNothingMore_andTheActorSeesIt() {
         var stream = stream();
         source.give(stream, this::sendThree);
-        test.crank();
+        test.runQueued();
         stream.cancel();
         assertThat(kept.getFirst().isCancelled()).isTrue();
         source.give(stream, results -> {
             log.add("cancelled: " + results.isCancelled());
             results.next(100);
         });
-        test.crank();
+        test.runQueued();
         String end = "end " + CancellationException.class.getSimpleName();
         assertThat(log).containsExactly("next 0", "next 1", "next 2", end, "cancelled: true");
     }
@@ -119,7 +119,7 @@ class CallbackTest extends InTestSpace {
             results.finish();
             results.next(1);
         });
-        test.crank();
+        test.runQueued();
         assertThat(test.takeProblems())
                 .singleElement()
                 .satisfies(problem -> assertThat(problem.error())
@@ -150,7 +150,7 @@ class CallbackTest extends InTestSpace {
         Promise<Integer> taken = small.ask((result, error) -> log.add("first: " + error));
         small.give((result, error) -> log.add("second: " + error), this::sendThree);
         taken.cancel();
-        test.crank();
+        test.runQueued();
         assertThat(log) // the second is a callback, which does not wait for messages
                 .satisfiesExactly(
                         second -> assertThat(second).contains("second: ", "MailboxFullException"),
@@ -166,7 +166,7 @@ class CallbackTest extends InTestSpace {
         }
         assertThat(test.takeDeadLetters()).hasSize(997);
         assertThat(test.space().metrics().waiting() - 997).isEqualTo(3); // and 997 queued callbacks of rejected calls
-        test.crank();
+        test.runQueued();
     }
 
     @Test
@@ -179,7 +179,7 @@ class CallbackTest extends InTestSpace {
             named.each(noteOwner);
             named.give((result, error) -> noteOwner.accept(result), results -> results.next(0));
         });
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("8 on behalf of source", "0 on behalf of reader");
     }
 
@@ -243,9 +243,9 @@ class CallbackTest extends InTestSpace {
             }
             test.run(() -> robot.wander("here", seen));
             test.run(() -> ((Walking) twice).wander("here", seen));
-            callee.crank();
+            callee.runQueued();
             assertThat(log).isEmpty();
-            test.crank();
+            test.runQueued();
             assertThat(log).containsExactlyInAnyOrder("7", "8", "8", "9");
         }
     }

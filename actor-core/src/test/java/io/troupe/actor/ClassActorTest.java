@@ -107,7 +107,7 @@ class ClassActorTest extends InTestSpace {
     @Test
     void methodThatBecomesPublicInASubclass_isAMessage_andStopWaitsForItsEnd() {
         test.spawn(Walker.class, Walker::new).step();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("step", "stopped");
     }
 
@@ -230,7 +230,7 @@ class ClassActorTest extends InTestSpace {
         proxy.notify(2);
         assertThatThrownBy(() -> test.get(proxy.old())).hasStackTraceContaining("too old");
         proxy.machine();
-        test.crank();
+        test.runQueued();
         assertThat(test.takeProblems())
                 .extracting(problem -> problem.error().getClass().getSimpleName())
                 .containsExactly("UnsatisfiedLinkError");
@@ -302,7 +302,7 @@ class ClassActorTest extends InTestSpace {
         assertThatThrownBy(base::part).hasMessageContaining("Sub.part()");
         assertThat(values(proxy.answer(), proxy.next((String name, Throwable error) -> log.add(name))))
                 .containsExactly("sub", 1);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("a", "b", "step c", "object 1", "text d", "callback");
     }
 

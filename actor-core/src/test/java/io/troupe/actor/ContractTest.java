@@ -66,15 +66,15 @@ class ContractTest extends InTestSpace {
                 throw new IllegalStateException("here only");
             });
             here.run(me -> log.add("noted"));
-            other.crank();
+            other.runQueued();
             assertThat(log).isEmpty();
             assertThat(other.takeProblems()).isEmpty();
-            test.crank();
+            test.runQueued();
             assertThat(test.takeProblems()).hasSize(1);
             test.space().stop(here);
-            test.crank();
+            test.runQueued();
             there.run(me -> log.add("still there"));
-            other.crank();
+            other.runQueued();
             assertThat(log).containsExactly("noted", "still there");
         }
     }
@@ -128,7 +128,7 @@ class ContractTest extends InTestSpace {
         });
         source.sendNullAndFinish(new Callback.Stream<>(
                 result -> log.add("result " + result), end -> log.add(end == null ? "finished" : "failed")));
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("result null", "finished");
     }
 
@@ -136,7 +136,7 @@ class ContractTest extends InTestSpace {
     void actorOnlyMethods_ofASpawnedActor_throwOnAForeignThread() {
         var escaped = new Doer();
         test.spawn(Doer.class, () -> escaped).run(me -> log.add("on its own thread in " + me.space()));
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("on its own thread in test-space");
         assertThatThrownBy(escaped::space)
                 .isInstanceOf(IllegalStateException.class)
@@ -155,7 +155,7 @@ class ContractTest extends InTestSpace {
             door.open("Ann");
         }
         assertThat(log).containsExactly(greeting);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly(greeting, greeting);
     }
 
@@ -177,7 +177,7 @@ class ContractTest extends InTestSpace {
         });
         Promise<Integer> follower = desk.ask(5, "asked").thenApply(sum -> sum + 1);
         follower.cancel();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("asked");
         assertThat(follower.isCancelled()).isTrue();
     }

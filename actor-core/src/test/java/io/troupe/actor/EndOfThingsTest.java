@@ -42,14 +42,14 @@ class EndOfThingsTest extends InTestSpace {
             Promise.done().thenRun(() -> log.add("callback of the failed instance"));
             throw new IllegalStateException("failed");
         });
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("started", "started");
         assertThat(test.takeProblems()).hasSize(1);
         test.spawn(Doer.class, Starting::new).run(me -> {
             Promise.done().thenRun(() -> log.add("callback of the stopped actor"));
             me.stop();
         });
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("started", "started", "started");
     }
 
@@ -60,7 +60,7 @@ class EndOfThingsTest extends InTestSpace {
         var step = new Deferred<Integer>(test.space());
         var loop = new AtomicReference<Promise<?>>();
         worker.run(me -> loop.set(me.repeatWhile(() -> true, () -> step)));
-        test.crank();
+        test.runQueued();
         stop(worker);
         step.resolve(1);
         assertThat(test.error(loop.get())).isInstanceOf(CancellationException.class);
@@ -82,10 +82,10 @@ class EndOfThingsTest extends InTestSpace {
     void rejection_whoseOnlyListenerHasStopped_isReported() {
         var source = new Deferred<String>(test.space());
         worker.run(me -> source.thenAccept(value -> log.add("heard " + value)));
-        test.crank();
+        test.runQueued();
         stop(worker);
         source.reject(new IllegalStateException("nobody is left"));
-        test.crank();
+        test.runQueued();
         assertThat(takeErrors()).containsExactly("nobody is left");
     }
 
@@ -99,7 +99,7 @@ class EndOfThingsTest extends InTestSpace {
                 me.after(HOUR, () -> {});
             }
         });
-        test.crank();
+        test.runQueued();
         assertThat(test.space().metrics().timers()).isEqualTo(23);
         stop(worker);
         assertThat(test.space().metrics().timers()).isZero();
@@ -122,13 +122,13 @@ class EndOfThingsTest extends InTestSpace {
             .withClock(clock)
             .withOnDeadLetter(letters::add)
             .withOnError((where, error) -> log.add(where))
-            .withHandCrank();
+            .withoutThread();
     private final ActorSpace space = ActorSpace.create(settings);
     private final Doer doer = space.spawn(Doer.class, Doer::new);
 
     private void runIn(ActorSpace any, Runnable task) {
         any.execute(task);
-        any.crank();
+        any.runQueued();
     }
 
     interface Desk {
@@ -155,7 +155,7 @@ class EndOfThingsTest extends InTestSpace {
     void close_retryFromOutside_ends() {
         space.execute(space::close);
         Promise<String> retried = space.retry(3, SECOND, () -> doer.ask(me -> new Deferred<>()));
-        space.crank();
+        space.runQueued();
         assertThat(retried.isDone()).isTrue();
     }
 
@@ -185,7 +185,7 @@ class EndOfThingsTest extends InTestSpace {
         var own = ActorSpace.create(
                 settings.withOnError((where, error) -> logger.get().run(me -> log.add(where))));
         logger.set(own.spawn(Doer.class, Doer::new));
-        own.crank();
+        own.runQueued();
         own.spawn(Loser.class, Loser::new);
         own.close();
         assertThat(letters).hasSize(1);
@@ -213,7 +213,7 @@ class EndOfThingsTest extends InTestSpace {
             own.execute(() -> log.add("never"));
         });
         assertThat(own.close(SECOND).tasks()).isEqualTo(2);
-        own.crank();
+        own.runQueued();
         assertThat(own.close(SECOND).tasks()).isEqualTo(2);
         assertThat(letters).hasSize(2);
     }
@@ -222,7 +222,7 @@ class EndOfThingsTest extends InTestSpace {
     void close_droppedCallsTicket_leftoversNameTheCallThatWaits() {
         var one = ActorSettings.DEFAULT.withMailbox(1, Overflow.DROP_OLDEST);
         Desk desk = space.spawn(Desk.class, () -> what -> new Deferred<>(), one);
-        space.crank();
+        space.runQueued();
         runIn(space, () -> {
             space.close();
             desk.ask("old").exceptionally(error -> "");
@@ -242,7 +242,7 @@ class EndOfThingsTest extends InTestSpace {
         Sink sink = space.spawn(Sink.class, () -> what -> {}, ActorSettings.named("sink"));
         Source source = space.spawn(Source.class, () -> results -> Promise.of(1), ActorSettings.named("source"));
         var request = new AtomicReference<Promise<Integer>>();
-        space.crank();
+        space.runQueued();
         runIn(space, () -> {
             space.close(); // the calls below are queued behind it
             sink.take("x".repeat(81)); // longer than the text of an argument may be
@@ -278,7 +278,7 @@ class EndOfThingsTest extends InTestSpace {
         Promise<String> limited = new Deferred<String>(space).orTimeout(HOUR);
         delay.exceptionally(error -> null);
         limited.exceptionally(error -> "");
-        space.crank();
+        space.runQueued();
         Leftovers leftovers = space.close(SECOND);
         assertThat(leftovers.timers()).isEqualTo(2);
         assertThat(leftovers.isEmpty()).isTrue();
@@ -313,15 +313,15 @@ class EndOfThingsTest extends InTestSpace {
                 settings.withOnDeadLetter(letter -> own.get().delay(SECOND).thenRun(() -> log.add("alarm")))));
         Doer stopped = own.get().spawn(Doer.class, Doer::new);
         own.get().stop(stopped);
-        own.get().crank();
+        own.get().runQueued();
         Doer other = own.get().spawn(Doer.class, Doer::new);
         other.run(me -> log.add("took a call"));
         stopped.run(me -> log.add("never"));
-        own.get().crank();
+        own.get().runQueued();
         own.get().stop(other);
-        own.get().crank();
+        own.get().runQueued();
         clock.advance(SECOND.multipliedBy(2));
-        own.get().crank();
+        own.get().runQueued();
         assertThat(log).containsExactly("took a call", "alarm");
         own.get().close();
     }

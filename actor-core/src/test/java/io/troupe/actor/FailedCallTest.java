@@ -65,7 +65,7 @@ class FailedCallTest extends InTestSpace {
     @Test
     void exception_inAOneWayMessage_goesToTheErrorHandler() {
         counter.fail("on purpose");
-        test.crank();
+        test.runQueued();
         assertReported("Counter.fail(String) of Counter#1", "on purpose");
         assertThat(test.get(counter.add(2))).isEqualTo(2);
     }
@@ -75,7 +75,7 @@ class FailedCallTest extends InTestSpace {
         var settings =
                 ActorSettings.named("tally").withOnError((where, error) -> log.add(where + ": " + error.getMessage()));
         test.spawn(Counter.class, FailedCallTest::failingCounter, settings).fail("mine");
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("Counter.fail(String) of tally: mine");
     }
 
@@ -94,7 +94,7 @@ class FailedCallTest extends InTestSpace {
         test.run(() -> counter.failing("unheard"));
         assertReported("a rejected promise without a listener: Counter.failing(unheard) of Counter#1", "unheard");
         counter.failing("unheard");
-        test.crank();
+        test.runQueued();
         assertThat(test.takeProblems()).isEmpty();
         test.advance(SECOND);
         assertThat(test.takeProblems()).hasSize(1);
@@ -116,7 +116,7 @@ class FailedCallTest extends InTestSpace {
                 .isInstanceOf(ActorStoppedException.class)
                 .hasMessage("Counter.add(1) of Counter#1 was not begun: the actor Counter#1 has stopped");
         counter.fail("into the void");
-        test.crank();
+        test.runQueued();
         assertThat(test.takeDeadLetters())
                 .containsExactly(
                         new DeadLetter("Counter#1", "Counter.fail(into the void)", "the actor Counter#1 has stopped"));
@@ -209,7 +209,7 @@ class FailedCallTest extends InTestSpace {
         var answer = new Deferred<Integer>();
         Worker worker = test.spawn(Worker.class, () -> anything -> answer);
         Promise<Integer> request = worker.ask(1);
-        test.crank();
+        test.runQueued();
         test.run(() -> logTimeout(request));
         test.run(() -> answer.resolve(7));
         assertThat(test.get(request)).isEqualTo(7);
@@ -239,7 +239,7 @@ class FailedCallTest extends InTestSpace {
 
     private ActorSpace space(ErrorHandler handler) {
         return ActorSpace.create(
-                SpaceSettings.named("handlers").withClock(clock).withHandCrank().withOnError(handler));
+                SpaceSettings.named("handlers").withClock(clock).withoutThread().withOnError(handler));
     }
 
     @Test
@@ -247,9 +247,9 @@ class FailedCallTest extends InTestSpace {
         var space = space((where, error) -> {});
         Worker worker = space.spawn(Worker.class, () -> anything -> new Deferred<>());
         Promise<Integer> limited = worker.ask(new Sourpuss()).orTimeout(SECOND);
-        space.crank();
+        space.runQueued();
         clock.advance(SECOND.multipliedBy(2));
-        space.crank();
+        space.runQueued();
         assertThat(limited.error()).isInstanceOf(TimeoutException.class);
         space.close();
     }
@@ -297,7 +297,7 @@ class FailedCallTest extends InTestSpace {
         space.spawn(Doer.class, logged, settings).run(me -> {
             throw failure;
         });
-        space.crank();
+        space.runQueued();
         assertThat(log).containsExactly("made", "made");
         space.close();
     }

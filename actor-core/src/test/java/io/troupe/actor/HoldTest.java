@@ -65,7 +65,7 @@ class HoldTest extends InTestSpace {
 
     private void connect(String line) {
         lines.removeFirst().resolve(line);
-        test.crank();
+        test.runQueued();
     }
 
     @Test
@@ -81,7 +81,7 @@ class HoldTest extends InTestSpace {
         assertThat(test.get(answer)).isEqualTo("A answers 2");
         assertThat(log.subList(3, log.size())).containsExactly("connected to A", "A says 1", "A says 3", "A says 4");
         modem.say(5);
-        test.crank();
+        test.runQueued();
         assertThat(log).endsWith("A says 5");
     }
 
@@ -91,10 +91,10 @@ class HoldTest extends InTestSpace {
         modem.say(1);
         modem.hangUp();
         modem.say(2);
-        test.crank();
+        test.runQueued();
         connect("A");
         modem.say(3);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("started", "connected to A", "A says 1");
         connect("B");
         assertThat(log).endsWith("connected to B", "B says 2", "B says 3");
@@ -103,11 +103,11 @@ class HoldTest extends InTestSpace {
     @Test
     void releaseWithoutAHold_changesNothing_andOneReleaseSuffices() {
         Modem modem = spawn(ActorSettings.DEFAULT);
-        test.crank();
+        test.runQueued();
         connect("A");
         modem.releaseAgain();
         modem.say(1);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("started", "connected to A", "A says 1");
     }
 
@@ -124,11 +124,11 @@ class HoldTest extends InTestSpace {
     @Test
     void heldCalls_areCountedAsLeftovers_whenTheSpaceCloses() {
         var space =
-                ActorSpace.create(SpaceSettings.named("closing").withHandCrank().withOnDeadLetter(letter -> {}));
+                ActorSpace.create(SpaceSettings.named("closing").withoutThread().withOnDeadLetter(letter -> {}));
         Modem modem = space.spawn(Modem.class, Modem::new);
         Promise<String> answer = modem.ask(1);
         modem.say(2);
-        space.crank();
+        space.runQueued();
         Leftovers left = space.close(LONG);
         assertThat(List.of(left.messages(), left.requests())).containsExactly(1, 1);
         assertThat(answer.error()).isInstanceOf(ActorStoppedException.class);
@@ -138,11 +138,11 @@ class HoldTest extends InTestSpace {
     void heldCalls_areServedByTheNextInstance_onceThatReleasesThem() {
         var settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofSeconds(10)));
         Modem modem = spawn(settings);
-        test.crank();
+        test.runQueued();
         connect("A");
         modem.hangUp();
         modem.say(1);
-        test.crank();
+        test.runQueued();
         lines.clear();
         test.run(() -> log.add("--"));
         failInATimer(modem);
@@ -174,7 +174,7 @@ class HoldTest extends InTestSpace {
         }
         Broken broken = test.spawn(Broken.class, Broken::new);
         broken.say(1);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("says 1");
         assertThat(takeErrors()).containsExactly("no modem");
     }
@@ -182,7 +182,7 @@ class HoldTest extends InTestSpace {
     @Test
     void failureWhileCallsAreHeld_isNoReasonOfALaterStop() {
         Modem modem = spawn(ActorSettings.DEFAULT);
-        test.crank();
+        test.runQueued();
         failInATimer(modem);
         stop(modem);
         assertThat(test.get(test.space().whenStopped(modem))).isEqualTo(new ActorEnd.Stopped());
@@ -191,10 +191,10 @@ class HoldTest extends InTestSpace {
     @Test
     void heldCalls_occupyTheirPlacesInABoundedMailbox() {
         Modem modem = spawn(ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
-        test.crank();
+        test.runQueued();
         IntStream.rangeClosed(1, 5).forEach(word -> {
             modem.say(word);
-            test.crank();
+            test.runQueued();
         });
         assertThat(test.takeDeadLetters()).hasSize(3);
         connect("A");

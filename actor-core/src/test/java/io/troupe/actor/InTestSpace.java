@@ -20,7 +20,7 @@ public abstract class InTestSpace {
 
     protected final void stop(Object actor) {
         test.space().stop(actor);
-        test.crank();
+        test.runQueued();
     }
 
     /** The values of promises, after running everything that is queued. */

@@ -64,7 +64,7 @@ class InheritedLimitTest extends InTestSpace {
             me.space().execute(() -> log.add("task " + ActorSpace.timeLeft()));
             return Promise.done();
         })));
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactlyInAnyOrder("message null", "timer null", "task null");
     }
 
@@ -119,7 +119,7 @@ class InheritedLimitTest extends InTestSpace {
             }
             return never();
         }));
-        test.crank();
+        test.runQueued();
         assertThat(test.space().metrics().timers()).isEqualTo(1);
         test.advance(LIMIT);
         assertThat(test.error(answer)).isInstanceOf(TimeoutException.class);
@@ -159,7 +159,7 @@ class InheritedLimitTest extends InTestSpace {
             return never();
         });
         test.clock().advance(LIMIT);
-        test.crank();
+        test.runQueued();
         assertThat(test.error(answer)).isInstanceOf(TimeoutException.class);
         assertThat(log).isEmpty();
     }
@@ -168,7 +168,7 @@ class InheritedLimitTest extends InTestSpace {
     void boundedMailboxAndQuota_keepTheLimitWithItsCall() {
         var settings = SpaceSettings.named("other")
                 .withClock(test.clock())
-                .withHandCrank()
+                .withoutThread()
                 .withActorQuota(1);
         var other = ActorSpace.create(settings);
         Doer quoted = other.spawn(Doer.class, Doer::new);
@@ -178,7 +178,7 @@ class InheritedLimitTest extends InTestSpace {
             answers.add(each.ask(me -> left()));
             answers.add(other.within(LIMIT, () -> each.ask(me -> left())));
         }
-        other.crank();
+        other.runQueued();
         assertThat(answers).extracting(Promise::getNow).containsExactly(null, LIMIT, null, LIMIT);
         other.close();
     }
@@ -188,7 +188,7 @@ class InheritedLimitTest extends InTestSpace {
         var user = new ThreadLocal<@Nullable String>();
         var other = ActorSpace.create(SpaceSettings.named("other")
                 .withClock(test.clock())
-                .withHandCrank()
+                .withoutThread()
                 .withContext(new TurnContext<String>() {
                     @Override
                     public @Nullable String capture() {
@@ -204,8 +204,8 @@ class InheritedLimitTest extends InTestSpace {
         Doer far = other.spawn(Doer.class, Doer::new);
         user.set("ann");
         Promise<String> answer = within(() -> far.ask(me -> Promise.of(user.get() + " has " + ActorSpace.timeLeft())));
-        test.crank();
-        other.crank();
+        test.runQueued();
+        other.runQueued();
         user.remove();
         assertThat(test.get(answer)).isEqualTo("ann has " + LIMIT);
         other.close();
@@ -216,7 +216,7 @@ class InheritedLimitTest extends InTestSpace {
         var clock = new ManualClock();
         clock.advance(LONG);
         var other =
-                ActorSpace.create(SpaceSettings.named("other").withClock(clock).withHandCrank());
+                ActorSpace.create(SpaceSettings.named("other").withClock(clock).withoutThread());
         Doer far = other.spawn(Doer.class, Doer::new, ActorSettings.named("far"));
         List<Promise<String>> asked = new ArrayList<>();
         Promise<@Nullable Duration> back = within(() -> far.ask(me -> {
@@ -224,14 +224,14 @@ class InheritedLimitTest extends InTestSpace {
             asked.getFirst().exceptionally(late -> "");
             return store.ask(here -> left());
         }));
-        test.crank();
-        other.crank();
+        test.runQueued();
+        other.runQueued();
         assertThat(test.get(back)).isEqualTo(LIMIT);
         clock.advance(LONG);
-        other.crank();
+        other.runQueued();
         assertThat(asked.getFirst().isDone()).isFalse();
         test.advance(LIMIT);
-        other.crank();
+        other.runQueued();
         assertThat(asked.getFirst().error())
                 .isInstanceOf(TimeoutException.class)
                 .hasMessageContaining("no answer to far within PT2S from Doer.ask(");
@@ -241,15 +241,15 @@ class InheritedLimitTest extends InTestSpace {
     @Test
     void requestWhoseTurnComesAfterTheLimit_isNotBegun_evenIfTheTimerIsLate() {
         var other = ActorSpace.create(
-                SpaceSettings.named("other").withClock(test.clock()).withHandCrank());
+                SpaceSettings.named("other").withClock(test.clock()).withoutThread());
         Doer far = other.spawn(Doer.class, Doer::new);
         Promise<String> answer = within(() -> far.ask(me -> {
             log.add("begun");
             return Promise.of("too late");
         }));
-        test.crank();
+        test.runQueued();
         test.clock().advance(LIMIT);
-        other.crank(); // before the space with the timer
+        other.runQueued(); // before the space with the timer
         assertThat(test.error(answer)).isInstanceOf(TimeoutException.class);
         assertThat(log).isEmpty();
         assertThat(other.metrics().shed()).isEqualTo(1);
@@ -259,10 +259,10 @@ class InheritedLimitTest extends InTestSpace {
     @Test
     void stopOfTheAskedActor_rejectsAsEver_andClosedSpaceCancels() {
         Promise<String> answer = within(() -> shop.ask(me -> store.ask(other -> never())));
-        test.crank();
+        test.runQueued();
         stop(store);
         assertThat(test.error(answer)).isInstanceOf(ActorStoppedException.class);
-        var closing = ActorSpace.create(SpaceSettings.named("closing").withHandCrank());
+        var closing = ActorSpace.create(SpaceSettings.named("closing").withoutThread());
         Promise<String> late = closing.within(LIMIT, InheritedLimitTest::never);
         closing.close();
         assertThat(late.error()).isInstanceOf(CancellationException.class);

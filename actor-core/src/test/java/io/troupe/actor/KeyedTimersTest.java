@@ -20,7 +20,7 @@ class KeyedTimersTest extends InTestSpace {
 
     private void run(Consumer<Doer> task) {
         actor.run(task);
-        test.crank();
+        test.runQueued();
     }
 
     private void advanceSeconds(int seconds) {

@@ -70,8 +70,8 @@ class MailboxBoundTest extends InTestSpace {
     void block_onAnActorSpaceOrWithoutAThread_rejectsInstead() {
         Sink sink = spawn(Overflow.BLOCK);
         test.run(() -> takeFive(sink));
-        takeFive(sink); // from outside, where it would wait for the crank for ever
-        test.crank();
+        takeFive(sink); // from outside, where it would wait for ever
+        test.runQueued();
         assertThat(test.get(sink.taken())).containsExactly(1, 2, 3, 1, 2, 3);
         assertThat(lost()).containsExactly("Sink.take(4)", "Sink.take(5)", "Sink.take(4)", "Sink.take(5)");
     }

@@ -46,7 +46,7 @@ class MetricsTest extends InTestSpace {
     }
 
     @Test
-    void figures_ofASpaceCrankedByHand_areExact() {
+    void figures_ofASpaceWithoutThread_areExact() {
         SpaceMetrics metrics = test.space().metrics();
         Worker worker = test.spawn(Worker.class, () -> Runnable::run);
         long before = metrics.served();
@@ -55,14 +55,14 @@ class MetricsTest extends InTestSpace {
         worker.work(MetricsTest::fail);
         Promise<?> delay = test.space().delay(Duration.ofSeconds(1));
         assertThat(metrics.waiting()).isEqualTo(4);
-        test.crank();
+        test.runQueued();
         assertThat(metrics.served() - before).isEqualTo(4);
         assertThat(metrics)
                 .hasToString("served 5, waiting 0, latency PT0S, actors 1, timers 1, errors 1, dead letters 0, "
                         + "shed 0, expired 0");
         stop(worker);
         worker.work(NOTHING);
-        test.crank();
+        test.runQueued();
         assertThat(metrics.deadLetters()).isEqualTo(1);
         assertThat(metrics.actors()).isZero();
         test.advance(Duration.ofSeconds(1));
@@ -81,7 +81,7 @@ class MetricsTest extends InTestSpace {
         SpaceMetrics metrics = test.space().metrics();
         Asked asked = test.spawn(Asked.class, () -> answer -> answer);
         asked.ask(Promise.of("cancelled")).cancel();
-        test.crank();
+        test.runQueued();
         assertThat(metrics.shed()).isEqualTo(1);
         test.run(() -> {
             asked.ask(new Deferred<>()).orTimeout(Duration.ofSeconds(1)).exceptionally(error -> "too late");
@@ -122,7 +122,7 @@ class MetricsTest extends InTestSpace {
     @Test
     void bean_hasTheFigures_untilTheSpaceIsClosed() throws Exception {
         var space = ActorSpace.create(
-                SpaceSettings.named("a \"bean\"").withHandCrank().withOnError((where, error) -> {}));
+                SpaceSettings.named("a \"bean\"").withoutThread().withOnError((where, error) -> {}));
         space.registerBean();
         assertThatThrownBy(space::registerBean)
                 .isInstanceOf(ActorException.class)
@@ -133,7 +133,7 @@ class MetricsTest extends InTestSpace {
         MBeanServer server = ManagementFactory.getPlatformMBeanServer();
         var name = new ObjectName("io.troupe:type=ActorSpace,name=\"a \\\"bean\\\"\"");
         assertThat(server.getAttribute(name, "Waiting")).isEqualTo(3L);
-        space.crank();
+        space.runQueued();
         List<String> attributes = Arrays.stream(server.getMBeanInfo(name).getAttributes())
                 .map(MBeanFeatureInfo::getName)
                 .toList();

@@ -74,7 +74,7 @@ class OpenRequestsTest extends InTestSpace {
         Promise<String> third = desk.laterInCapitals();
         Promise<String> body = desk.inABody();
         Promise<String> cancelled = desk.later("cancelled");
-        test.crank();
+        test.runQueued();
         cancelled.cancel();
         desk.end();
         Promise<String> tooLate = desk.later("c");
@@ -93,7 +93,7 @@ class OpenRequestsTest extends InTestSpace {
         assertBegun(test.error(answer), "Desk.later(a) of desk", "the actor desk was restarted");
         assertThat(answer.error()).hasRootCauseMessage("no paper");
         Promise<String> ofTheFreshInstance = desk.later("b");
-        test.crank();
+        test.runQueued();
         drivers.getLast().resolve("done");
         assertThat(test.get(ofTheFreshInstance)).isEqualTo("done");
     }
@@ -103,7 +103,7 @@ class OpenRequestsTest extends InTestSpace {
         Desk desk = spawn("desk", Supervision.RESUME);
         Promise<String> answer = desk.later("a");
         desk.fail();
-        test.crank();
+        test.runQueued();
         drivers.getFirst().resolve("done");
         assertThat(test.get(answer)).isEqualTo("done");
     }
@@ -143,9 +143,9 @@ class OpenRequestsTest extends InTestSpace {
         Desk back = spawn("back", Supervision.RESUME);
         Promise<String> answered = front.forward(back);
         Promise<String> abandoned = front.forward(back);
-        test.crank();
+        test.runQueued();
         front.end();
-        test.crank();
+        test.runQueued();
         assertThat(answered.isDone()).isFalse();
         drivers.getFirst().resolve("from the back");
         assertThat(test.get(answered)).isEqualTo("from the back");
@@ -158,12 +158,12 @@ class OpenRequestsTest extends InTestSpace {
         Desk desk = spawn("desk", Supervision.RESUME);
         Promise<String> answer = desk.later("a");
         desk.later("b").exceptionally(error -> "");
-        test.crank();
+        test.runQueued();
         desk.end();
         Throwable error = test.error(answer);
         assertThat(drivers.get(0).resolve("too late")).isTrue();
         assertThat(drivers.get(1).reject(new IllegalStateException("too late"))).isTrue();
-        test.crank();
+        test.runQueued();
         assertThat(answer.error()).isSameAs(error);
     }
 
@@ -171,12 +171,12 @@ class OpenRequestsTest extends InTestSpace {
     void close_rejectsRequestsThatHaveBegun_andCountsThem() {
         var space = ActorSpace.create(SpaceSettings.named("short-lived")
                 .withOnError((where, error) -> log.add(where))
-                .withHandCrank());
+                .withoutThread());
         Desk desk = space.spawn(Desk.class, Desk::new, ActorSettings.named("desk"));
         Promise<String> asked = desk.later("a");
         Promise<String> answered = desk.later("b");
         Promise<String> cancelled = desk.later("c");
-        space.crank();
+        space.runQueued();
         drivers.get(1).resolve("in time");
         cancelled.cancel();
         Leftovers left = space.close(Duration.ofSeconds(1));
@@ -206,16 +206,16 @@ class OpenRequestsTest extends InTestSpace {
     void requestsThatWereSettledOrCancelled_areNotKept() {
         Desk desk = spawn("desk", Supervision.RESUME);
         var settled = new WeakReference<>(desk.later("settled"));
-        test.crank();
+        test.runQueued();
         drivers.removeFirst().resolve("done");
         var cancelled = new ArrayList<WeakReference<Promise<String>>>();
         for (int index = 0; index < 100; index++) {
             Promise<String> answer = desk.later("cancelled");
             cancelled.add(new WeakReference<>(answer));
-            test.crank();
+            test.runQueued();
             answer.cancel();
         }
-        test.crank();
+        test.runQueued();
         drivers.clear(); // the actor no longer refers to them: only the list of open requests could retain them
         System.gc();
         assertThat(settled.get()).isNull();

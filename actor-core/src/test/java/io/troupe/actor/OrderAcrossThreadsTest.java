@@ -39,7 +39,7 @@ class OrderAcrossThreadsTest extends InTestSpace {
             test.run(() -> {
                 Promise<Integer> answer = answerer.ask();
                 answer.thenRun(() -> log.add("first"));
-                onAnotherThread(other::crank);
+                onAnotherThread(other::runQueued);
                 answer.thenRun(() -> log.add("second"));
             });
         }

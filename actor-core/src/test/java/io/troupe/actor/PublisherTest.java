@@ -58,18 +58,18 @@ class PublisherTest extends InTestSpace {
     private Reader subscribe(Backlog backlog) {
         var reader = new Reader();
         test.space().<Integer>publisher(backlog, topic::subscribe).subscribe(reader);
-        test.crank();
+        test.runQueued();
         return reader;
     }
 
     private void publish(int from, int to) {
         IntStream.rangeClosed(from, to).forEach(topic::publish);
-        test.crank();
+        test.runQueued();
     }
 
     private void request(Reader reader, long count) {
         reader.subscription().request(count);
-        test.crank();
+        test.runQueued();
     }
 
     @Test
@@ -80,7 +80,7 @@ class PublisherTest extends InTestSpace {
         request(reader, 2);
         assertThat(log).containsExactly("got 1", "got 2");
         topic.finish();
-        test.crank();
+        test.runQueued();
         assertThat(log).hasSize(2);
         request(reader, 1);
         assertThat(log).containsExactly("got 1", "got 2", "got 3", "complete");
@@ -96,7 +96,7 @@ class PublisherTest extends InTestSpace {
         request(reader, Long.MAX_VALUE);
         publish(5, 5);
         topic.fail(new IllegalStateException("unplugged"));
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("got 3", "got 4", "got 5", "failed: unplugged");
     }
 
@@ -119,7 +119,7 @@ class PublisherTest extends InTestSpace {
         publish(1, 1);
         topic.publish(2);
         reader.subscription().cancel();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("got 1");
         assertThat(topic.publish(3)).isZero();
         assertThat(topic.subscribers()).isZero();
@@ -144,7 +144,7 @@ class PublisherTest extends InTestSpace {
             }
         }
         test.spawn(Broken.class, Broken::new);
-        test.crank();
+        test.runQueued();
         publish(1, 2);
         assertThat(test.takeProblems()).singleElement().satisfies(problem -> {
             assertThat(problem.where()).isEqualTo("a listener of Broken#1");
@@ -164,7 +164,7 @@ class PublisherTest extends InTestSpace {
             }
         }
         Stopping actor = test.spawn(Stopping.class, Stopping::new);
-        test.crank();
+        test.runQueued();
         publish(1, 1);
         stop(actor);
         publish(2, 2);
@@ -180,7 +180,7 @@ class PublisherTest extends InTestSpace {
         broken.subscribe(new Reader());
         Flow.Publisher<Integer> empty = test.space().publisher(Backlog.ALL, callback -> callback.accept(null, null));
         empty.subscribe(new Reader());
-        test.crank();
+        test.runQueued();
         assertThat(log)
                 .containsExactly("failed: no source", "failed: a result is null, which a publisher cannot pass on");
         assertThatNullPointerException()

@@ -130,11 +130,11 @@ class SpaceServicesTest extends InTestSpace {
                 .thenRun(() -> log.add("over")));
         assertThat(steps).hasSize(1);
         steps.getFirst().resolve("first");
-        test.crank();
+        test.runQueued();
         assertThat(steps).hasSize(2);
         assertThat(log).isEmpty();
         steps.getLast().resolve("second");
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("over");
     }
 
@@ -192,10 +192,10 @@ class SpaceServicesTest extends InTestSpace {
     void body_waitsWhileOthersAreServed_andGoesOnOnBehalfOfItsActor() {
         Asker asker = test.spawn(Asker.class, Asker::new);
         Promise<String> both = asker.askTwice();
-        test.crank();
+        test.runQueued();
         assertThat(both.isDone()).isFalse();
         asker.answer("one");
-        test.crank();
+        test.runQueued();
         asker.answer("two");
         assertThat(test.get(both)).isEqualTo("one two");
         test.advance(SECOND);
@@ -205,7 +205,7 @@ class SpaceServicesTest extends InTestSpace {
     @Test
     void body_thatIsCancelledBeforeItBegins_neverBegins() {
         test.space().sequential(() -> log.add("begun")).cancel();
-        test.crank();
+        test.runQueued();
         assertThat(log).isEmpty();
     }
 
@@ -218,7 +218,7 @@ class SpaceServicesTest extends InTestSpace {
                 return "caught " + e.getMessage();
             }
         });
-        test.crank();
+        test.runQueued();
         pending.reject(new IOException("no map"));
         assertThat(test.get(answer)).isEqualTo("caught no map");
     }
@@ -262,7 +262,7 @@ class SpaceServicesTest extends InTestSpace {
     void body_ofAnActorThatStops_isCancelledWhereItWaits() {
         Asker asker = test.spawn(Asker.class, Asker::new);
         Promise<String> both = asker.askTwice();
-        test.crank();
+        test.runQueued();
         asker.end();
         assertThat(test.error(both))
                 .isInstanceOf(ActorStoppedException.class)
@@ -272,7 +272,7 @@ class SpaceServicesTest extends InTestSpace {
 
     @Test
     void body_inASpaceThatIsClosed_isCancelledWhereItWaits_andCounted() {
-        var space = ActorSpace.create(SpaceSettings.named("short-lived").withHandCrank());
+        var space = ActorSpace.create(SpaceSettings.named("short-lived").withoutThread());
         var gate = new Deferred<String>(space);
         Promise<String> answer = space.sequential(() -> {
             try {
@@ -282,7 +282,7 @@ class SpaceServicesTest extends InTestSpace {
             }
         });
         answer.exceptionally(error -> "");
-        space.crank();
+        space.runQueued();
         assertThat(space.close(SECOND).sequences()).isEqualTo(1);
         assertThat(log).containsExactly("finally");
         assertThat(answer.error()).isInstanceOf(CancellationException.class).hasMessageContaining("short-lived");
@@ -298,10 +298,10 @@ class SpaceServicesTest extends InTestSpace {
                 return log.add(number + " got " + gates.get(number).await());
             });
         }
-        test.crank();
+        test.runQueued();
         gates.get(1).resolve(10);
         gates.get(0).resolve(20);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("begin 0", "begin 1", "1 got 10", "0 got 20");
     }
 

@@ -91,7 +91,7 @@ class SupervisionTest extends InTestSpace {
         for (int i = 0; i < 3; i++) {
             assertThat(stopped.isDone()).isFalse();
             fragile.fail();
-            test.crank();
+            test.runQueued();
         }
         assertThat(stopped.isDone()).isTrue();
         assertThat(test.error(fragile.count())).isInstanceOf(ActorStoppedException.class);
@@ -202,7 +202,7 @@ class SupervisionTest extends InTestSpace {
     void callsOfAnActorThatWaitsForItsRestart_areServedInOrder_whenItHasStarted() {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
         note(stubborn, 1, 3);
-        test.crank();
+        test.runQueued();
         assertThat(log).isEmpty();
         refuses = false;
         test.run(() -> {
@@ -213,7 +213,7 @@ class SupervisionTest extends InTestSpace {
         stubborn.note(7);
         stubborn.fail();
         stubborn.note(8);
-        test.crank();
+        test.runQueued();
         assertThat(log).endsWith("note 6", "note 7", "note 8");
         test.takeProblems();
     }
@@ -224,7 +224,7 @@ class SupervisionTest extends InTestSpace {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
         assertThat(timers()).isOne();
         note(stubborn, 1, 2);
-        test.crank();
+        test.runQueued();
         stop(stubborn);
         assertThat(test.takeDeadLetters()).hasSize(2);
         assertThat(timers()).isZero();
@@ -238,7 +238,7 @@ class SupervisionTest extends InTestSpace {
     void callsThatWereHeldBack_areServedBeforeTheStopThatCameAfterThem() {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
         note(stubborn, 1, 400);
-        test.crank();
+        test.runQueued();
         refuses = false;
         test.run(() -> test.space().delay(PAUSE).thenRun(() -> {
             test.space().stop(stubborn); // runs after 256 callbacks
@@ -256,7 +256,7 @@ class SupervisionTest extends InTestSpace {
         Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
         note(stubborn, 1, 300);
         stubborn.fail();
-        test.crank();
+        test.runQueued();
         refuses = false;
         var stopped = test.space().whenStopped(stubborn);
         test.run(() -> test.space().delay(PAUSE).thenRun(() -> {
@@ -322,7 +322,7 @@ class SupervisionTest extends InTestSpace {
         var second = Duration.ofSeconds(1);
         Fragile fragile =
                 spawn(Supervision.restart(Integer.MAX_VALUE, TEN_SECONDS).withPauses(second, second.multipliedBy(3)));
-        test.crank();
+        test.runQueued();
         for (int pauseSeconds : new int[] {1, 2, 3, 3}) {
             fragile.fail();
             int before = instances;
@@ -344,7 +344,7 @@ class SupervisionTest extends InTestSpace {
         Fragile fragile = spawn(Supervision.restart(2, second).withPauses(TEN_SECONDS, TEN_SECONDS));
         Promise<ActorEnd> end = test.space().whenStopped(fragile);
         fragile.fail();
-        test.crank();
+        test.runQueued();
         Promise<Integer> first = fragile.count();
         Promise<Integer> next = fragile.count();
         test.advance(TEN_SECONDS);
@@ -455,7 +455,7 @@ class SupervisionTest extends InTestSpace {
         var error = broken("broken");
         failing.send(error);
         restarted.send(broken("restarts"));
-        test.crank();
+        test.runQueued();
         stop(stopping);
         stop(restarted);
         assertThat(values(early, test.space().whenStopped(failing)))

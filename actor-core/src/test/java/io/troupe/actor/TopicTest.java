@@ -94,7 +94,7 @@ class TopicTest extends InTestSpace {
         assertThat(topic.publish(1)).isEqualTo(2);
         assertThat(topic.publish(2)).isEqualTo(2);
         assertThat(log).isEmpty();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("a1", "b1", "a2", "b2");
     }
 
@@ -106,14 +106,14 @@ class TopicTest extends InTestSpace {
             robot.act(() -> log.add("mail"));
             log.add("sent to " + topic.publish(7));
         });
-        elsewhere.crank();
+        elsewhere.runQueued();
         assertThat(log).containsExactly("sent to 1", "7 in elsewhere", "mail");
         log.clear();
         topic.subscribe(value -> log.add(value + " in " + here()));
         assertThat(topic.publish(8)).isEqualTo(2);
-        test.crank();
+        test.runQueued();
         assertThat(log).as("heard in the publisher's space").containsExactly("8 in test");
-        elsewhere.crank();
+        elsewhere.runQueued();
         assertThat(log).containsExactly("8 in test", "8 in elsewhere");
     }
 
@@ -125,7 +125,7 @@ class TopicTest extends InTestSpace {
         latest.publish(2);
         latest.subscribe(value -> log.add("late " + value));
         latest.publish(3);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("early 0", "early 1", "early 2", "late 2", "early 3", "late 3");
     }
 
@@ -139,7 +139,7 @@ class TopicTest extends InTestSpace {
             topic.publish(value + 1);
         }));
         topic.publish(1);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("first 1", "second 2");
         assertThat(topic.subscribers()).isOne();
     }
@@ -187,7 +187,7 @@ class TopicTest extends InTestSpace {
         CallbackProbe<String> second = test.callback();
         names.subscribe(first, second);
         assertThat(names.publish("Ann")).isEqualTo(3);
-        test.crank();
+        test.runQueued();
         assertThat(List.of(log, first.results(), second.results())).containsOnly(List.of("Ann"));
     }
 
@@ -226,7 +226,7 @@ class TopicTest extends InTestSpace {
     void failure_ofATopic_isTheFailureOfASubscriberThatTakesValuesOnly() {
         subscriber(Supervision.RESUME);
         topic.fail(unplugged);
-        test.crank();
+        test.runQueued();
         assertThat(test.takeProblems()).singleElement().satisfies(problem -> {
             assertThat(problem.where()).contains("Robot#1");
             assertThat(problem.error())
@@ -243,9 +243,9 @@ class TopicTest extends InTestSpace {
         var subscription = subscribe();
         topic.publish(1);
         subscription.cancel();
-        test.crank();
+        test.runQueued();
         assertThat(topic.publish(2)).isZero();
-        test.crank();
+        test.runQueued();
         assertThat(log).isEmpty();
         for (int i = 0; i < 1_000; i++) {
             subscribe().cancel(); // removed without a publisher
@@ -265,7 +265,7 @@ class TopicTest extends InTestSpace {
         }
         assertThat(topic.publish(1)).isZero();
         assertThat(topic.remembered()).isZero();
-        test.crank();
+        test.runQueued();
         assertThat(log).isEmpty();
     }
 
@@ -275,7 +275,7 @@ class TopicTest extends InTestSpace {
             assertThat(topic.publish(2)).as("it has not stopped yet").isOne();
             throw new IllegalStateException("on purpose"); // ends it before the next entry
         });
-        test.crank();
+        test.runQueued();
         assertThat(takeErrors()).containsExactly("on purpose");
         assertThat(log).isEmpty();
     }
@@ -285,10 +285,10 @@ class TopicTest extends InTestSpace {
         subscriber(Supervision.restart(3, Duration.ofSeconds(10))).act(() -> {
             throw new IllegalStateException("on purpose");
         });
-        test.crank();
+        test.runQueued();
         assertThat(test.takeProblems()).hasSize(1);
         assertThat(topic.publish(1)).isOne();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("heard 1");
     }
 
@@ -308,14 +308,14 @@ class TopicTest extends InTestSpace {
     void callbackThatAnActorWasHanded_runsWhereItsReaderIs_andIsForgottenWithIt() {
         Sensor sensor = test.spawn(Sensor.class, () -> topic::subscribe);
         Robot robot = robotThat(elsewhere, () -> sensor.readings((value, error) -> log.add(value + " in " + here())));
-        test.crank();
+        test.runQueued();
         topic.publish(3);
-        test.crank();
+        test.runQueued();
         assertThat(log).isEmpty();
-        elsewhere.crank();
+        elsewhere.runQueued();
         assertThat(log).containsExactly("3 in elsewhere");
         elsewhere.space().stop(robot);
-        elsewhere.crank();
+        elsewhere.runQueued();
         assertThat(topic.publish(4)).isZero();
     }
 
@@ -327,7 +327,7 @@ class TopicTest extends InTestSpace {
             topic.subscribe(readings);
         });
         sensor.readings(probe);
-        test.crank();
+        test.runQueued();
         kept.get().finish();
         assertThat(topic.publish(1)).isZero();
         assertThat(topic.finish()).isTrue();
@@ -344,9 +344,9 @@ class TopicTest extends InTestSpace {
                 }));
         subscribe();
         topic.publish(1);
-        test.crank();
+        test.runQueued();
         assertThat(topic.publish(2)).isEqualTo(2);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("heard 1", "heard 2");
         assertThat(takeErrors()).containsExactly("cannot use 1", "cannot use 2");
     }
@@ -371,7 +371,7 @@ class TopicTest extends InTestSpace {
         });
         subscribe();
         assertThat(topic.publish(1)).isOne();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("heard 1");
         assertThat(test.takeProblems())
                 .extracting(TestSpace.Problem::where)

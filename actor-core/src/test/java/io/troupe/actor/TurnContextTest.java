@@ -144,36 +144,36 @@ class TurnContextTest {
 
     @Test
     void boundedMailbox_keepsTheContextWithItsCall_andDropsBoth() {
-        var cranked =
-                ActorSpace.create(settings().withHandCrank().withOnDeadLetter(letter -> log.add("dead " + letter)));
-        Door door = cranked.spawn(
+        var threadless =
+                ActorSpace.create(settings().withoutThread().withOnDeadLetter(letter -> log.add("dead " + letter)));
+        Door door = threadless.spawn(
                 Door.class, PlainDoor::new, ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
         for (String user : List.of("ann", "bob", "cid")) {
             USER.set(user);
             door.open();
         }
         USER.remove();
-        cranked.crank();
+        threadless.runQueued();
         assertThat(log).hasSize(3);
         assertThat(log.getFirst()).startsWith("dead ").contains("Door.open()");
         assertThat(log.subList(1, 3)).containsExactly("open by bob", "open by cid");
-        cranked.close();
+        threadless.close();
     }
 
     @Test
     void stoppedActorAndClosedSpace_rejectCarriedCalls_byTheirNames() {
-        var cranked =
-                ActorSpace.create(settings().withHandCrank().withOnDeadLetter(letter -> log.add(letter.message())));
-        Door door = cranked.spawn(Door.class, PlainDoor::new);
-        Door stopped = cranked.spawn(Door.class, PlainDoor::new);
-        cranked.stop(stopped);
+        var threadless =
+                ActorSpace.create(settings().withoutThread().withOnDeadLetter(letter -> log.add(letter.message())));
+        Door door = threadless.spawn(Door.class, PlainDoor::new);
+        Door stopped = threadless.spawn(Door.class, PlainDoor::new);
+        threadless.stop(stopped);
         USER.set("ann");
         stopped.open();
-        cranked.crank();
+        threadless.runQueued();
         assertThat(log).containsExactly("Door.open()");
         Promise<String> late = door.ask();
         late.exceptionally(error -> "");
-        cranked.close();
+        threadless.close();
         assertThat(late.isDone()).isTrue();
     }
 
@@ -187,21 +187,21 @@ class TurnContextTest {
 
     @Test
     void timeLimit_behindCarriedCalls_saysHowManyComeFirst() {
-        var cranked = ActorSpace.create(settings().withHandCrank());
-        Door door = cranked.spawn(Door.class, PlainDoor::new);
+        var threadless = ActorSpace.create(settings().withoutThread());
+        Door door = threadless.spawn(Door.class, PlainDoor::new);
         USER.set("ann");
-        cranked.execute(() -> {
+        threadless.execute(() -> {
             for (int before = 0; before < 600; before++) {
                 door.open();
             }
             door.ask().orTimeout(Duration.ZERO).exceptionally(late -> log.add(late.getMessage()) ? "" : "");
         });
-        cranked.crank();
+        threadless.runQueued();
         assertThat(log)
                 .filteredOn(line -> line.startsWith("no answer"))
                 .singleElement()
                 .asString()
                 .contains("which has not begun it: ");
-        cranked.close();
+        threadless.close();
     }
 }

@@ -16,7 +16,7 @@ class WhenClosedTest {
     private final List<String> log = new ArrayList<>();
     private final List<DeadLetter> deadLetters = new ArrayList<>();
     private final ActorSpace space = ActorSpace.create(SpaceSettings.named("short-lived")
-            .withHandCrank()
+            .withoutThread()
             .withOnDeadLetter(deadLetters::add)
             .withOnError((where, error) -> log.add(where + ": " + error)));
 
@@ -38,7 +38,7 @@ class WhenClosedTest {
         var closed = space.whenClosed();
         closed.thenRun(() -> log.add("closed, on " + ActorSpace.current()));
         resident.greet();
-        space.crank();
+        space.runQueued();
         assertThat(closed.isDone()).isFalse();
         space.close();
         assertThat(log).containsExactly("greeted", "actor stopped", "closed, on short-lived");

@@ -97,7 +97,7 @@ class AccountingTest {
             var connection = services.connect(Worker.class, Need.ofService("user", "work"));
             connection.first().handle((record, error) -> null);
             worker = connection.actor();
-            test.crank();
+            test.runQueued();
         }
 
         Program run() {
@@ -106,17 +106,17 @@ class AccountingTest {
                 step(settle);
                 batch++;
                 if (settle) {
-                    test.crank();
+                    test.runQueued();
                     settled();
                     batch = 0;
                 }
             }
-            test.crank();
+            test.runQueued();
             test.advance(LIMIT);
             later.forEach(Late::give);
-            test.crank();
+            test.runQueued();
             test.get(broker.shutDown());
-            test.crank();
+            test.runQueued();
             check();
             return this;
         }
@@ -173,7 +173,7 @@ class AccountingTest {
                             .findFirst()
                             .ifPresent(Late::give);
                 case 6 -> {
-                    test.crank();
+                    test.runQueued();
                     test.advance(Duration.ofSeconds(random.nextInt(3)));
                 }
                 case 7 -> note(settle);

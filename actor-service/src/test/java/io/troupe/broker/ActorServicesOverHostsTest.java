@@ -279,7 +279,7 @@ class ActorServicesOverHostsTest extends HostsBench {
     void callThatTheActorDidNotAnswerBeforeItsEnd_wasSent() {
         far.publish("a");
         var answer = near.connected().sayLater("hello");
-        test.crank();
+        test.runQueued();
         far.kill("parrot");
         assertThat(test.error(answer))
                 .isInstanceOfSatisfying(
@@ -296,14 +296,14 @@ class ActorServicesOverHostsTest extends HostsBench {
                 .actor()
                 .sayLater("for long");
         var limited = near.connected().sayLater("hello");
-        test.crank();
+        test.runQueued();
         seconds(5);
         assertCallError(limited, true, "far/parrot did not answer Parrot.sayLater(String) to \"robot 1\" within PT5S");
         seconds(1_000);
         far.parrots.get("a").later().removeFirst().resolve("at last");
         assertThat(get(unlimited)).isEqualTo("at last");
         far.parrots.get("a").later().removeFirst().resolve("too late");
-        test.crank();
+        test.runQueued();
         assertThat(losses).singleElement().asString().contains("is late: no caller waits for it any more");
         assertThat(near.events(BrokerEvent.Late.class)).isEmpty();
     }
@@ -314,7 +314,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         var unlimited = near.connect(ConnectionSettings.DEFAULT.withoutAnswerLimit())
                 .actor()
                 .sayLater("for long");
-        test.crank();
+        test.runQueued();
         pipe.lose("far");
         seconds(15);
         assertThat(test.error(unlimited))
@@ -336,7 +336,7 @@ class ActorServicesOverHostsTest extends HostsBench {
                         error -> assertThat(error.wasSent()).isFalse())
                 .hasMessageContaining("expected at most 1048576");
         var later = parrot.sayLater("x");
-        test.crank();
+        test.runQueued();
         far.parrots.get("a").later().remove().resolve(big);
         assertThat(test.error(later))
                 .isInstanceOfSatisfying(
@@ -364,18 +364,18 @@ class ActorServicesOverHostsTest extends HostsBench {
                             ServiceCallException.class,
                             error -> assertThat(error.wasSent()).isFalse())
                     .hasMessageContaining("is too busy: 1024 questions for call wait there");
-            slow.crank();
+            slow.runQueued();
             assertThat(slowly(slow, answers.getFirst())).isEqualTo("slow: 0");
             losses.clear();
             get(far.broker.shutDown());
-            slow.crank();
+            slow.runQueued();
         }
     }
 
     private <T extends @Nullable Object> T slowly(TestSpace slow, Promise<T> promise) {
         for (int round = 0; round < 10; round++) {
-            test.crank();
-            slow.crank();
+            test.runQueued();
+            slow.runQueued();
         }
         return get(promise);
     }
@@ -409,17 +409,17 @@ class ActorServicesOverHostsTest extends HostsBench {
         get(near.connected().say("1"));
         var other = test.spawn(Parrot.class, () -> far.parrot("other"));
         var lost = other.sayLater("x");
-        test.crank();
+        test.runQueued();
         test.space().stop(other);
         assertThat(test.error(lost)).isInstanceOf(ActorStoppedException.class);
         var answered = call("sayLater(String)");
-        test.crank();
+        test.runQueued();
         far.parrots.get("a").later().remove().reject(test.error(lost));
         assertThat(test.error(answered))
                 .isInstanceOf(RemoteFailure.class)
                 .hasMessageContaining("ActorStoppedException");
         var unanswered = call("sayLater(String)");
-        test.crank();
+        test.runQueued();
         far.kill("parrot");
         assertThat(test.error(unanswered))
                 .isInstanceOfSatisfying(
@@ -454,14 +454,14 @@ class ActorServicesOverHostsTest extends HostsBench {
             var parrot = connection.actor();
             var unwanted = parrot.say("unwanted");
             var wanted = parrot.say("wanted");
-            test.crank();
+            test.runQueued();
             unwanted.cancel();
             assertThat(slowly(slow, wanted)).isEqualTo("slow: wanted");
             assertThat(diary).containsExactly("slow is made", "slow says wanted");
             assertThat(unwanted.error()).isInstanceOf(CancellationException.class);
             connection.close();
             get(far.broker.shutDown());
-            slow.crank();
+            slow.runQueued();
         }
     }
 
@@ -513,7 +513,7 @@ class ActorServicesOverHostsTest extends HostsBench {
 
     private Callback<Integer> given(Counter counter, Callback<Integer> callback) {
         counter.give(callback);
-        test.crank();
+        test.runQueued();
         return given.getLast();
     }
 
@@ -522,7 +522,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         var counter = counter();
         var probe = test.<Integer>callback();
         counter.count(1_000, probe);
-        test.crank();
+        test.runQueued();
         assertThat(probe.results()).hasSize(1_000).isSorted().startsWith(1).endsWith(1_000);
         probe.expectFinished();
         var lists = test.<List<Double>>callback();
@@ -569,14 +569,14 @@ class ActorServicesOverHostsTest extends HostsBench {
         assertThat(senders).isEmpty();
         var probe = test.<List<Integer>>callback();
         feed.feed(probe, List.of());
-        test.crank();
+        test.runQueued();
         senders.getLast().next(withNull());
-        test.crank();
+        test.runQueued();
         assertThat(test.takeProblems()).hasSize(1);
         assertThat(probe.expectFailed()).hasMessageContaining("null");
         assertThat(senders.getLast().isCancelled()).isTrue();
         connection.close();
-        test.crank();
+        test.runQueued();
         near.bus.attach("caller-1").close(); // the name of its port is free again
     }
 
@@ -586,11 +586,11 @@ class ActorServicesOverHostsTest extends HostsBench {
         var stream = new Callback.Stream<Integer>(got::add, end -> {});
         var sender = given(counter(), stream);
         sender.next(1);
-        test.crank();
+        test.runQueued();
         stream.cancel();
         assertThat(sender.isCancelled()).isFalse();
         sender.next(2);
-        test.crank();
+        test.runQueued();
         assertThat(sender.isCancelled()).as("told with the next item").isTrue();
         assertThat(got).containsExactly(1);
     }
@@ -600,13 +600,13 @@ class ActorServicesOverHostsTest extends HostsBench {
         var probe = test.<Integer>callback();
         var sender = given(counter(), probe);
         sender.next(1);
-        test.crank();
+        test.runQueued();
         pipe.loseNext(2);
         sender.next(2);
         sender.next(3);
-        test.crank();
+        test.runQueued();
         sender.next(4);
-        test.crank();
+        test.runQueued();
         assertThat(probe.results()).containsExactly(1);
         assertThat(probe.expectFailed())
                 .hasMessage("2 items of the stream of Counter.give(Callback) from far/counter were lost, before"
@@ -629,35 +629,35 @@ class ActorServicesOverHostsTest extends HostsBench {
             readers.run(
                     () -> connection.add(near.services.connect(Counter.class, Need.ofService("reader", "counter"))));
             for (int round = 0; round < 5; round++) {
-                test.crank();
-                readers.crank();
+                test.runQueued();
+                readers.runQueued();
             }
             readers.run(() -> connection.getFirst().actor().give(probe));
-            test.crank();
+            test.runQueued();
             var sender = given.getLast();
             for (int i = 1; i <= 256 + 1_024; i++) {
                 sender.next(i);
             }
-            test.crank();
+            test.runQueued();
             assertThat(sender.isCancelled()).isFalse();
             for (int round = 0; round < 20; round++) {
-                readers.crank();
-                test.crank();
+                readers.runQueued();
+                test.runQueued();
             }
             assertThat(probe.results()).hasSize(1_280).isSorted();
             for (int i = 1; i <= 256 + 1_024 + 1; i++) {
                 sender.next(i);
             }
-            test.crank();
+            test.runQueued();
             assertThat(sender.isCancelled()).isTrue();
-            readers.crank();
+            readers.runQueued();
             assertThat(probe.results()).hasSize(1_280 + 256);
             assertThat(probe.expectFailed())
                     .hasMessageEndingWith(
                             "the reader is too slow: 256 items have no answer, and 1024 more waited and" + " are lost");
             connection.getFirst().close();
-            readers.crank();
-            test.crank();
+            readers.runQueued();
+            test.runQueued();
         }
     }
 
@@ -669,11 +669,11 @@ class ActorServicesOverHostsTest extends HostsBench {
         get(connection.whenReady());
         var sender = given(connection.actor(), (value, error) -> {});
         sender.next(1);
-        test.crank();
+        test.runQueued();
         assertThat(sender.isCancelled()).isFalse();
         third.die();
         sender.next(2);
-        test.crank();
+        test.runQueued();
         assertThat(sender.isCancelled()).isTrue();
         losses.clear();
     }
@@ -688,7 +688,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         connection.close();
         assertThat(probe.expectFailed()).hasMessage("the connection of \"guest\" was closed");
         sender.next(1);
-        test.crank();
+        test.runQueued();
         assertThat(sender.isCancelled()).isTrue();
         losses.clear();
     }
@@ -744,7 +744,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         var probe = test.<Integer>callback();
         var sender = given(counter(), probe);
         sender.next(1);
-        test.crank();
+        test.runQueued();
         pipe.loseNext(1);
         sender.finish();
         seconds(3);
@@ -767,7 +767,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         var toNew = given(next.actor(), probe);
         toOld.next(17);
         toNew.next(1);
-        test.crank();
+        test.runQueued();
         assertThat(probe.results()).containsExactly(1);
         probe.expectOpen();
         assertThat(toOld.isCancelled()).isTrue();
@@ -793,7 +793,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         get(far.services.publishSpawned(test.space(), "parrot", List.of(), mine));
         assertThat(get(parrot.say("3"))).isEqualTo("mine: 3");
         test.space().stop(mine);
-        test.crank();
+        test.runQueued();
         assertThat(far.health("far/parrot-2")).isEqualTo(Health.FAILED);
     }
 
@@ -818,7 +818,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         var mine = test.spawn(Parrot.class, () -> far.parrot("mine"));
         get(far.services.publishSpawned(test.space(), "parrot", List.of(), mine));
         var answer = near.connected().sayLater("hello");
-        test.crank();
+        test.runQueued();
         get(far.broker.withdraw(new Address("far", "parrot")));
         seconds(2);
         assertThat(near.health("far/parrot")).isNull();
@@ -840,7 +840,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         far.publish("a");
         var connection = near.connect(ConnectionSettings.DEFAULT);
         var answer = connection.actor().sayLater("x");
-        test.crank();
+        test.runQueued();
         connection.close();
         assertCallError(
                 answer,
@@ -848,7 +848,7 @@ class ActorServicesOverHostsTest extends HostsBench {
                 "the connection of \"robot 1\" was closed while it waited for the answer of far/parrot to"
                         + " Parrot.sayLater(String)");
         far.parrots.get("a").later().forEach(each -> each.resolve("late"));
-        test.crank();
+        test.runQueued();
         losses.clear();
     }
 }

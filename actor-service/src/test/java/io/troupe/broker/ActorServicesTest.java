@@ -95,7 +95,7 @@ class ActorServicesTest extends BrokerBench {
 
         var probe = test.<Integer>callback();
         parrot.count(3, probe);
-        test.crank();
+        test.runQueued();
         assertThat(probe.results()).as("to the caller, in order").containsExactly(1, 2, 3);
         probe.expectFinished();
     }
@@ -121,7 +121,7 @@ class ActorServicesTest extends BrokerBench {
         get(services.connect(Parrot.class, PARROT).whenReady());
         assertThat(services.running(at("parrot"))).isNotNull();
         kill("parrot");
-        test.crank();
+        test.runQueued();
         assertThat(services.running(at("parrot"))).isNull();
 
         var proxy = test.spawn(Parrot.class, () -> parrot("b"));
@@ -129,7 +129,7 @@ class ActorServicesTest extends BrokerBench {
         get(services.connect(Parrot.class, PARROT).whenReady());
         assertThat(services.running(at("parrot-2"))).isNotNull();
         test.space().stop(proxy);
-        test.crank();
+        test.runQueued();
         assertThat(services.running(at("parrot-2"))).isNull();
     }
 
@@ -144,7 +144,7 @@ class ActorServicesTest extends BrokerBench {
         publishSpawned(test, proxy);
         assertThat(get(parrot.say("3"))).isEqualTo("mine: 3");
         test.space().stop(proxy);
-        test.crank();
+        test.runQueued();
         assertThat(health("parrot-2")).isEqualTo(Health.FAILED);
         assertThat(missing(broker.require(PARROT))).contains("has stopped, and only who spawned it can spawn it again");
     }
@@ -160,7 +160,7 @@ class ActorServicesTest extends BrokerBench {
         seconds(4);
         publish("late");
         assertThat(get(answer)).isEqualTo("late: hello");
-        test.crank();
+        test.runQueued();
         assertThat(diary).containsExactly("late says hello", "late hears and this");
     }
 
@@ -172,29 +172,29 @@ class ActorServicesTest extends BrokerBench {
             for (String name : List.of("a", "b")) {
                 far.publish(providers.space(), Parrot.class, "parrot", List.of(), () -> parrot(name));
             }
-            Runnable crankAll = () -> {
+            Runnable runAll = () -> {
                 for (int round = 0; round < 4; round++) {
-                    test.crank();
-                    providers.crank();
-                    callers.crank();
+                    test.runQueued();
+                    providers.runQueued();
+                    callers.runQueued();
                 }
             };
             var connection = far.connect(Parrot.class, PARROT);
             var answer = connection.actor().say("hello");
-            callers.crank(); // asks the broker
-            test.crank(); // spawns a
-            providers.crank(); // starts it
-            test.crank(); // notifies the connection, which has not processed this yet
+            callers.runQueued(); // asks the broker
+            test.runQueued(); // spawns a
+            providers.runQueued(); // starts it
+            test.runQueued(); // notifies the connection, which has not processed this yet
             providers.space().stop(far.running(at("parrot")).proxy());
-            providers.crank(); // the broker has not been notified of this yet
-            callers.crank();
+            providers.runQueued(); // the broker has not been notified of this yet
+            callers.runQueued();
             assertThat(answer.isDone()).isFalse();
-            crankAll.run();
+            runAll.run();
             assertThat(callers.get(answer)).isEqualTo("b: hello");
             connection.close();
-            callers.crank();
+            callers.runQueued();
             broker.close();
-            crankAll.run();
+            runAll.run();
         }
     }
 
@@ -227,7 +227,7 @@ class ActorServicesTest extends BrokerBench {
         publish("a");
         publish("b");
         var answer = connected().sayLater("hello");
-        test.crank();
+        test.runQueued();
         kill("parrot");
         assertServiceCallError(
                 answer, true, "node/parrot ended while \"robot 1\" waited for its answer to Parrot.sayLater(String)");
@@ -240,7 +240,7 @@ class ActorServicesTest extends BrokerBench {
         var unlimited =
                 connected(ConnectionSettings.DEFAULT.withoutAnswerLimit()).sayLater("hello");
         var limited = connected().sayLater("hello");
-        test.crank();
+        test.runQueued();
         seconds(5);
         assertThat(test.error(limited))
                 .hasMessage("node/parrot did not answer Parrot.sayLater(String) to \"robot 1\" within PT5S");
@@ -249,7 +249,7 @@ class ActorServicesTest extends BrokerBench {
         assertThat(get(unlimited)).isEqualTo("as long as its provider lives");
         assertThat(events(BrokerEvent.Late.class)).isEmpty();
         answer("at last");
-        test.crank();
+        test.runQueued();
         assertThat(events(BrokerEvent.Late.class))
                 .containsExactly(new BrokerEvent.Late("node/parrot", "Parrot.sayLater(String)", null));
     }
@@ -316,7 +316,7 @@ class ActorServicesTest extends BrokerBench {
         get(broker.register("parrot", List.of(), address, provider));
         connect(PARROT, diary::add);
         services.connect(Brittle.class, PARROT).actor().poke();
-        test.crank();
+        test.runQueued();
         assertThat(diary).containsExactly("use brittle", "lost");
         assertThat(test.takeProblems()).hasSize(1);
     }
@@ -357,7 +357,7 @@ class ActorServicesTest extends BrokerBench {
         var unwanted = parrot.say("unwanted");
         var wanted = parrot.say("wanted");
         parrot.say("listened to by nobody");
-        test.crank();
+        test.runQueued();
         giveUp(manner, unwanted);
         seconds(3);
         publish("late");
@@ -392,18 +392,18 @@ class ActorServicesTest extends BrokerBench {
             var parrot = connected(PATIENT);
             var begun = parrot.sayLater("begun");
             for (int round = 0; round < 3; round++) { // with a bus, it has a separate space
-                test.crank();
-                providers.crank();
+                test.runQueued();
+                providers.runQueued();
             }
             var waits = parrot.say("waits in the mailbox");
-            test.crank();
+            test.runQueued();
             begun.cancel();
             waits.cancel();
-            test.crank();
-            providers.crank();
+            test.runQueued();
+            providers.runQueued();
             answer("for nobody");
-            providers.crank();
-            test.crank();
+            providers.runQueued();
+            test.runQueued();
             assertThat(diary).containsExactly("far begins begun");
             assertThat(events(BrokerEvent.Late.class)).isEmpty();
             assertThat(waits.error()).isInstanceOf(CancellationException.class);
@@ -413,7 +413,7 @@ class ActorServicesTest extends BrokerBench {
     @Test
     void oneWayCall_thatFindsNoProviderWithinItsOwnLimit_isReported_andNotCarriedOutLater() {
         connected(PATIENT).hear("old news");
-        test.crank();
+        test.runQueued();
         test.advance(Duration.ofMillis(900));
         assertThat(events(BrokerEvent.Undelivered.class)).isEmpty();
         test.advance(Duration.ofMillis(200));
@@ -443,7 +443,7 @@ class ActorServicesTest extends BrokerBench {
         while (open.size() > 1) {
             open.removeFirst().close();
         }
-        test.crank();
+        test.runQueued();
         events.clear(); // events refer to needs
         int most = 2; // the open one, and the last closed one, which an idle space may keep from its last turn
         for (int tries = 0; tries < 20 && count(references) > most; tries++) {

@@ -73,7 +73,7 @@ class BrokerBench {
 
     /** Runs pending work, then advances the clock. */
     final void pass(Duration time) {
-        test.crank();
+        test.runQueued();
         test.advance(time);
     }
 

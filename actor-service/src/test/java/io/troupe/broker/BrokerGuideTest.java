@@ -51,7 +51,7 @@ class BrokerGuideTest {
 
     @AfterEach
     void close() {
-        test.crank();
+        test.runQueued();
         test.close();
     }
 
@@ -72,7 +72,7 @@ class BrokerGuideTest {
 
         broker.find(Need.ofCapability("finder", "colour")).then(cameras -> show(cameras.size()));
         broker.require(Need.ofService("finder", "camera")).then(camera -> show(camera.provider()));
-        test.crank();
+        test.runQueued();
         assertThat(shown).containsExactly("1", "camera starts", "robot/left");
 
         shown.clear();
@@ -85,9 +85,9 @@ class BrokerGuideTest {
                 show(why.getMessage());
             }
         });
-        test.crank();
+        test.runQueued();
         broker.withdraw(new Address("robot", "left"));
-        test.crank();
+        test.runQueued();
         assertThat(shown).containsExactly("use robot/left", "camera starts", "use robot/right", "camera stops");
 
         shown.clear();
@@ -97,13 +97,13 @@ class BrokerGuideTest {
                     throw new IllegalStateException("the application ends", error);
                 })
                 .handle((camera, error) -> null);
-        test.crank();
+        test.runQueued();
         assertThat(shown)
                 .containsExactly("\"robot 2\" needs the service \"camrea\", which no provider offers; "
                         + "did you mean \"camera\"? registered: camera (senses; well)");
 
         broker.shutDown().then(left2 -> show(left2.size() + " did not stop"));
-        test.crank();
+        test.runQueued();
         assertThat(shown).endsWith("camera stops", "0 did not stop");
     }
 
@@ -202,7 +202,7 @@ class BrokerGuideTest {
 
         var compass = services.connect(Compass.class, Need.ofService("captain", "compass"));
         compass.actor().heading().then(degrees -> show(degrees));
-        test.crank();
+        test.runQueued();
         assertThat(test.get(compass.actor().heading())).isEqualTo(90.0); // headings 0, 30, 60 and 90; then it stops
         assertThat(test.get(broker.registered()))
                 .extracting(ServiceRecord::health)
@@ -222,7 +222,7 @@ class BrokerGuideTest {
         var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"), patient)
                 .actor();
         greeter.greet("Ada").then(text -> show(text));
-        test.crank();
+        test.runQueued();
 
         services.replace(
                 new Address("ship", "greeter"),
@@ -231,9 +231,9 @@ class BrokerGuideTest {
                 "greeter",
                 List.of(),
                 () -> name -> Promise.of("good morning " + name));
-        test.crank();
+        test.runQueued();
         greeter.greet("Ada").then(text -> show(text));
-        test.crank();
+        test.runQueued();
         assertThat(shown).containsExactly("hello Ada", "good morning Ada");
         test.get(broker.shutDown());
     }
@@ -288,7 +288,7 @@ class BrokerGuideTest {
         var broker = Broker.open(space, BrokerSettings.DEFAULT);
         var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
         services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
-        test.crank();
+        test.runQueued();
         try (Bus shore = pipe.open("shore", BusSettings.on(space))) {
             var there = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
             var onShore = ActorServices.over(shore, there, space, BrokerObserver.logging());

@@ -113,7 +113,7 @@ class BrokerSoakTest {
             for (int i = 0; i < STEPS; i++) {
                 step();
                 if (random.nextInt(3) > 0) {
-                    test.crank();
+                    test.runQueued();
                 }
             }
             var over = broker.shutDown();
@@ -122,7 +122,7 @@ class BrokerSoakTest {
             ending = true;
             while (!owed.isEmpty()) {
                 giveOne();
-                test.crank();
+                test.runQueued();
             }
             seconds(20);
             assertThat(providers.stream().filter(each -> each.alive))

@@ -118,16 +118,16 @@ class BrokerTest extends ScriptedBroker {
 
             needThatNobodyOffers_isNamed_withWhatIsThere_andWhatIsSimilar
             offer p with senses+drives, offer w for spaceWanderer, require 1 | start p, require 1: p WELL
-            require 2 for spaceWandrer, crank, why      | require 2 for spaceWandrer: missing,
+            require 2 for spaceWandrer, run, why      | require 2 for spaceWandrer: missing,
                                                         | "robot 2" needs the service "spaceWandrer",
                                                         | which no provider offers; did you mean "spaceWanderer"?
                                                         | registered: player (senses, drives; well),
                                                         | spaceWanderer (not started)
-            require 2 with drive, crank, why            | require 2 with drive: missing,
+            require 2 with drive, run, why            | require 2 with drive: missing,
                                                         | "robot 2" needs the capability "drive",
                                                         | which no provider offers; did you mean "drives"? registered:
                                                         | player (senses, drives; well), spaceWanderer (not started)
-            require 2 for player with flies, crank, why | require 2 for player with flies: missing,
+            require 2 for player with flies, run, why | require 2 for player with flies: missing,
                                                         | "robot 2" needs the service "player" with the capability
                                                         | "flies", which no provider offers; registered: player (senses,
                                                         | drives; well), spaceWanderer (not started)
@@ -210,7 +210,7 @@ class BrokerTest extends ScriptedBroker {
             never restart, offer a, offer b, offer c, connect 1 | start a, 1: use a
             a dies             | a has failed, start b, a is followed by b, 1: use b
             b dies             | b has failed, start c, b is followed by c, 1: use c
-            c dies, crank, why | c has failed, 1: lost, "robot 1" needs the service "player", which is offered,
+            c dies, run, why | c has failed, 1: lost, "robot 1" needs the service "player", which is offered,
                                | but runs nowhere: node/a (java.lang.IllegalStateException: power),
                                | node/b (java.lang.IllegalStateException: power),
                                | node/c (java.lang.IllegalStateException: power); registered: player (failed),
@@ -388,9 +388,9 @@ class BrokerTest extends ScriptedBroker {
         play("offer a, join | start a, user: use a");
         for (int i = 0; i < 200; i++) {
             take("leave");
-            test.crank();
+            test.runQueued();
             take("join");
-            test.crank();
+            test.runQueued();
         }
         assertThat(events(BrokerEvent.UserGone.class)).hasSizeGreaterThan(100);
     }
@@ -403,9 +403,9 @@ class BrokerTest extends ScriptedBroker {
                 one.start hangs, replace a by one at %1$s | start one
                 replace a by two at %2$s          | replace a by two at %2$s: IllegalStateException: node/a is being
                                                   | replaced already, expected one replacement at a time
-                one answers, crank, registered    | a is followed by %1$s, 1: use %1$s, stop a,
+                one answers, run, registered    | a is followed by %1$s, 1: use %1$s, stop a,
                                                   | replace a by one at %1$s: %1$s WELL, registered: [%1$s WELL]
-                replace %1$s by three at %2$s, crank, registered | start three, %1$s is followed by %2$s, 1: use %2$s,
+                replace %1$s by three at %2$s, run, registered | start three, %1$s is followed by %2$s, 1: use %2$s,
                                                   | stop one, replace %1$s by three at %2$s: %2$s WELL,
                                                   | registered: [%2$s WELL]
                 """.formatted(first, second));
@@ -442,12 +442,12 @@ class BrokerTest extends ScriptedBroker {
         try (var busy = new TestSpace()) {
             play("offer a |");
             busy.space().execute(() -> take("connect", "1"));
-            crankInTurn(busy);
+            runInTurn(busy);
             assertThat(diary).containsExactly("start a", "1: use a");
-            play("replace a by b | start b, a is followed by b"); // the client's space is busy until it is cranked
+            play("replace a by b | start b, a is followed by b"); // the client's space is busy until it is run
             take("replace", "b", "by", "a", "at", address);
-            test.crank();
-            crankInTurn(busy);
+            test.runQueued();
+            runInTurn(busy);
             assertThat(diary)
                     .containsExactly(
                             "start b",
@@ -462,14 +462,14 @@ class BrokerTest extends ScriptedBroker {
                             "replace b by a at " + address + ": " + address + " WELL");
             play("health " + address + " | WELL");
             take("shutDown");
-            crankInTurn(busy);
+            runInTurn(busy);
         }
     }
 
-    private void crankInTurn(TestSpace user) {
+    private void runInTurn(TestSpace user) {
         for (int i = 0; i < 5; i++) { // several round trips
-            user.crank();
-            test.crank();
+            user.runQueued();
+            test.runQueued();
         }
     }
 

@@ -50,10 +50,10 @@ class BrokerThreadsTest {
         return services.publish(space, Parrot.class, "parrot", List.of(), () -> new Parrot.Grey(name, diary));
     }
 
-    /** Cranks the broker's space until work on other threads has settled the promise. */
+    /** Runs the broker's space until work on other threads has settled the promise. */
     private static <T> T await(TestSpace brokers, Promise<T> promise) {
         while (!promise.isDone()) {
-            brokers.crank();
+            brokers.runQueued();
             Thread.yield();
         }
         return brokers.get(promise);
@@ -84,7 +84,7 @@ class BrokerThreadsTest {
             });
             hangs.await();
             while (events.stream().noneMatch(BrokerEvent.Failed.class::isInstance)) {
-                brokers.crank();
+                brokers.runQueued();
                 brokers.advance(Duration.ofSeconds(1));
             }
             assertThat(events).anyMatch(BrokerEvent.Suspect.class::isInstance);

@@ -97,16 +97,16 @@ class HostsBench {
 
     final Host host(String name) {
         var host = new Host(name, BrokerSettings.DEFAULT.withoutRestart(), 0);
-        test.crank();
+        test.runQueued();
         return host;
     }
 
     @AfterEach
     void close() {
         hosts.values().forEach(host -> get(host.broker.shutDown()));
-        test.crank();
+        test.runQueued();
         hosts.values().forEach(host -> host.bus.close());
-        test.crank();
+        test.runQueued();
         test.close();
     }
 
@@ -116,7 +116,7 @@ class HostsBench {
 
     final void seconds(int count) {
         for (int i = 0; i < count; i++) {
-            test.crank();
+            test.runQueued();
             test.advance(Duration.ofSeconds(1));
         }
     }

@@ -62,17 +62,17 @@ class OfferedProviderTest extends HostsBench {
 
         void offers(OfferMessages.Offer... offers) {
             port.publish(OfferMessages.OFFERS, new OfferMessages.Offers(incarnation, ++count, List.of(offers)));
-            test.crank();
+            test.runQueued();
         }
 
         void started(long life) {
             starts.remove().resolve(new OfferMessages.Started(life));
-            test.crank();
+            test.runQueued();
         }
 
         void checked(boolean suspect) {
             checks.remove().resolve(new OfferMessages.Checked(suspect));
-            test.crank();
+            test.runQueued();
         }
     }
 
@@ -84,7 +84,7 @@ class OfferedProviderTest extends HostsBench {
 
     private void advance(long millis) {
         test.advance(Duration.ofMillis(millis));
-        test.crank();
+        test.runQueued();
     }
 
     /** The peer offers its parrot, and near uses its first life. */
@@ -92,7 +92,7 @@ class OfferedProviderTest extends HostsBench {
         peer.offer(Health.NOT_STARTED, 0);
         var parrot =
                 near.connect(ConnectionSettings.DEFAULT.withoutAnswerLimit()).actor();
-        test.crank();
+        test.runQueued();
         peer.started(1);
         peer.offer(Health.WELL, 1);
         assertThat(near.health(ADDRESS)).isEqualTo(Health.WELL);
@@ -109,7 +109,7 @@ class OfferedProviderTest extends HostsBench {
     void endThatIsReportedBeforeTheReplyToTheStart_counts() {
         peer.offer(Health.NOT_STARTED, 0);
         var required = near.broker.require(PARROT);
-        test.crank();
+        test.runQueued();
         peer.offer(Health.FAILED, 1);
         peer.started(1);
         assertThat(near.health(ADDRESS)).isEqualTo(Health.FAILED);
@@ -121,7 +121,7 @@ class OfferedProviderTest extends HostsBench {
     void endThatIsReportedRightAfterTheReplyToTheStart_counts() {
         peer.offer(Health.NOT_STARTED, 0);
         near.connected();
-        test.crank();
+        test.runQueued();
         peer.starts.remove().resolve(new OfferMessages.Started(1));
         peer.offer(Health.FAILED, 1);
         assertThat(near.health(ADDRESS)).isEqualTo(Health.FAILED);
@@ -130,7 +130,7 @@ class OfferedProviderTest extends HostsBench {
     @Test
     void laterLife_endsTheEarlierOne_withItsCalls_andIsUsed() {
         var call = used().sayLater("x");
-        test.crank();
+        test.runQueued();
         peer.offer(Health.STARTING, 2);
         assertThat(test.error(call)).hasMessageStartingWith("peer/parrot ended while \"robot 1\" waited");
         assertThat(near.services.find(PARROT_OF_PEER)).isNull();
@@ -177,14 +177,14 @@ class OfferedProviderTest extends HostsBench {
         peer.parrot.close();
         var first = parrot.say("1");
         var second = parrot.say("2");
-        test.crank();
+        test.runQueued();
         assertThat(test.error(Promise.any(List.of(first, second)))).isNotNull();
         assertThat(peer.checks).hasSize(1);
         peer.checked(false);
         assertThat(near.health(ADDRESS)).isEqualTo(Health.WELL);
         assertThat(test.error(parrot.say("3"))).hasMessageContaining("was not delivered");
         peer.checks.remove().reject(new ProviderException("life 1 has ended"));
-        test.crank();
+        test.runQueued();
         assertThat(near.health(ADDRESS)).isEqualTo(Health.FAILED);
     }
 
@@ -194,7 +194,7 @@ class OfferedProviderTest extends HostsBench {
     void startByTheOtherBroker_endsBeforeTheLimitOfThisOne() {
         peer.offer(Health.NOT_STARTED, 0);
         var required = near.broker.require(PARROT);
-        test.crank();
+        test.runQueued();
         for (int millis = 0; millis < 7_500; millis += 500) {
             assertThat(required.isDone()).isFalse();
             advance(500); // the request may be lost, and is repeated
@@ -233,7 +233,7 @@ class OfferedProviderTest extends HostsBench {
             advance(1_000);
             peer.checks.forEach(check -> check.resolve(new OfferMessages.Checked(false)));
             peer.checks.clear();
-            test.crank();
+            test.runQueued();
         }
         assertThat(near.events(BrokerEvent.Suspect.class)).isEmpty();
         assertThat(near.health(ADDRESS)).isEqualTo(Health.SUSPECT);
@@ -274,13 +274,13 @@ class OfferedProviderTest extends HostsBench {
     void offerWithOtherMethods_isAnotherProvider() {
         peer.offer(Health.NOT_STARTED, 0, List.of(), 0, List.of("say(String)"));
         var connection = near.connect(ConnectionSettings.DEFAULT);
-        test.crank();
+        test.runQueued();
         peer.started(1);
         assertThat(test.error(connection.first())).hasMessageContaining("has no count(int, Callback)");
         peer.offer(Health.WELL, 1, List.of(), 0, METHODS);
         peer.started(1);
         connection.actor().hear("x");
-        test.crank();
+        test.runQueued();
         assertThat(peer.calls).hasSize(1);
     }
 
@@ -288,7 +288,7 @@ class OfferedProviderTest extends HostsBench {
     void offerWithoutMethods_isNoActor() {
         peer.offer(Health.NOT_STARTED, 0, List.of(), 0, List.of());
         var connection = near.connect(ConnectionSettings.DEFAULT);
-        test.crank();
+        test.runQueued();
         peer.started(1);
         assertThat(test.error(connection.first()))
                 .hasMessageEndingWith("its provider peer/parrot is no actor that can be called from other hosts");
@@ -324,7 +324,7 @@ class OfferedProviderTest extends HostsBench {
     @Test
     void callOfAWithdrawnProvider_waitsForItsAnswer_untilItsProcessIsGone() {
         var call = used().sayLater("x");
-        test.crank();
+        test.runQueued();
         peer.offers();
         advance(1_000);
         assertThat(call.isDone()).isFalse();
@@ -353,7 +353,7 @@ class OfferedProviderTest extends HostsBench {
     void streamWithAnItem_goesOnWithoutAReplyToItsCall_becauseTheCallIsExecuted() {
         var probe = test.<Integer>callback();
         used().count(3, probe);
-        test.crank();
+        test.runQueued();
         var one = new CallableMethods.Values().encode(Integer.class, 1);
         assertThat(get(sendToCaller(part(1, new CallMessages.Item(one)))).wantsMore())
                 .isTrue();
@@ -387,7 +387,7 @@ class OfferedProviderTest extends HostsBench {
     void streamThatHasEnded_wantsNoMore() {
         var parrot = used();
         parrot.hear("x");
-        test.crank();
+        test.runQueued();
         assertThat(get(sendToCaller(new CallMessages.StreamPart(99, 1, new CallMessages.End())))
                         .wantsMore())
                 .isFalse();
@@ -397,7 +397,7 @@ class OfferedProviderTest extends HostsBench {
     void itemThatCannotBeRead_endsTheStream() {
         var probe = test.<Integer>callback();
         used().count(3, probe);
-        test.crank();
+        test.runQueued();
         var text = new CallableMethods.Values().encode(String.class, "three");
         assertThat(get(sendToCaller(part(1, new CallMessages.Item(text)))).wantsMore())
                 .isFalse();
@@ -442,10 +442,10 @@ class OfferedProviderTest extends HostsBench {
         stream.finish();
         stream.next(0);
         stream.fail(new IllegalStateException("no more"));
-        test.crank();
+        test.runQueued();
         assertThat(parts).hasSize(OutgoingStream.MOST_UNANSWERED);
         received.forEach(each -> each.resolve(new CallMessages.Received(true)));
-        test.crank();
+        test.runQueued();
         assertThat(parts).hasSize(OutgoingStream.MOST_UNANSWERED + 2).endsWith(new CallMessages.End());
     }
 
@@ -481,7 +481,7 @@ class OfferedProviderTest extends HostsBench {
         assertThat(near.events).isNotEmpty();
         assertThat(published).isEmpty();
         near.publish("mine");
-        test.crank();
+        test.runQueued();
         assertThat(published).hasSize(1);
         advance(1_000);
         assertThat(published).hasSize(2);
@@ -497,7 +497,7 @@ class OfferedProviderTest extends HostsBench {
         get(near.broker.require(Need.ofService("user", "slow")));
         published.clear();
         var shutDown = near.broker.shutDown();
-        test.crank();
+        test.runQueued();
         assertThat(shutDown.isDone()).isFalse();
         assertThat(published).last().satisfies(last -> assertThat(last.offers()).isEmpty());
         slow.resolve(null);
@@ -531,24 +531,24 @@ class OfferedProviderTest extends HostsBench {
             var bus = pipe.open("other", BusSettings.on(test.space()).withObserver(loss -> {}));
             var broker = Broker.open(brokers.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
             var services = ActorServices.over(bus, broker, test.space(), event -> {});
-            Runnable crankBoth = () -> {
+            Runnable runBoth = () -> {
                 for (int i = 0; i < 10; i++) {
-                    brokers.crank();
-                    test.crank();
+                    brokers.runQueued();
+                    test.runQueued();
                 }
             };
-            crankBoth.run();
+            runBoth.run();
             peer.offer(Health.WELL, 1);
             var call = services.connect(Parrot.class, PARROT, ConnectionSettings.DEFAULT.withoutAnswerLimit())
                     .actor()
                     .sayLater("x");
-            crankBoth.run();
+            runBoth.run();
             peer.started(1);
-            crankBoth.run();
+            runBoth.run();
             assertThat(peer.calls).hasSize(1);
-            brokers.crank();
+            brokers.runQueued();
             brokers.space().close();
-            brokers.crank();
+            brokers.runQueued();
             assertThat(test.error(call)).hasMessageStartingWith("peer/parrot ended while \"robot 1\" waited");
             bus.attach(OfferMessages.PORT);
             bus.close();

@@ -27,14 +27,14 @@ class OffersTest extends HostsBench {
     @Test
     void offers_areKnownEverywhereAtOnce_alsoToALaterProcess() {
         a.publish("grey");
-        test.crank();
+        test.runQueued();
         assertThat(b.health("a/parrot")).isEqualTo(Health.NOT_STARTED);
         get(a.broker.require(PARROT));
         assertThat(b.health("a/parrot")).isEqualTo(Health.WELL);
         var later = host("later");
         assertThat(later.health("a/parrot")).isEqualTo(Health.WELL);
         get(a.broker.withdraw(new Address("a", "parrot")));
-        test.crank();
+        test.runQueued();
         assertThat(b.health("a/parrot")).isNull();
         assertThat(later.health("a/parrot")).isNull();
     }
@@ -51,7 +51,7 @@ class OffersTest extends HostsBench {
     private List<ServiceOffer> survey(Host host) {
         Promise<List<ServiceOffer>> offers = host.services.offers(Duration.ofMillis(500));
         for (int wait = 0; wait < 2; wait++) {
-            test.crank();
+            test.runQueued();
             test.advance(Duration.ofMillis(500));
         }
         return get(offers);
@@ -81,10 +81,10 @@ class OffersTest extends HostsBench {
         var services = c.services;
         services.offers(Duration.ofMillis(500))
                 .then(offers -> offers.forEach(offer -> show(offer.provider() + ", life " + offer.life())));
-        test.crank();
+        test.runQueued();
         assertThat(shown).isEmpty();
         test.advance(Duration.ofMillis(500));
-        test.crank();
+        test.runQueued();
         assertThat(shown).hasSize(4).first().asString().endsWith(", life 0");
     }
 
@@ -93,7 +93,7 @@ class OffersTest extends HostsBench {
         assertThat(survey(c)).isEmpty();
         a.publish("grey");
         get(a.broker.require(PARROT));
-        test.crank();
+        test.runQueued();
         pipe.lose("a");
         ServiceOffer lost = survey(c).getFirst();
         assertThat(lost.provider().health()).isEqualTo(Health.SUSPECT);
@@ -111,7 +111,7 @@ class OffersTest extends HostsBench {
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessage("these services have no bus: use ActorServices.over");
         get(b.broker.shutDown());
-        test.crank();
+        test.runQueued();
         assertThat(test.error(b.services.offers(Duration.ofSeconds(1)))).isInstanceOf(IllegalStateException.class);
     }
 
@@ -148,7 +148,7 @@ class OffersTest extends HostsBench {
     @Test
     void service_isStartedOnce_howeverManyProcessesNeedIt() {
         a.publish("grey");
-        test.crank();
+        test.runQueued();
         var inB = b.connected().say("1");
         var inC = c.connected().say("2");
         assertThat(List.of(get(inB), get(inC))).containsExactly("grey: 1", "grey: 2");
@@ -165,7 +165,7 @@ class OffersTest extends HostsBench {
         a.publish("a");
         third.publish("z");
         b.publish("b");
-        test.crank();
+        test.runQueued();
         for (Host host : hosts.values()) {
             assertThat(host.found())
                     .as(host.name)
@@ -174,10 +174,10 @@ class OffersTest extends HostsBench {
         get(c.broker.require(new Need("user", "parrot", "talks")));
         assertThat(diary).containsExactly("z is made");
         get(b.broker.withdraw(new Address("b", "parrot")));
-        test.crank();
+        test.runQueued();
         get(third.broker.withdraw(new Address("z", "parrot")));
         c.connected();
-        test.crank();
+        test.runQueued();
         get(a.broker.require(PARROT));
         assertThat(a.found()).as("one that runs is first").startsWith("a/parrot");
         assertThat(c.found()).startsWith("a/parrot");
@@ -192,7 +192,7 @@ class OffersTest extends HostsBench {
         var parrot = c.connected();
         assertThat(get(parrot.say("1"))).isEqualTo("a1: 1");
         a.kill("parrot");
-        test.crank();
+        test.runQueued();
         assertThat(get(parrot.say("2"))).isEqualTo("b1: 2");
         assertThat(c.events(BrokerEvent.FailedOver.class))
                 .extracting(
@@ -229,7 +229,7 @@ class OffersTest extends HostsBench {
     void silentProcess_isSuspect_thenItsProvidersAreWithdrawn() {
         a.publish("a1");
         b.publish("b1");
-        test.crank();
+        test.runQueued();
         pipe.lose("a");
         seconds(3);
         assertThat(c.health("a/parrot")).isEqualTo(Health.NOT_STARTED);
@@ -263,11 +263,11 @@ class OffersTest extends HostsBench {
     @Test
     void ownPause_makesNoProcessSuspect() {
         a.publish("a1");
-        test.crank();
+        test.runQueued();
         test.clock()
                 .advanceToAtLeast(test.clock().nanos() + Duration.ofSeconds(30).toNanos());
         pipe.lose("a"); // its offers come a little later than those of this process are checked
-        test.crank();
+        test.runQueued();
         assertThat(c.health("a/parrot")).isEqualTo(Health.NOT_STARTED);
         pipe.loseNoMore("a");
         seconds(2);
@@ -322,7 +322,7 @@ class OffersTest extends HostsBench {
         a.publish("a1");
         get(c.connected().say("1"));
         a.kill("parrot");
-        test.crank();
+        test.runQueued();
         get(a.broker.require(PARROT)); // its second life
         var port = b.bus.attach("test");
         var broker = new Address("a", "broker");
@@ -357,7 +357,7 @@ class OffersTest extends HostsBench {
         var forged = a.bus.attach("forger"); // as if it had been held up on its way
         for (var offers : List.of(List.of(earlier), List.<OfferMessages.Offer>of())) {
             forged.publish(OfferMessages.OFFERS, new OfferMessages.Offers(now.incarnation(), now.count() - 1, offers));
-            test.crank();
+            test.runQueued();
         }
         forged.publish(
                 OfferMessages.OFFERS,
@@ -374,7 +374,7 @@ class OffersTest extends HostsBench {
                                         0,
                                         offer.methods()))
                                 .toList()));
-        test.crank();
+        test.runQueued();
         assertThat(c.events(BrokerEvent.Failed.class)).isEmpty();
         assertThat(c.events(BrokerEvent.Withdrawn.class)).isEmpty();
         assertThat(get(parrot.say("2"))).isEqualTo("a1: 2");

@@ -46,7 +46,7 @@ class ScriptedBroker extends BrokerBench {
             for (String step : steps.split(", ")) {
                 take(step.split(" "));
             }
-            test.crank();
+            test.runQueued();
             played.add(steps + " | " + String.join(", ", diary));
         }
         assertThat(played).isNotEmpty().isEqualTo(expected);
@@ -69,7 +69,7 @@ class ScriptedBroker extends BrokerBench {
             case "why" -> diary.add(missing);
             case "reasons" -> diary.addAll(reasons);
             case "count" -> diary.add("" + countEvents(who));
-            case "crank" -> test.crank();
+            case "run" -> test.runQueued();
             case "wait" -> seconds(Integer.parseInt(who));
             case "never" -> reopen(WITHOUT_RESTART);
             case "restart" ->

@@ -76,7 +76,7 @@ abstract class BusContract {
     /**
      * The pipe between two nodes; other engines have others. Called by the constructor.
      *
-     * @param carrier carries what is under way when it is cranked
+     * @param carrier carries what is under way when it is run
      */
     Pipe pipe(ActorSpace carrier) {
         return new BytePipe(carrier);

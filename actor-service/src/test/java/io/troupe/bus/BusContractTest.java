@@ -54,7 +54,7 @@ class BusContractTest extends BusContract {
         far.attach("b").subscribe(COUNTS, (count, from) -> texts.add("b" + count.value() + " " + from));
         publish(1, 2, 3);
         assertThat(texts).as("nothing runs on the publisher's stack").isEmpty();
-        test.crank();
+        test.runQueued();
         String from = " " + publisher.address();
         assertThat(texts)
                 .filteredOn(each -> each.startsWith("a"))
@@ -67,13 +67,13 @@ class BusContractTest extends BusContract {
     @Test
     void subscriber_receivesWhatIsPublishedFromThenOn_andNothingAfterItHasClosed() {
         publish(1);
-        test.crank();
+        test.runQueued();
         var subscription = subscribe("a");
         publish(2);
-        test.crank();
+        test.runQueued();
         subscription.close();
         publish(3);
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(2);
     }
 
@@ -103,7 +103,7 @@ class BusContractTest extends BusContract {
         publisher.publish(RANGES, value);
         metres.clear();
         value.names().clear();
-        test.crank();
+        test.runQueued();
         assertThat(ranges).containsExactly(asItWas);
     }
 
@@ -132,7 +132,7 @@ class BusContractTest extends BusContract {
         });
         subscribe("b");
         publish(1);
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(1);
         assertThat(theOnlyLoss()).isInstanceOfSatisfying(Loss.SubscriberFailed.class, lost -> {
             assertThat(lost.subscriber()).isEqualTo(broken.address());
@@ -161,7 +161,7 @@ class BusContractTest extends BusContract {
                         .distinct())
                 .extracting(BusMessage::sequence)
                 .containsExactly(1L, 2L, 3L);
-        test.crank();
+        test.runQueued();
     }
 
     // ---- request and reply
@@ -294,7 +294,7 @@ class BusContractTest extends BusContract {
         var kept = new Deferred<Text>(test.space());
         var handler = speller(count -> kept);
         var answer = ask(asker, handler, 7);
-        test.crank();
+        test.runQueued();
         test.advance(SECOND.minusMillis(2));
         assertThat(answer.isDone()).isFalse();
         test.advance(Duration.ofMillis(5));
@@ -303,7 +303,7 @@ class BusContractTest extends BusContract {
                 .hasMessage(asker.address() + " asked " + handler.address() + " for spell: no answer within PT1S");
         assertThat(losses).isEmpty();
         kept.resolve(new Text("at last"));
-        test.crank();
+        test.runQueued();
         assertThat(theOnlyLoss()).isInstanceOfSatisfying(Loss.Late.class, late -> {
             assertThat(late.reply().payload()).isEqualTo(new Text("at last"));
             assertThat(late.reply().from()).isEqualTo(handler.address());
@@ -317,7 +317,7 @@ class BusContractTest extends BusContract {
         var kept = new Deferred<Text>(test.space());
         var handler = speller(count -> kept);
         var answers = new ArrayList<>(List.of(ask(asker, handler, 1)));
-        test.crank();
+        test.runQueued();
         test.run(() -> {
             answers.add(ask(asker, handler, 2));
             pipe.carryAll();
@@ -329,7 +329,7 @@ class BusContractTest extends BusContract {
                         + " for spell: left before it answered: it has left the bus");
         assertTakenLosses(2, Loss.Undeliverable.class);
         kept.resolve(new Text("too late"));
-        test.crank();
+        test.runQueued();
         assertTakenLosses(1, Loss.Late.class);
     }
 
@@ -352,7 +352,7 @@ class BusContractTest extends BusContract {
         assertThat(mayHaveBeenHandled(asker.ask(nowhere, SPELL, new Count(1), SECOND)))
                 .isFalse();
         var begun = ask(asker, handler, 1);
-        test.crank();
+        test.runQueued();
         List<Promise<Text>> waits = new ArrayList<>();
         test.run(() -> {
             for (int i = 0; i <= CAPACITY; i++) {
@@ -370,11 +370,11 @@ class BusContractTest extends BusContract {
 
         var hanging = speller(count -> new Deferred<>());
         var overdue = ask(asker, hanging, 1);
-        test.crank();
+        test.runQueued();
         test.advance(SECOND);
         assertThat(mayHaveBeenHandled(overdue)).isTrue();
         var left = ask(asker, hanging, 2);
-        test.crank();
+        test.runQueued();
         asker.close();
         assertThat(mayHaveBeenHandled(left)).isTrue();
         assertThat(mayHaveBeenHandled(asker.ask(hanging.address(), SPELL, new Count(1), SECOND)))
@@ -400,13 +400,13 @@ class BusContractTest extends BusContract {
 
     @Test
     void requestsThatWait_areRejectedAtOnce_whenTheSpaceOfTheHandlerIsClosed() {
-        var other = ActorSpace.create(SpaceSettings.named("other").withHandCrank());
+        var other = ActorSpace.create(SpaceSettings.named("other").withoutThread());
         var handler = far.attach("speller");
         other.execute(() -> handler.answer(SPELL, count -> new Deferred<>()));
-        other.crank();
+        other.runQueued();
         var begun = ask(asker, handler, 1);
-        test.crank();
-        other.crank();
+        test.runQueued();
+        other.runQueued();
         assertThat(begun.isDone()).isFalse();
         other.close();
         assertThat(refusalOf(begun)).endsWith("left before it answered: space other was closed");
@@ -418,11 +418,11 @@ class BusContractTest extends BusContract {
     void requestsOfARequesterThatLeaves_areRejectedAtOnce_andTheirAnswersAreLate() {
         var kept = new Deferred<Text>(test.space());
         var answer = ask(asker, speller(count -> kept), 1);
-        test.crank();
+        test.runQueued();
         asker.close();
         assertThat(refusalOf(answer)).endsWith("for spell: the asker has left: it has left the bus");
         kept.resolve(new Text("for nobody"));
-        test.crank();
+        test.runQueued();
         assertTakenLosses(1, Loss.Late.class);
     }
 
@@ -461,18 +461,18 @@ class BusContractTest extends BusContract {
         var answers = new ArrayList<Promise<Text>>();
         for (int i = 0; i <= CAPACITY; i++) {
             answers.add(ask(asker, handler, i));
-            test.crank();
+            test.runQueued();
         }
         assertThat(refusalOf(answers.removeLast()))
                 .endsWith("for spell: is too busy: 4 questions for spell are being answered");
         assertTakenLosses(1, Loss.Undeliverable.class);
         kept.forEach(each -> each.resolve(new Text("done")));
-        test.crank();
+        test.runQueued();
         assertThat(answers)
                 .hasSize(CAPACITY)
                 .allSatisfy(each -> assertThat(test.get(each)).isEqualTo(new Text("done")));
         var next = ask(asker, handler, 5);
-        test.crank();
+        test.runQueued();
         kept.getLast().resolve(new Text("next"));
         assertThat(test.get(next)).isEqualTo(new Text("next"));
     }
@@ -485,14 +485,14 @@ class BusContractTest extends BusContract {
             return begun.getLast();
         });
         ask(asker, speller, 1).cancel();
-        test.crank();
+        test.runQueued();
         assertThat(begun).isEmpty();
         var answer = ask(asker, speller, 2);
-        test.crank();
+        test.runQueued();
         answer.cancel();
-        test.crank();
+        test.runQueued();
         begun.getFirst().resolve(new Text("two"));
-        test.crank();
+        test.runQueued();
         assertThat(theOnlyLoss())
                 .isInstanceOfSatisfying(
                         Loss.Late.class, late -> assertThat(late.why()).isEqualTo("no caller waits for it any more"));
@@ -529,15 +529,15 @@ class BusContractTest extends BusContract {
             return new Cancellable(work.getLast());
         });
         asked.add(ask(asker, speller, 1));
-        test.crank();
+        test.runQueued();
         asked.getFirst().cancel();
-        test.crank();
+        test.runQueued();
         assertThat(work.getFirst().isCancelled()).isTrue();
         asked.add(ask(asker, speller, 2));
-        test.crank();
+        test.runQueued();
         assertThat(work.getLast().isCancelled()).isTrue();
         asked.add(ask(asker, speller, 3));
-        test.crank();
+        test.runQueued();
         work.getLast().resolve(new Text("three"));
         assertThat(test.get(asked.getLast())).isEqualTo(new Text("three"));
     }
@@ -569,17 +569,17 @@ class BusContractTest extends BusContract {
     void actorThatHasStopped_receivesNothingAnyMore() {
         var listener = test.spawn(Listener.class, ListenerActor::new);
         listener.listen(far.attach("a"));
-        test.crank();
+        test.runQueued();
         publish(1);
-        test.crank();
+        test.runQueued();
         test.space().stop(listener);
-        test.crank();
+        test.runQueued();
         publish(2);
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(1);
         assertTakenLosses(1, Loss.Discarded.class);
         publish(3);
-        test.crank();
+        test.runQueued();
     }
 
     @Test
@@ -588,9 +588,9 @@ class BusContractTest extends BusContract {
         var port = near.attach("a");
         listener.listenOnce(port);
         listener.listenOnce(port);
-        test.crank();
+        test.runQueued();
         publish(1);
-        test.crank();
+        test.runQueued();
         assertThat(received)
                 .as("heard by the first subscription, whose actor stopped then")
                 .containsExactly(1);
@@ -598,7 +598,7 @@ class BusContractTest extends BusContract {
         assertThat(take(losses).stream().map(loss -> ((Loss.Discarded) loss).count()))
                 .as("unheard by the first and by the second")
                 .containsExactly(1, 2);
-        test.crank();
+        test.runQueued();
     }
 
     @Test
@@ -608,9 +608,9 @@ class BusContractTest extends BusContract {
         var spaces = new ArrayList<ActorSpace>();
         other.run(() -> port.subscribe(COUNTS, (count, from) -> spaces.add(ActorSpace.current())));
         publish(1);
-        test.crank();
+        test.runQueued();
         assertThat(spaces).isEmpty();
-        other.crank();
+        other.runQueued();
         assertThat(spaces).containsExactly(other.space());
         var hanging = speller(count -> new Deferred<>());
         var answers = new ArrayList<Promise<Text>>();
@@ -620,7 +620,7 @@ class BusContractTest extends BusContract {
         other.advance(SECOND.multipliedBy(2));
         assertThat(other.error(answers.getFirst())).hasMessageEndingWith("no answer within PT1S");
         far.close();
-        test.crank();
+        test.runQueued();
         take(losses);
         other.close();
     }
@@ -652,14 +652,14 @@ class BusContractTest extends BusContract {
     @Test
     void busThatIsClosed_rejectsWhatWaits_andTakesNobody() {
         var answer = ask(asker, speller(count -> new Deferred<>()), 1);
-        test.crank();
+        test.runQueued();
         near.close();
         assertThat(refusalOf(answer)).contains("the bus " + near.node() + " is closed");
         assertThatThrownBy(() -> near.attach("b"))
                 .isInstanceOf(BusException.class)
                 .hasMessageContaining("is closed");
         far.close();
-        test.crank();
+        test.runQueued();
         take(losses);
     }
 }

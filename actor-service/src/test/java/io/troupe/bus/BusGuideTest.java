@@ -45,7 +45,7 @@ class BusGuideTest {
             display.subscribe(OUTSIDE, (temperature, from) -> show(from + ": " + temperature.celsius()));
             sensor.publish(OUTSIDE, new Temperature(-3));
 
-            test.crank();
+            test.runQueued();
             assertThat(shown).containsExactly("house/sensor: -3.0");
             shown.clear();
 
@@ -54,7 +54,7 @@ class BusGuideTest {
             var limit = Duration.ofSeconds(1);
             display.ask(heating, HEAT, new Setpoint(21), limit).then(accepted -> show(accepted.heats()));
 
-            test.crank();
+            test.runQueued();
             assertThat(shown).containsExactly("true");
             bus.close();
         }
@@ -69,13 +69,13 @@ class BusGuideTest {
             var driver = bus.attach("driver");
             driver.publish(DRIVE, new Velocity(0.1, 0));
             driver.publish(DRIVE, new Velocity(0.2, 0));
-            test.crank();
+            test.runQueued();
             assertThat(shown).last().isEqualTo("0.2");
             assertThat(shown).doesNotContain("0.1");
             shown.clear();
             driver.publish(DRIVE, new Velocity(0.3, 0));
             test.clock().advance(Duration.ofSeconds(1));
-            test.crank();
+            test.runQueued();
             assertThat(shown)
                     .containsExactly("robot1/wheels does not hear publication on robot1/drive from robot1/driver"
                             + " (number 3): it is 1000 ms old");
@@ -97,7 +97,7 @@ class BusGuideTest {
             }
             show(bus.metrics().dropped());
 
-            test.crank();
+            test.runQueued();
             assertThat(shown)
                     .containsExactly(
                             "house/display is too slow: its oldest publication on house/outside from house/sensor"

@@ -135,7 +135,7 @@ class BusModelTest {
             }
         }
 
-        void crank() {
+        void runQueued() {
             for (var reader : readers.values()) {
                 reader.received.addAll(reader.waiting);
                 reader.waiting.clear();
@@ -266,7 +266,7 @@ class BusModelTest {
                 step();
                 pipe.carryAll(); // the model has no messages in transit
             }
-            crank();
+            runQueued();
         }
 
         private void step() {
@@ -276,7 +276,7 @@ class BusModelTest {
                 case 2, 3, 4 -> publish(somePort());
                 case 5 -> answer(somePort());
                 case 6, 7 -> ask(somePort(), "port" + random.nextInt(PORTS));
-                case 8 -> crank();
+                case 8 -> runQueued();
                 case 9 -> {
                     steps.add("what is kept is answered");
                     kept.forEach(Runnable::run);
@@ -284,7 +284,7 @@ class BusModelTest {
                     model.answerKept();
                 }
                 case 10 -> {
-                    crank();
+                    runQueued();
                     steps.add("a second passes");
                     test.advance(Duration.ofSeconds(1));
                     model.advance();
@@ -378,10 +378,10 @@ class BusModelTest {
             model.ask(id, requester, to, LIMIT_SECONDS);
         }
 
-        private void crank() {
-            steps.add("crank");
-            test.crank();
-            model.crank();
+        private void runQueued() {
+            steps.add("run");
+            test.runQueued();
+            model.runQueued();
         }
 
         Map<Integer, String> outcomes() {
@@ -434,7 +434,7 @@ class BusModelTest {
         @Override
         public void close() {
             nodes.forEach(Bus::close);
-            test.crank();
+            test.runQueued();
             test.close();
         }
 

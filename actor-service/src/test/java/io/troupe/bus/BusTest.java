@@ -46,7 +46,7 @@ class BusTest extends BusContract {
         var here = new ArrayList<ActorSpace>();
         bus.attach("a").subscribe(COUNTS, (count, from) -> here.add(ActorSpace.current()));
         bus.attach("b").publish(COUNTS, new Count(1));
-        test.crank();
+        test.runQueued();
         assertThat(here).containsExactly(test.space());
     }
 
@@ -68,7 +68,7 @@ class BusTest extends BusContract {
 
     @Test
     void registrationOnASpaceThatIsClosed_isRefused() {
-        var closed = ActorSpace.create(SpaceSettings.named("closed").withHandCrank());
+        var closed = ActorSpace.create(SpaceSettings.named("closed").withoutThread());
         try (var other = Bus.inProcess("other", BusSettings.on(closed))) {
             var port = other.attach("a");
             closed.close();
@@ -84,14 +84,14 @@ class BusTest extends BusContract {
     void request_isRejectedAtOnce_whenTheSpaceOfItsRequesterIsClosed() {
         var unheard = new ArrayList<Throwable>();
         var requesters = ActorSpace.create(
-                SpaceSettings.named("askers").withHandCrank().withOnError((where, error) -> unheard.add(error)));
+                SpaceSettings.named("askers").withoutThread().withOnError((where, error) -> unheard.add(error)));
         var handler = bus.attach("answerer");
         handler.answer(SPELL, count -> new Deferred<>());
         var requester = bus.attach("asker");
         var answers = new ArrayList<Promise<Text>>();
         requesters.execute(() -> answers.add(requester.ask(handler.address(), SPELL, new Count(1), SECOND)));
-        requesters.crank();
-        test.crank();
+        requesters.runQueued();
+        test.runQueued();
         requesters.close();
         assertThat(answers.getFirst().error())
                 .hasMessage("robots/asker asked robots/answerer for spell: the space of the asker was closed");
@@ -111,13 +111,13 @@ class BusTest extends BusContract {
                 for (int i = 0; i < CAPACITY; i++) {
                     answers.add(ask(requester, handler, i));
                 }
-                test.crank();
+                test.runQueued();
                 assertThat(answers).noneMatch(Promise::isDone);
                 assertThat(test.error(ask(requester, handler, 9)))
                         .hasMessageEndingWith("4 questions for spell are being answered");
                 answers.removeFirst().cancel();
                 answers.add(ask(requester, handler, 9));
-                test.crank();
+                test.runQueued();
                 assertThat(answers).as("the cancelled one has made room").noneMatch(Promise::isDone);
                 test.advance(SECOND.multipliedBy(2));
                 assertThat(answers).extracting(test::error).hasOnlyElementsOfType(BusTimeoutException.class);
@@ -136,10 +136,10 @@ class BusTest extends BusContract {
             var request = new Count(i);
             questions.add(new WeakReference<>(request));
             var answer = requester.ask(handler.address(), SPELL, request, Duration.ofDays(1));
-            test.crank();
+            test.runQueued();
             answer.cancel();
         }
-        test.crank();
+        test.runQueued();
         for (int tries = 0; tries < 20 && count(questions) > 1; tries++) {
             System.gc();
         }
@@ -180,7 +180,7 @@ class BusTest extends BusContract {
         }
         port.subscribe(COUNTS, (count, from) -> received.add("other"));
         publisher.publish(COUNTS, new Count(20));
-        test.crank();
+        test.runQueued();
         assertThat(received).hasSize(22);
         assertThat(received.indexOf("other"))
                 .as("in the midst of the slow one's")
@@ -208,7 +208,7 @@ class BusTest extends BusContract {
                         port.publish(COUNTS, new Count(10 * round + i));
                         answers.add(ask(port, port, i));
                     }
-                    test.crank();
+                    test.runQueued();
                 }
             });
             assertThat(received).containsExactly(1, 11, 21);
@@ -237,7 +237,7 @@ class BusTest extends BusContract {
             other.attach("a").subscribe(COUNTS, (count, from) -> received.add(count.value()));
             var records = logged(() -> {
                 other.attach("b").publish(COUNTS, new Count(1));
-                test.crank();
+                test.runQueued();
             });
             assertThat(received).containsExactly(1);
             assertThat(records)
@@ -257,7 +257,7 @@ class BusTest extends BusContract {
                     publisher.publish(COUNTS, new Count(i));
                 }
             });
-            test.crank();
+            test.runQueued();
             assertThat(received).containsExactly(9);
             assertThat(records).hasSize(4).allMatch(record -> record.getLevel() == Level.WARNING);
             assertThat(records.getFirst().getMessage())
@@ -289,7 +289,7 @@ class BusTest extends BusContract {
         handler.subscribe(COUNTS, (count, from) -> {});
         port.publish(COUNTS, new Count(1));
         assertThat(bytes.bytesCarried()).isZero();
-        test.crank();
+        test.runQueued();
         assertThat(bytes.bytesCarried()).isPositive();
         take(passed);
         handler.answer(SPELL, count -> Promise.of(new Text("x")));
@@ -313,7 +313,7 @@ class BusTest extends BusContract {
         for (int round = 0; round < 3; round++) {
             for (int i = 0; i < CAPACITY - 1; i++) {
                 var unanswered = ask(requester, handler, i);
-                test.crank();
+                test.runQueued();
                 assertThat(unanswered.isDone()).isFalse();
                 test.advance(SECOND);
                 assertThat(test.error(unanswered)).isInstanceOf(BusTimeoutException.class);
@@ -321,7 +321,7 @@ class BusTest extends BusContract {
         }
         assertThat(kept).hasSize(1 + 3 * (CAPACITY - 1));
         var answer = ask(requester, handler, 7);
-        test.crank();
+        test.runQueued();
         assertThat(losses).isEmpty();
         kept.forEach(each -> each.resolve(new Text("at last")));
         assertThat(test.get(answer)).isEqualTo(new Text("at last"));

@@ -69,7 +69,7 @@ class RemoteNodesTest {
     void everyLossWasExpected() {
         bus.close();
         assertThat(engine.closed).isTrue();
-        test.crank();
+        test.runQueued();
         test.close();
         assertThat(losses).isEmpty();
         assertThat(events).isEmpty();
@@ -231,7 +231,7 @@ class RemoteNodesTest {
         var received = new ArrayList<Text>();
         port.subscribe(texts, (text, from) -> received.add(text));
         port.publish(texts, new Text("x".repeat(2_000)));
-        test.crank();
+        test.runQueued();
         assertThat(received).hasSize(1);
         assertThat(take(losses))
                 .singleElement()
@@ -257,7 +257,7 @@ class RemoteNodesTest {
         var newLife = new Frames(codec, test.clock(), FAR_LIFE + 1);
         arrives(newLife.publication(message, "counts", 20));
         farAnswersItsTime(newLife);
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(5, 6, 9, 20);
         assertThat(bus.metrics().missed()).isEqualTo(6);
     }
@@ -272,7 +272,7 @@ class RemoteNodesTest {
         test.advance(SECOND);
         arrives(heldUp);
         farAnswersItsTime(late);
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(4);
         assertThat(take(losses)).containsExactly("3 values of counts from far/b have not arrived");
     }
@@ -293,7 +293,7 @@ class RemoteNodesTest {
         assertThat(take(losses)).containsExactly("4 values of counts from far/b have not arrived");
         arrives(farFrames.mark(FAR, "counts", 6, begunNanos));
         arrives(publication(7, 7));
-        test.crank();
+        test.runQueued();
         assertThat(losses).as("each is reported once").isEmpty();
         assertThat(received).containsExactly(4, 5, 7);
         assertThat(bus.metrics().missed()).isEqualTo(4);
@@ -307,7 +307,7 @@ class RemoteNodesTest {
         arrives(publication(4, 4));
         farAnswersItsTime();
         arrives(farFrames.mark(FAR, "counts", 4, begunNanos));
-        test.crank();
+        test.runQueued();
         assertThat(losses).isEmpty();
     }
 
@@ -351,7 +351,7 @@ class RemoteNodesTest {
                 .containsExactly("near/a does not hear 1 values of counts that waited: it does not subscribe any more");
         subscribe(COUNTS);
         arrives(publication(9, 9));
-        test.crank();
+        test.runQueued();
         assertThat(losses).isEmpty();
     }
 
@@ -365,7 +365,7 @@ class RemoteNodesTest {
         test.advance(Duration.ofMillis(301));
         arrives(heldUp);
         arrives(publication(3, 3));
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(1, 3);
         assertThat(take(losses))
                 .containsExactly("near/a does not hear publication on counts from far/b (number 2): it is 301 ms old");
@@ -386,17 +386,17 @@ class RemoteNodesTest {
         test.advance(Duration.ofSeconds(5));
         heldUp.forEach(this::arrives);
         arrives(publication(4, 4));
-        test.crank();
+        test.runQueued();
         assertThat(received).as("held until their age is known").isEmpty();
         farAnswersItsTime();
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(4);
         assertThat(take(losses))
                 .hasSize(3)
                 .last()
                 .isEqualTo("near/a does not hear publication on counts from far/b (number 3): it is 5100 ms old");
         arrives(publication(5, 5));
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(4, 5);
         assertThat(engine.sent).isEmpty();
     }
@@ -415,11 +415,11 @@ class RemoteNodesTest {
         var rejection = new Purpose.Rejection(new Address("near", "bus"), "time", asked.number());
         var ofOther = new BusMessage.Data(FAR, rejection, 1, new BusMessage.Failure.NotDelivered("no"));
         arrives(other.rejection(ofOther, rejection, engine.incarnation));
-        test.crank();
+        test.runQueued();
         assertThat(received).isEmpty();
         engine.sent.removeLast();
         arrives(farFrames.rejection(ofOther, rejection, engine.incarnation)); // a small node that knows no such request
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(1);
     }
 
@@ -440,7 +440,7 @@ class RemoteNodesTest {
         engine.sent.clear();
         arrives(publication(1_003, 1_003));
         farAnswersItsTime();
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(1_003);
     }
 
@@ -459,7 +459,7 @@ class RemoteNodesTest {
         for (int value = 1; value <= 3; value++) {
             arrives(publication(value, value));
         }
-        test.crank();
+        test.runQueued();
         assertThat(received).containsExactly(3);
         assertThat(bus.metrics().replaced()).isEqualTo(2);
         assertThat(bus.metrics().dropped()).isZero();
@@ -474,7 +474,7 @@ class RemoteNodesTest {
                 .containsExactly(
                         "send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=1000000,"
                                 + " isShared=false]");
-        test.crank();
+        test.runQueued();
         test.advance(SECOND.plusMillis(1));
         assertThat(answer.error()).isInstanceOf(BusTimeoutException.class);
         assertThat(engine.takeSent("far")).containsExactly("send far: Cancelled[purpose=question to far/b for spell]");
@@ -501,7 +501,7 @@ class RemoteNodesTest {
                     return asked.getFirst();
                 })
                 .exceptionally(late -> new Text(""));
-        test.crank();
+        test.runQueued();
         assertThat(engine.takeSent("far"))
                 .containsExactly("send far: Requested[purpose=question to far/b for spell, kind=DATA,"
                         + " limitMicros=600000, isShared=true]");
@@ -526,7 +526,7 @@ class RemoteNodesTest {
         var message = new BusMessage.Data(FAR, purpose, 2, new Count(2));
         arrives(farFrames.request(message, purpose, 1_000_000, true));
         test.clock().advance(Duration.ofMillis(400));
-        test.crank();
+        test.runQueued();
         var here = test.space().within(SECOND, () -> port.ask(NEAR, SPELL, new Count(3), SECOND.multipliedBy(2)));
         assertThat(test.get(here)).isEqualTo(new Text("3"));
         var failing = test.space().within(SECOND, () -> port.ask(NEAR, SPELL, new Count(-1), SECOND));
@@ -554,7 +554,7 @@ class RemoteNodesTest {
         test.advance(Duration.ofMillis(600));
         arrives(heldUp);
         test.clock().advance(Duration.ofMillis(500));
-        test.crank();
+        test.runQueued();
         assertThat(handled).containsExactly(1);
         assertThat(take(losses)).singleElement().asString().contains("got to it after the limit");
         engine.sent.clear();
@@ -569,12 +569,12 @@ class RemoteNodesTest {
         });
         arrives(request(1, SECOND, new Count(1)));
         farAnswersItsTime();
-        test.crank();
+        test.runQueued();
         assertThat(engine.takeSent("far"))
                 .containsExactly("reply far: Replied[purpose=answer to far/b for spell, kind=DATA, toIncarnation=77]");
         arrives(request(2, SECOND, new Count(2)));
         test.clock().advance(SECOND.plusMillis(1));
-        test.crank();
+        test.runQueued();
         assertThat(engine.takeSent("far"))
                 .containsExactly(
                         "reply far: Rejected[purpose=refusal to far/b for spell, kind=DATA, toIncarnation=77]");
@@ -582,7 +582,7 @@ class RemoteNodesTest {
         arrives(request(3, SECOND, new Count(3)));
         var purpose = new Purpose.Request(NEAR, "spell");
         arrives(farFrames.cancellation(new BusMessage.Data(FAR, purpose, 3, new Count(3)), purpose));
-        test.crank();
+        test.runQueued();
         assertThat(engine.sent).isEmpty();
         assertThat(handled).containsExactly(1);
     }
@@ -596,11 +596,11 @@ class RemoteNodesTest {
         });
         arrives(request(1, SECOND, new Count(1)));
         farAnswersItsTime();
-        test.crank();
+        test.runQueued();
         engine.listener().gone("far", FAR_LIFE + 1);
         engine.listener().gone("far", FAR_LIFE);
         kept.getFirst().resolve(new Text("late"));
-        test.crank();
+        test.runQueued();
         assertThat(engine.sent).isEmpty();
         assertThat(take(losses)).singleElement().asString().endsWith("is late: no caller waits for it any more");
     }
@@ -668,7 +668,7 @@ class RemoteNodesTest {
         port.answer(SPELL, count -> Promise.of(new Text("x".repeat(2_000))));
         arrives(request(1, SECOND, new Count(1)));
         farAnswersItsTime();
-        test.crank();
+        test.runQueued();
         assertThat(engine.sent).hasSize(1);
         var frame = Frames.read(engine.sent.getFirst().frame(), "far");
         assertThat(frame.message(codec, Failure.class).payload())
@@ -685,7 +685,7 @@ class RemoteNodesTest {
         engine.replyError = new StackOverflowError("in the engine");
         arrives(request(1, SECOND, new Count(1)));
         farAnswersItsTime();
-        test.crank();
+        test.runQueued();
         assertThat(engine.takeSent("far"))
                 .containsExactly(
                         "reply far: Rejected[purpose=refusal to far/b for spell, kind=DATA, toIncarnation=77]");
@@ -708,7 +708,7 @@ class RemoteNodesTest {
             var purpose = new Purpose.Notice(NEAR, "spell");
             arrives(farFrames.notice(new BusMessage.Data(FAR, purpose, value, new Count(value)), purpose));
         }
-        test.crank();
+        test.runQueued();
         assertThat(handled).containsExactly(1, 2);
         assertThat(engine.sent).isEmpty();
         assertThat(take(events)).containsExactly("notice to near/a for spell failed: two");

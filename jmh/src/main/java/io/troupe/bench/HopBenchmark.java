@@ -150,7 +150,7 @@ public class HopBenchmark {
             floorPlayer.ping(0);
             ring.drain();
         }
-        space = ActorSpace.create(SpaceSettings.named("hop").withHandCrank());
+        space = ActorSpace.create(SpaceSettings.named("hop").withoutThread());
         actor = space.spawn(Player.class, PlainPlayer::new);
         Player otherActor = space.spawn(Player.class, PlainPlayer::new);
         actor.meet(otherActor);
@@ -169,6 +169,6 @@ public class HopBenchmark {
     @OperationsPerInvocation(HOPS)
     public void hop_troupe() {
         actor.ping(HOPS);
-        space.crank();
+        space.runQueued();
     }
 }

@@ -138,7 +138,7 @@ public class OptionBenchmark {
 
     @Setup
     public void open() {
-        SpaceSettings plain = SpaceSettings.named("options").withHandCrank();
+        SpaceSettings plain = SpaceSettings.named("options").withoutThread();
         SpaceSettings settings = switch (option) {
             case NONE, WITHIN -> plain;
             case CONTEXT_OF_NO_CALLER, CONTEXT -> plain.withContext(context);
@@ -157,7 +157,7 @@ public class OptionBenchmark {
         return space.spawn(Player.class, () -> new PlainPlayer(space, option == Option.WITHIN));
     }
 
-    /** Of this thread, which turns the crank; the turns before have removed it. */
+    /** Of this thread, which runs the space; the turns before have removed it. */
     private void setUser() {
         if (option == Option.CONTEXT) {
             context.user.set("alice");
@@ -169,7 +169,7 @@ public class OptionBenchmark {
     public void message() {
         setUser();
         player.ping(MESSAGES);
-        space.crank();
+        space.runQueued();
     }
 
     @Benchmark
@@ -177,6 +177,6 @@ public class OptionBenchmark {
     public void question() {
         setUser();
         player.askInTurn(MESSAGES);
-        space.crank();
+        space.runQueued();
     }
 }

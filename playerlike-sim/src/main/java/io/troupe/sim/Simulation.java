@@ -109,7 +109,7 @@ public final class Simulation implements AutoCloseable {
     }
 
     /**
-     * Sets an action that {@link #tick} repeats while it waits for answers, for example to crank a space that has no
+     * Sets an action that {@link #tick} repeats while it waits for answers, for example to run a space that has no
      * thread.
      */
     public void whileWaiting(Runnable action) {

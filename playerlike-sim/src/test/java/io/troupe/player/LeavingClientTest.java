@@ -320,19 +320,19 @@ class LeavingClientTest implements PlayerConstants {
 
     /** Several clients on one space; everything but the construction runs on the thread of the space. */
     private final class Troop {
-        final boolean cranked;
+        final boolean threadless;
         final ActorSpace space;
         final Random random;
         final List<PlayerClient> clients = new ArrayList<>();
 
-        Troop(boolean cranked, long seed) {
-            this.cranked = cranked;
+        Troop(boolean threadless, long seed) {
+            this.threadless = threadless;
             this.random = new Random(seed);
             var settings = SpaceSettings.named("troop " + seed)
                     .withClock(simulation.clock())
                     .withOnDeadLetter(letter -> {})
                     .withOnError((where, error) -> note(error));
-            this.space = ActorSpace.create(cranked ? settings.withHandCrank() : settings);
+            this.space = ActorSpace.create(threadless ? settings.withoutThread() : settings);
         }
 
         void begin(int count) throws InterruptedException {
@@ -343,8 +343,8 @@ class LeavingClientTest implements PlayerConstants {
                 }
                 begun.countDown();
             });
-            if (cranked) {
-                space.crank();
+            if (threadless) {
+                space.runQueued();
             }
             assertThat(begun.await(30, TimeUnit.SECONDS)).isTrue();
         }
@@ -379,7 +379,7 @@ class LeavingClientTest implements PlayerConstants {
                 case 6 -> space.close();
                 case 7 -> byAnother(client::close);
                 case 8 -> {
-                    if (!cranked) {
+                    if (!threadless) {
                         byAnother(space::close);
                     }
                 }
@@ -432,9 +432,9 @@ class LeavingClientTest implements PlayerConstants {
             for (int troop = 1 + random.nextInt(3); troop > 0; troop--) {
                 troops.add(new Troop(random.nextBoolean(), seed * 10 + troop));
             }
-            List<Troop> cranked = troops.stream().filter(each -> each.cranked).toList();
-            if (!cranked.isEmpty()) {
-                simulation.whileWaiting(() -> cranked.forEach(each -> each.space.crank()));
+            List<Troop> threadless = troops.stream().filter(each -> each.threadless).toList();
+            if (!threadless.isEmpty()) {
+                simulation.whileWaiting(() -> threadless.forEach(each -> each.space.runQueued()));
             }
             for (var troop : troops) {
                 troop.begin(1 + random.nextInt(3));

@@ -337,8 +337,8 @@ class LockStepTest implements PlayerConstants {
     @Test
     void clientsOfOneSpace_getTheirFramesInOneTurn_inTheOrderTheyConnected() {
         var log = new ArrayList<String>();
-        try (var space = ActorSpace.create(SpaceSettings.named("crank").withHandCrank())) {
-            simulation.whileWaiting(space::crank);
+        try (var space = ActorSpace.create(SpaceSettings.named("threadless").withoutThread())) {
+            simulation.whileWaiting(space::runQueued);
             space.execute(() -> {
                 for (int index = 1; index >= 0; index--) {
                     int robot = index;
@@ -351,7 +351,7 @@ class LockStepTest implements PlayerConstants {
                     });
                 }
             });
-            space.crank();
+            space.runQueued();
             simulation.tick();
         }
         assertThat(log).containsExactly("robot 1", "robot 0", "what follows for 1", "what follows for 0");

@@ -44,10 +44,10 @@ public class CancelAgainstStart {
     }
 
     private static ActorCell startedCell() {
-        var space = ActorSpace.create(SpaceSettings.named("law").withHandCrank());
+        var space = ActorSpace.create(SpaceSettings.named("law").withoutThread());
         var cell = new ActorCell(space.home, Object.class, 1, Object::new, ActorSettings.DEFAULT);
         space.execute(cell::start);
-        space.crank();
+        space.runQueued();
         return cell;
     }
 

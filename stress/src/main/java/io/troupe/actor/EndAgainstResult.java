@@ -17,7 +17,7 @@ import org.openjdk.jcstress.infra.results.IZ_Result;
 @State
 public class EndAgainstResult {
     private final ActorSpace space =
-            ActorSpace.create(SpaceSettings.named("law").withHandCrank());
+            ActorSpace.create(SpaceSettings.named("law").withoutThread());
     private final Callback<Integer> results;
     private int order;
 
@@ -43,7 +43,7 @@ public class EndAgainstResult {
 
     @Arbiter
     public void look(IZ_Result result) {
-        space.crank();
+        space.runQueued();
         result.r1 = order;
     }
 }

@@ -20,7 +20,7 @@ import org.openjdk.jcstress.infra.results.ZZ_Result;
 @State
 public class LimitAgainstRequest {
     private final ActorSpace space = ActorSpace.create(
-            SpaceSettings.named("law").withClock(new ManualClock()).withHandCrank());
+            SpaceSettings.named("law").withClock(new ManualClock()).withoutThread());
     private final Request<Integer> request =
             new Ask(new ActorCell(space.home, Object.class, 1, Object::new, ActorSettings.DEFAULT));
     private final Deferred<Integer> question = new Deferred<>();

@@ -18,7 +18,7 @@ import org.openjdk.jcstress.infra.results.IJ_Result;
 @State
 public class NewestAgainstReceiver {
     private final ActorSpace space =
-            ActorSpace.create(SpaceSettings.named("law").withHandCrank());
+            ActorSpace.create(SpaceSettings.named("law").withoutThread());
     private final Callback.Stream<Integer> reader;
     private final Callback<Integer> results;
     private int order;
@@ -36,12 +36,12 @@ public class NewestAgainstReceiver {
 
     @Actor
     public void receive() {
-        space.crank();
+        space.runQueued();
     }
 
     @Arbiter
     public void look(IJ_Result result) {
-        space.crank();
+        space.runQueued();
         result.r1 = order;
         result.r2 = reader.skipped();
     }

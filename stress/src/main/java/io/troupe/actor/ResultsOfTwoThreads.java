@@ -19,7 +19,7 @@ import org.openjdk.jcstress.infra.results.I_Result;
 @State
 public class ResultsOfTwoThreads {
     private final ActorSpace space =
-            ActorSpace.create(SpaceSettings.named("law").withHandCrank());
+            ActorSpace.create(SpaceSettings.named("law").withoutThread());
     private final Callback<Integer> results;
     private int order;
 
@@ -38,12 +38,12 @@ public class ResultsOfTwoThreads {
 
     @Actor
     public void receive() {
-        space.crank();
+        space.runQueued();
     }
 
     @Arbiter
     public void look(I_Result result) {
-        space.crank();
+        space.runQueued();
         result.r1 = order;
     }
 }

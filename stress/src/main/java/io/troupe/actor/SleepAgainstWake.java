@@ -30,7 +30,7 @@ public class SleepAgainstWake {
     /** No timer is set here, so all states may share this wheel. */
     private static final TimerWheel NO_TIMERS = new TimerWheel(Clock.system());
 
-    private static final SpaceSettings SETTINGS = SpaceSettings.named("law").withHandCrank();
+    private static final SpaceSettings SETTINGS = SpaceSettings.named("law").withoutThread();
     private static final ActorSpace SPACE = ActorSpace.create(SETTINGS);
 
     private final Dispatcher dispatcher = new Dispatcher(

@@ -18,7 +18,7 @@ import org.jspecify.annotations.Nullable;
  * colours.expectFinished();
  * }
  *
- * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method that checks or reads first runs
+ * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#runQueued}. Each method that checks or reads first runs
  * everything that is queued in the space.
  *
  * <p><b>Errors.</b> A result or an end after the end throws an {@link IllegalStateException} to the sender.
@@ -36,13 +36,13 @@ public final class CallbackProbe<T extends @Nullable Object> implements Callback
 
     /** All results so far. */
     public List<T> results() {
-        test.crank();
+        test.runQueued();
         return Collections.unmodifiableList(new ArrayList<>(results)); // a result may be null
     }
 
     /** Asserts that it has finished without an error. */
     public void expectFinished() {
-        test.crank();
+        test.runQueued();
         if (end == null || error != null) {
             throw failure("finish()");
         }
@@ -50,7 +50,7 @@ public final class CallbackProbe<T extends @Nullable Object> implements Callback
 
     /** Asserts that it has ended with an error, and returns the error. */
     public Throwable expectFailed() {
-        test.crank();
+        test.runQueued();
         if (error == null) {
             throw failure("fail(..)");
         }
@@ -59,7 +59,7 @@ public final class CallbackProbe<T extends @Nullable Object> implements Callback
 
     /** Asserts that it has not ended. */
     public void expectOpen() {
-        test.crank();
+        test.runQueued();
         if (end != null) {
             throw failure("no end");
         }

@@ -33,7 +33,7 @@ import org.jspecify.annotations.Nullable;
  * assertThat(test.get(advice)).isEqualTo("wait");
  * }
  *
- * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#crank}. Each method first runs everything that is
+ * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#runQueued}. Each method first runs everything that is
  * queued in the space.
  *
  * <p><b>Order.</b> Calls are in the order in which they were handled; requests are answered in that order too.
@@ -69,7 +69,7 @@ public final class Probe<A> {
 
     /** All calls so far. */
     public List<String> calls() {
-        test.crank();
+        test.runQueued();
         return texts();
     }
 
@@ -80,7 +80,7 @@ public final class Probe<A> {
      * @return its arguments, unchanged
      */
     public List<@Nullable Object> expectCall(String call) {
-        test.crank();
+        test.runQueued();
         if (expected == calls.size()) {
             throw failure("expected the call " + call + ", but no further one came");
         }
@@ -94,7 +94,7 @@ public final class Probe<A> {
 
     /** Asserts that there were no further calls. */
     public void expectNoCall() {
-        test.crank();
+        test.runQueued();
         if (expected < calls.size()) {
             throw failure("expected no further call, but " + calls.get(expected).text + " came");
         }
@@ -110,7 +110,7 @@ public final class Probe<A> {
         }
         unanswered.remove();
         request.answer.resolve(value);
-        test.crank();
+        test.runQueued();
     }
 
     /** Rejects the oldest pending request; see {@link #answer}. */
@@ -119,12 +119,12 @@ public final class Probe<A> {
         OpenRequest request = oldest("reject(" + error + ")");
         unanswered.remove();
         request.answer.reject(error);
-        test.crank();
+        test.runQueued();
     }
 
     /** Removes and returns the pending requests. They are never answered, and no longer fail the test. */
     public List<String> takeUnanswered() {
-        test.crank();
+        test.runQueued();
         return removeUnanswered();
     }
 
@@ -140,7 +140,7 @@ public final class Probe<A> {
     }
 
     private OpenRequest oldest(String what) {
-        test.crank();
+        test.runQueued();
         OpenRequest request = unanswered.peek();
         if (request == null) {
             throw failure(what + " came when no request waited for an answer");

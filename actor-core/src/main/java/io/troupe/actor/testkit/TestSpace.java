@@ -27,7 +27,7 @@ import org.jspecify.annotations.Nullable;
  * } // close() fails the test if an error or a message was forgotten
  * }
  *
- * <p><b>Threads.</b> The test's thread, which is the space's thread during {@link #crank}.
+ * <p><b>Threads.</b> The test's thread, which is the space's thread during {@link #runQueued}.
  */
 public final class TestSpace implements AutoCloseable {
     /** An error that had no listener or caller to receive it. */
@@ -41,7 +41,7 @@ public final class TestSpace implements AutoCloseable {
             .withClock(clock)
             .withOnError((where, error) -> problems.add(new Problem(where, error)))
             .withOnDeadLetter(deadLetters::add)
-            .withHandCrank());
+            .withoutThread());
 
     public ActorSpace space() {
         return space;
@@ -54,14 +54,14 @@ public final class TestSpace implements AutoCloseable {
     /** Creates an actor and starts it. */
     public <A> A spawn(Class<A> type, Supplier<? extends A> factory) {
         A proxy = space.spawn(type, factory);
-        crank();
+        runQueued();
         return proxy;
     }
 
     /** Creates an actor with settings and starts it. */
     public <A> A spawn(Class<A> type, Supplier<? extends A> factory, ActorSettings settings) {
         A proxy = space.spawn(type, factory, settings);
-        crank();
+        runQueued();
         return proxy;
     }
 
@@ -81,14 +81,14 @@ public final class TestSpace implements AutoCloseable {
     }
 
     /** Runs everything that is queued, and what follows from it, until nothing is queued. */
-    public void crank() {
-        space.crank();
+    public void runQueued() {
+        space.runQueued();
     }
 
     /** Runs a task on the space's thread, and what follows from it. */
     public void run(Runnable task) {
         space.execute(task);
-        crank();
+        runQueued();
     }
 
     /**
@@ -96,7 +96,7 @@ public final class TestSpace implements AutoCloseable {
      * step and what follows from it. A periodic timer runs once for each period.
      *
      * <p>Other spaces may share this clock: a space with a thread wakes up at each step and runs concurrently with the
-     * test, a space that is cranked by hand is not cranked by this.
+     * test, a space without a thread is not run by this.
      *
      * @throws IllegalArgumentException if the duration is negative
      */
@@ -105,13 +105,13 @@ public final class TestSpace implements AutoCloseable {
             throw new IllegalArgumentException("a clock does not go back: by " + duration);
         }
         long end = Math.addExact(clock.nanos(), duration.toNanos());
-        crank();
+        runQueued();
         for (long next = space.nextTimerNanos(); next < end; next = space.nextTimerNanos()) {
             clock.advanceToAtLeast(next);
-            crank();
+            runQueued();
         }
         clock.advanceToAtLeast(end);
-        crank();
+        runQueued();
     }
 
     /**
@@ -121,7 +121,7 @@ public final class TestSpace implements AutoCloseable {
      * @throws AssertionError if it is still pending: nothing in the space can settle it unless the clock moves
      */
     public <T extends @Nullable Object> T get(Promise<T> promise) {
-        crank();
+        runQueued();
         if (!promise.isDone()) {
             int timers = space.metrics().timers();
             throw new AssertionError("nothing is left to do, and " + promise + " is still pending"
@@ -143,7 +143,7 @@ public final class TestSpace implements AutoCloseable {
     /** The error of a promise, after running everything that is queued. */
     public Throwable error(Promise<?> promise) {
         promise.handle((value, ignored) -> null); // the test counts as a listener
-        crank();
+        runQueued();
         Throwable error = promise.error();
         if (error == null) {
             throw new AssertionError(promise + (promise.isDone() ? " was fulfilled" : " is still pending")
@@ -204,7 +204,7 @@ public final class TestSpace implements AutoCloseable {
             }
         }
         if (!quiet) {
-            throw new AssertionError("the test ended while messages waited in the space: crank() it, or say why not");
+            throw new AssertionError("the test ended while messages waited in the space: runQueued() it, or say why not");
         }
     }
 }

@@ -1,4 +1,4 @@
-/** Test kit: a space cranked by hand, a manual clock, and probes that record what actors do. */
+/** Test kit: a space without a thread, a manual clock, and probes that record what actors do. */
 @NullMarked
 package io.troupe.actor.testkit;
 

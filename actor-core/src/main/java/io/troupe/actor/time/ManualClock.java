@@ -12,12 +12,12 @@ import java.util.concurrent.atomic.AtomicLong;
  * {@snippet :
  * ManualClock clock = new ManualClock();
  * ActorSpace space = ActorSpace.create(
- *         SpaceSettings.named("simulation").withClock(clock).withHandCrank());
+ *         SpaceSettings.named("simulation").withClock(clock).withoutThread());
  * Promise<String> late =
  *         new Deferred<String>(space).orTimeout(Duration.ofSeconds(2)).exceptionally(error -> "too late");
- * space.crank();
+ * space.runQueued();
  * clock.advance(Duration.ofSeconds(2));
- * space.crank(); // serves the timers that are due
+ * space.runQueued(); // serves the timers that are due
  * }
  *
  * <p><b>Threads.</b> Any thread. Spaces that use it wake up when it moves.

@@ -177,7 +177,7 @@ class ActorsGuideTest extends InTestSpace {
         var driver = new Driver(new ArrayList<>());
         Camera camera = test.spawn(Camera.class, () -> new DrivenCamera(driver));
         Promise<Image> image = camera.shoot();
-        test.crank();
+        test.runQueued();
         assertThat(image.isDone()).isFalse();
         driver.listeners.forEach(each -> each.accept(BRIGHT));
         driver.listeners.forEach(each -> each.accept(DARK));
@@ -250,7 +250,7 @@ class ActorsGuideTest extends InTestSpace {
             }
         }
         test.spawn(Robot.class, Robot::new).askWhenBusy();
-        test.crank();
+        test.runQueued();
         assertThat(log)
                 .containsExactly(
                         "no answer to Robot#2 within PT1S from Greeter.greet(x) of Greeter#1, which has not begun it: 3 calls come first");
@@ -318,11 +318,11 @@ class ActorsGuideTest extends InTestSpace {
         var stream = new Callback.Stream<Integer>(this::show, end -> done()); // notified of the end; can be cancelled
         robot.wander(stream);
         stream.cancel(); // the robot sees colours.isCancelled()
-        test.crank();
+        test.runQueued();
         assertThat(readers).extracting(Callback::isCancelled).containsExactly(false, true);
         readers.forEach(colours -> colours.next(255));
         readers.getFirst().next(16711680);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("done", "255", "16711680");
     }
 
@@ -344,11 +344,11 @@ class ActorsGuideTest extends InTestSpace {
         subscription.cancel(); // from any thread; no more values arrive, not even queued ones
         scans.subscribe(new Callback.Stream<>(this::avoid, end -> done())); // is also notified of finish() and fail(..)
         assertThat(readers).isZero();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("Scan[nearestMetres=0.4]");
         assertThat(scans.publish(new Scan(0.3))).isEqualTo(1);
         scans.finish();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("Scan[nearestMetres=0.4]", "Scan[nearestMetres=0.3]", "done");
     }
 
@@ -370,7 +370,7 @@ class ActorsGuideTest extends InTestSpace {
         scans.publish(new Scan(0.4));
         assertThat(skipped).isZero();
         assertThat(newest.skipped()).isOne();
-        test.crank();
+        test.runQueued();
         assertThat(log).hasSize(17).startsWith("Scan[nearestMetres=0.4]", "4").endsWith("19");
     }
 
@@ -433,7 +433,7 @@ class ActorsGuideTest extends InTestSpace {
     void periodicTimer_thatIsLate_goesByItsSchedule() {
         test.spawn(Loops.class, Loops::new);
         test.clock().advance(Duration.ofMillis(1_500)); // in one step, as after a stall
-        test.crank();
+        test.runQueued();
         assertThat(log).hasSize(150 + 1 + 1);
         assertThat(log).filteredOn("count"::equals).hasSize(150);
         test.advance(Duration.ofMillis(999));

@@ -246,7 +246,7 @@ class JavadocSamplesTest extends InTestSpace {
             }
         });
         counter.add(-1);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("failed: amount is -1");
         test.takeProblems();
     }
@@ -263,7 +263,7 @@ class JavadocSamplesTest extends InTestSpace {
         Printer printer = space.spawn(Printer.class, () -> log::add, settings);
         printer.print("first");
         printer.print("second"); // takes the place of the first, which becomes a dead letter
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("second");
         assertThat(test.takeDeadLetters()).extracting(DeadLetter::message).containsExactly("Printer.print(first)");
     }
@@ -332,7 +332,7 @@ class JavadocSamplesTest extends InTestSpace {
     void deadLetter_namesItsActor_andTheReason() {
         Consumer<DeadLetter> onDeadLetter = letter -> log.add(letter.message() + " to " + letter.actor());
         ActorSpace space = ActorSpace.create(
-                SpaceSettings.named("shop").withOnDeadLetter(onDeadLetter).withHandCrank());
+                SpaceSettings.named("shop").withOnDeadLetter(onDeadLetter).withoutThread());
         Counter counter = space.spawn(Counter.class, Counter::new);
         space.close();
         counter.add(1); // too late
@@ -349,9 +349,9 @@ class JavadocSamplesTest extends InTestSpace {
 
     @Test
     void leftovers_countWhatAClosedSpaceHadNotDone() {
-        ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withHandCrank());
+        ActorSpace space = ActorSpace.create(SpaceSettings.named("shop").withoutThread());
         space.spawn(Heater.class, Heater::new);
-        space.crank();
+        space.runQueued();
         Leftovers left = space.close(Duration.ofSeconds(5));
         if (!left.isEmpty()) {
             System.getLogger("shop").log(System.Logger.Level.WARNING, "not done: " + left);
@@ -365,7 +365,7 @@ class JavadocSamplesTest extends InTestSpace {
         SpaceMetrics metrics = space.metrics();
         String line = metrics.actors() + " actors, " + metrics.waiting() + " waiting, behind by " + metrics.latency();
         assertThat(line).startsWith("0 actors, 1 waiting");
-        test.crank();
+        test.runQueued();
         assertThat(metrics.actors()).isOne();
     }
 
@@ -396,7 +396,7 @@ class JavadocSamplesTest extends InTestSpace {
         colours.publish(0xFF0000);
         Callback.Stream<Integer> subscription = colours.subscribe(colour -> log.add("saw " + colour));
         colours.publish(0x00FF00); // returns 1: the number of subscribers
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("saw 16711680", "saw 65280");
         subscription.cancel();
         assertThat(colours.publish(1)).isZero();
@@ -410,7 +410,7 @@ class JavadocSamplesTest extends InTestSpace {
         colours.publish(0x00FF00); // replaces the first, unless that was received meanwhile
         long lost = newest.skipped();
         assertThat(lost).isOne();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("saw 65280");
     }
 
@@ -441,9 +441,9 @@ class JavadocSamplesTest extends InTestSpace {
                 public void onComplete() {}
             });
         }
-        test.crank();
+        test.runQueued();
         colours.publish(1);
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("dark", "saw 1");
     }
 
@@ -500,7 +500,7 @@ class JavadocSamplesTest extends InTestSpace {
     void deferred_isSettledLater() {
         Turnstile turnstile = test.spawn(Turnstile.class, Turnstile::new);
         Promise<Boolean> open = turnstile.waitForCoin();
-        test.crank();
+        test.runQueued();
         assertThat(open.isDone()).isFalse();
         turnstile.insertCoin();
         assertThat(test.get(open)).isTrue();
@@ -519,7 +519,7 @@ class JavadocSamplesTest extends InTestSpace {
                         });
             }
         });
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("lamp", "sold out");
     }
 
@@ -558,12 +558,12 @@ class JavadocSamplesTest extends InTestSpace {
     void manualClock_isTheClockOfASpace() {
         ManualClock clock = new ManualClock();
         ActorSpace space = ActorSpace.create(
-                SpaceSettings.named("simulation").withClock(clock).withHandCrank());
+                SpaceSettings.named("simulation").withClock(clock).withoutThread());
         Promise<String> late =
                 new Deferred<String>(space).orTimeout(Duration.ofSeconds(2)).exceptionally(error -> "too late");
-        space.crank();
+        space.runQueued();
         clock.advance(Duration.ofSeconds(2));
-        space.crank(); // serves the timers that are due
+        space.runQueued(); // serves the timers that are due
         assertThat(late.getNow()).isEqualTo("too late");
         space.close();
     }

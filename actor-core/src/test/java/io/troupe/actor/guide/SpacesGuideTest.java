@@ -103,7 +103,7 @@ class SpacesGuideTest extends InTestSpace {
                         .withRequestsAndListeners());
         Camera camera = test.space().spawn(Camera.class, UsbCamera::new, settings);
         camera.drop();
-        test.crank();
+        test.runQueued();
         Promise<String> shot = camera.shoot();
         test.advance(Duration.ofMillis(99));
         assertThat(shot.isDone()).isFalse();
@@ -200,11 +200,11 @@ class SpacesGuideTest extends InTestSpace {
         ActorSpace space = test.space();
         Camera camera = test.spawn(Camera.class, UsbCamera::new);
         camera.drop();
-        test.crank();
+        test.runQueued();
         space.stop(camera);
-        test.crank();
+        test.runQueued();
         camera.drop();
-        test.crank();
+        test.runQueued();
         SpaceMetrics metrics = space.metrics();
         long waiting = metrics.waiting(); // the result of the last probe: call it periodically
         Duration latency = metrics.latency();
@@ -219,16 +219,16 @@ class SpacesGuideTest extends InTestSpace {
     @Test
     void close_reportsWhatWasLeftUndone() throws Exception {
         var space = ActorSpace.create(
-                SpaceSettings.named("short-lived").withOnDeadLetter(this::show).withHandCrank());
+                SpaceSettings.named("short-lived").withOnDeadLetter(this::show).withoutThread());
         Heating.Thermostat heater = space.spawn(Heating.Thermostat.class, Heating.Heater::new);
         Promise<?> never = space.delay(Duration.ofHours(1));
-        space.crank();
+        space.runQueued();
         space.execute(() -> {
             space.close(); // and these are queued behind it
             heater.set(18);
             heater.read().handle((degrees, error) -> error);
         });
-        space.crank();
+        space.runQueued();
         Leftovers left = space.close(Duration.ofSeconds(5));
         if (!left.isEmpty()) {
             show(left);

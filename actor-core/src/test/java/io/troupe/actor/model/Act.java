@@ -20,7 +20,7 @@ import java.util.stream.Collectors;
  */
 record Act(Kind kind, int id, int target, int number, List<Act> script) {
     enum Kind {
-        CRANK,
+        RUN,
         /** Moves the clock by {@code number} half milliseconds. */
         ADVANCE,
         /** Spawns actor {@code target} with the {@link Cast} {@code number}; the script runs when it starts. */

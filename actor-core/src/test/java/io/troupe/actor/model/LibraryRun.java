@@ -36,12 +36,12 @@ final class LibraryRun {
             .withClock(clock)
             .withOnError((where, error) -> failed("", where, error))
             .withOnDeadLetter(this::died)
-            .withHandCrank());
+            .withoutThread());
 
     static History of(List<Act> program) {
         var run = new LibraryRun();
         run.play(program, null);
-        run.space.crank();
+        run.space.runQueued();
         run.promises.forEach((id, promise) -> run.history.add("promise " + id + " " + History.outcome(promise)));
         return run.history;
     }
@@ -71,7 +71,7 @@ final class LibraryRun {
 
     private void play(Act act, @Nullable Peer self) {
         switch (act.kind()) {
-            case CRANK -> space.crank();
+            case RUN -> space.runQueued();
             case ADVANCE -> clock.advance(Cast.ticks(act.number()));
             case READER -> {}
             case THROW -> throw new History.Boom(act.id());

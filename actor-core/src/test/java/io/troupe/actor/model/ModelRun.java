@@ -34,7 +34,7 @@ final class ModelRun {
     static History of(List<Act> program) {
         var run = new ModelRun();
         run.play(program, null);
-        run.space.crank();
+        run.space.runQueued();
         run.promises.forEach((id, promise) ->
                 run.space.history.add("promise " + id + " " + (promise.isDone() ? promise.outcome : "pending")));
         return run.space.history;
@@ -50,7 +50,7 @@ final class ModelRun {
 
     private void play(Act act, @Nullable Instance self) {
         switch (act.kind()) {
-            case CRANK -> space.crank();
+            case RUN -> space.runQueued();
             case ADVANCE -> space.now += act.number();
             case READER -> {}
             case THROW -> throw new History.Boom(act.id());

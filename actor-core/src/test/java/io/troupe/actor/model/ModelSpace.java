@@ -133,7 +133,7 @@ final class ModelSpace {
         }
     }
 
-    void crank() {
+    void runQueued() {
         inside = true;
         boolean working = !closed;
         while (working && !stopping) {
@@ -271,7 +271,7 @@ final class ModelSpace {
             enqueue(Task.entry(stop, stop));
         }
         if (!inside) {
-            crank();
+            runQueued();
         }
     }
 

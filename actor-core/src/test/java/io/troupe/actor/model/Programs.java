@@ -13,9 +13,9 @@ import java.util.Set;
 final class Programs {
     private static final int ACTORS = 3;
     private static final int DEPTH = 4;
-    private static final Act CRANK = Act.of(Kind.CRANK, 0, 0, 0);
+    private static final Act RUN = Act.of(Kind.RUN, 0, 0, 0);
     private static final Act CLOSE = Act.of(Kind.CLOSE, 0, 0, 0);
-    private static final Set<Kind> OUTSIDE_ONLY = EnumSet.of(Kind.CRANK, Kind.ADVANCE);
+    private static final Set<Kind> OUTSIDE_ONLY = EnumSet.of(Kind.RUN, Kind.ADVANCE);
     private static final Set<Kind> INSIDE_ONLY =
             EnumSet.of(Kind.THROW, Kind.STOP_SELF, Kind.HOLD, Kind.RELEASE, Kind.AFTER, Kind.EVERY, Kind.CANCEL_TIMER);
     private static final Set<Kind> STREAMING = EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.SPAWN);
@@ -32,7 +32,7 @@ final class Programs {
     private enum Ending {
         NEVER(NONE, NONE),
         /** When all acts are done. */
-        AT_THE_END(NONE, EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.FINISH, Kind.FAIL), CRANK, CLOSE),
+        AT_THE_END(NONE, EnumSet.of(Kind.OPEN, Kind.FORWARD, Kind.NEXT, Kind.FINISH, Kind.FAIL), RUN, CLOSE),
         /** At any act. */
         ANY_TIME(EnumSet.of(Kind.OPEN), EnumSet.of(Kind.OPEN), CLOSE);
 
@@ -89,11 +89,11 @@ final class Programs {
             acts.add(spawn(actor, 0));
         }
         if (random.nextInt(3) > 0) {
-            acts.add(CRANK);
+            acts.add(RUN);
         }
         int length = 4 + random.nextInt(36);
         for (int i = 0; i < length; i++) {
-            acts.add(random.nextInt(5) == 0 ? CRANK : act(0, INSIDE_ONLY, ending.notByNobody));
+            acts.add(random.nextInt(5) == 0 ? RUN : act(0, INSIDE_ONLY, ending.notByNobody));
         }
         acts.addAll(ending.lastActs);
         return List.copyOf(acts);
@@ -133,7 +133,7 @@ final class Programs {
         below.removeAll(INSIDE_ONLY);
         int id = ++lastId;
         return switch (kind) {
-            case CRANK, CLOSE, STOP_SELF, HOLD, RELEASE, THROW -> Act.of(kind, id, 0, 0);
+            case RUN, CLOSE, STOP_SELF, HOLD, RELEASE, THROW -> Act.of(kind, id, 0, 0);
             case ADVANCE -> Act.of(kind, 0, 0, oneOf(List.of(1, 2, 3, 10, 10, 10, 200, 2_100)));
             case SPAWN -> spawn(actor(), depth);
             case STOP -> Act.of(kind, id, actor(), 0);

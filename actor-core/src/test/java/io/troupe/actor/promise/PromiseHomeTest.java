@@ -47,7 +47,7 @@ class PromiseHomeTest extends InTestSpace {
         Promise.all(parts).thenAccept(values -> log.add(values + " in " + ActorSpace.current()));
         parts.forEach(part -> part.resolve(7));
         assertThat(log).isEmpty();
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("[7, 7] in test-space");
     }
 
@@ -70,7 +70,7 @@ class PromiseHomeTest extends InTestSpace {
             source.thenAccept(value -> log.add("second"));
         });
         source.thenAccept(value -> log.add("third"));
-        test.crank();
+        test.runQueued();
         assertThat(log).containsExactly("first", "second", "third");
     }
 
@@ -80,7 +80,7 @@ class PromiseHomeTest extends InTestSpace {
         test.run(() -> made.add(source.thenApply(value -> value + 1)));
         Promise<Integer> inside = made.getFirst();
         assertThat(inside.cancel()).isTrue();
-        test.crank();
+        test.runQueued();
         assertThat(inside.isCancelled()).isTrue();
         assertThat(inside.cancel()).isFalse();
     }
@@ -107,7 +107,7 @@ class PromiseHomeTest extends InTestSpace {
         String progress = "promise after Slow.read(1) of Slow#1, which has begun it";
         assertThat(first.getFirst()).hasMessage("no answer to test-space within PT1S from " + progress);
         source.resolve(1);
-        test.crank();
+        test.runQueued();
     }
 
     private List<Promise<Integer>> limitedSource(int limits) {
@@ -122,14 +122,14 @@ class PromiseHomeTest extends InTestSpace {
     @ValueSource(ints = {1, 8, 9, 20})
     void promise_allOfWhoseTimeLimitsHavePassed_isGivenUp(int limits) {
         limitedSource(limits).forEach(each -> each.exceptionally(late -> 0));
-        test.crank();
+        test.runQueued();
         assertThat(source.isGivenUp()).isFalse();
         test.advance(SECOND);
         assertThat(source.isGivenUp()).isTrue();
         source.thenAccept(value -> {});
         assertThat(source.isGivenUp()).isFalse();
         source.resolve(1);
-        test.crank();
+        test.runQueued();
     }
 
     @ParameterizedTest
@@ -154,7 +154,7 @@ class PromiseHomeTest extends InTestSpace {
     @Test
     void gathered_andRejectedWithoutAListener_isReported() {
         test.run(() -> Promise.any(List.of(Promise.<Integer>failed(broken()))));
-        test.crank();
+        test.runQueued();
         assertThat(test.takeProblems()).hasSize(1);
     }
 
@@ -198,7 +198,7 @@ class PromiseHomeTest extends InTestSpace {
     void failure_thatComesAfterAGetThatTimedOut_isReported() {
         assertThatThrownBy(() -> source.get(Duration.ZERO)).isInstanceOf(TimeoutException.class);
         source.reject(broken());
-        test.crank();
+        test.runQueued();
         test.advance(SECOND.multipliedBy(2));
         assertThat(takeErrors()).containsExactly("broken");
     }
@@ -221,7 +221,7 @@ class PromiseHomeTest extends InTestSpace {
 
     private void settleSource() {
         source.resolve(1);
-        test.crank();
+        test.runQueued();
     }
 
     /** The source, or a promise made of it that belongs to the space alone. */
@@ -283,7 +283,7 @@ class PromiseHomeTest extends InTestSpace {
         for (int actor = 0; actor < 300; actor++) {
             Doer patient = test.spawn(Doer.class, Doer::new);
             patient.run(me -> test.space().sequential(source::await).exceptionally(stopped -> -1));
-            test.crank();
+            test.runQueued();
             stop(patient);
         }
         source.then(value -> {});
@@ -332,7 +332,7 @@ class PromiseHomeTest extends InTestSpace {
         var answer = new Deferred<byte[]>(test.space());
         test.run(() -> answer.thenAccept(value -> {}));
         answer.resolve(new byte[1_000]);
-        test.crank();
+        test.runQueued();
         assertThat(kept(test.space(), Stage.class)).isZero();
     }
 
@@ -366,7 +366,7 @@ class PromiseHomeTest extends InTestSpace {
         test.advance(SECOND);
         assertThat(tries[0]).isEqualTo(2);
         assertThat(retried.cancel()).isTrue();
-        test.crank();
+        test.runQueued();
         assertThat(test.space().metrics().timers()).isZero();
         test.advance(SECOND.multipliedBy(10));
         assertThat(tries[0]).isEqualTo(2);
@@ -376,10 +376,10 @@ class PromiseHomeTest extends InTestSpace {
     void delayAndTimeLimit_thatAreCancelled_takeTheirTimersBack() {
         for (var made : List.<Supplier<Promise<?>>>of(() -> test.space().delay(HOUR), () -> source.orTimeout(HOUR))) {
             Promise<?> timed = made.get();
-            test.crank();
+            test.runQueued();
             assertThat(test.space().metrics().timers()).isEqualTo(1);
             timed.cancel();
-            test.crank();
+            test.runQueued();
             assertThat(test.space().metrics().timers()).isZero();
         }
     }

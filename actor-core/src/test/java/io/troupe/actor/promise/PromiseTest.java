@@ -58,12 +58,12 @@ class PromiseTest extends InTestSpace {
         Promise<String> failing = echo.say("");
         failing.exceptionally(error -> "");
         assertThat(request).hasToString("Echo.say(hello) of Echo#1");
-        test.crank();
+        test.runQueued();
         assertThat(request).hasToString("Echo.say(hello) of Echo#1, fulfilled with hello");
         assertThat(failing).hasToString("Echo.say() of Echo#1, rejected with java.io.IOException: no word");
         Promise<String> cancelled = echo.say("late");
         cancelled.cancel();
-        test.crank();
+        test.runQueued();
         assertThat(cancelled)
                 .asString()
                 .startsWith("Echo.say(late) of Echo#1, rejected with java.util.concurrent.CancellationException: ");
@@ -74,7 +74,7 @@ class PromiseTest extends InTestSpace {
         topic.publish("a");
         topic.publish("b");
         topic.finish();
-        test.crank();
+        test.runQueued();
         assertThat(stream).hasToString("stream, ended, skipped 1");
     }
 
@@ -98,7 +98,7 @@ class PromiseTest extends InTestSpace {
         test.advance(SECOND);
         assertThat(log).endsWith("late instead");
         deferred.reject(new IOException("too late"));
-        test.crank();
+        test.runQueued();
     }
 
     @Test
@@ -122,7 +122,7 @@ class PromiseTest extends InTestSpace {
         var failed = error.eventually(() -> closing);
         deferred.resolve("value");
         error.reject(new IOException("broken"));
-        test.crank();
+        test.runQueued();
         assertThat(List.of(end.isDone(), failed.isDone())).containsOnly(false);
         closing.resolve(null);
         assertThat(test.get(end)).isEqualTo("value");
@@ -352,7 +352,7 @@ class PromiseTest extends InTestSpace {
             var rejected = new Deferred<Integer>(home);
             Promise<Integer> error = chain(rejected, 100_000);
             rejected.reject(new IllegalStateException("broken"));
-            test.crank();
+            test.runQueued();
             assertThat(value.getNow()).isEqualTo(100_000);
             assertThat(test.error(error)).hasMessage("broken");
         }
@@ -391,7 +391,7 @@ class PromiseTest extends InTestSpace {
         assertThat(cancelled.isCancelled()).isTrue();
         assertThat(cancelled.error().getMessage()).hasSizeLessThan(400);
         source.resolve(0);
-        test.crank();
+        test.runQueued();
     }
 
     @Test
@@ -415,6 +415,6 @@ class PromiseTest extends InTestSpace {
         assertThat(chain(source, 50)).asString().endsWith("promise after 42 others after promise");
         assertThat(chain(source, 500)).asString().endsWith("promise after more than 92 others");
         source.resolve(0);
-        test.crank();
+        test.runQueued();
     }
 }

@@ -126,7 +126,7 @@ class ProbeTest extends InTestSpace {
         assertThat(probe.takeUnanswered()).containsExactly("greet(Ann)");
         test.space().stop(greeter);
         greeter.wave();
-        test.crank();
+        test.runQueued();
         assertThat(test.takeDeadLetters()).hasSize(1);
         assertThat(probe.calls()).containsExactly("greet(Ann)");
     }
@@ -177,7 +177,7 @@ class ProbeTest extends InTestSpace {
         greeter.wave();
         greeter.greet("Ann");
         greeter.greet("Bob");
-        test.crank();
+        test.runQueued();
         probe.answer("hello");
         assertMistake(
                 test::close,

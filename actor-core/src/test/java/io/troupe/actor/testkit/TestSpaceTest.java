@@ -145,7 +145,7 @@ class TestSpaceTest extends InTestSpace {
     @Test
     void forgottenProblem_failsTheTestAtTheEnd() {
         silent.poke("ouch");
-        test.crank();
+        test.runQueued();
         assertFails(test::close, "Silent.poke(String) of Silent#1; if they are expected, takeProblems()");
         test.takeProblems();
     }

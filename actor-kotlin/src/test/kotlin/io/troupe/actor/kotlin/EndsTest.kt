@@ -247,7 +247,7 @@ class EndsTest : InTestSpace() {
         worker.background(false)
         val working = run { worker.work(100) }
         test.space().stop(worker)
-        test.crank()
+        test.runQueued()
         assertThat(test.error(working))
             .isInstanceOf(ActorStoppedException::class.java)
             .hasMessageContaining("work(100) of Worker#1 was begun and not answered: the actor Worker#1 has stopped")
@@ -262,7 +262,7 @@ class EndsTest : InTestSpace() {
         val working = run { worker.work(100) }
         worker.fault()
         worker.background(false)
-        test.crank()
+        test.runQueued()
         assertThat(test.error(working)).isInstanceOf(ActorStoppedException::class.java)
         assertThat(log).containsExactlyInAnyOrder("stopped after 0", "background of 0 ended")
         assertThat(takeProblems()).containsExactly("Worker.fault() of Worker#1: broken")
@@ -289,7 +289,7 @@ class EndsTest : InTestSpace() {
         val worker = test.spawn<Worker> { WorkerActor(other) }
         val result = run { worker.cleanUp() }
         test.space().stop(worker)
-        test.crank()
+        test.runQueued()
         assertThat(test.error(result)).isInstanceOf(ActorStoppedException::class.java)
         advance(10)
         assertThat(log).containsExactly("worked", "asked done")
@@ -322,11 +322,11 @@ class EndsTest : InTestSpace() {
         val holder = test.spawn<Holder> { HolderActor(gate) }
         val result = run { holder.holdOn() }
         test.space().stop(holder)
-        test.crank()
+        test.runQueued()
         assertThat(test.error(result)).isInstanceOf(ActorStoppedException::class.java)
         assertThat(log).isEmpty()
         gate.resolve(1)
-        test.crank()
+        test.runQueued()
         assertThat(log).containsExactly("released")
     }
 
@@ -339,10 +339,10 @@ class EndsTest : InTestSpace() {
             val holder = test.spawn<Holder> { HolderActor(gate) }
             holder.begin(CoroutineScope(dispatcher), gate, numbers)
             test.space().stop(holder)
-            test.crank()
+            test.runQueued()
             gate.resolve(1)
             numbers.publish(2)
-            test.crank()
+            test.runQueued()
             assertThat(log).containsExactlyInAnyOrder("awaited 1", "collected 2")
         }
     }
@@ -352,10 +352,10 @@ class EndsTest : InTestSpace() {
         val gate = Deferred<Int>(test.space())
         val holder = test.spawn<Holder> { HolderActor(gate, IOException("not released")) }
         val caller = test.space().scope.launch { holder.holdOn() }
-        test.crank()
+        test.runQueued()
         caller.cancel()
         gate.resolve(1)
-        test.crank()
+        test.runQueued()
         assertThat(takeProblems()).hasSize(1).first().asString().endsWith(": not released")
         assertThat(error { holder.holdOn() }).hasMessage("not released")
     }
@@ -384,9 +384,9 @@ class EndsTest : InTestSpace() {
     fun tenThousandCallsAtOnce_areAnswered_andHalfOfThemCancelled() {
         val worker = worker()
         val calls = (1..10_000).map { test.space().scope.async { worker.work(50) } }
-        test.crank()
+        test.runQueued()
         calls.filterIndexed { index, _ -> index % 2 == 0 }.forEach { it.cancel() }
-        test.crank()
+        test.runQueued()
         assertThat(log).hasSize(5_000).containsOnly("stopped after 0")
         advance(50)
         assertThat(calls.count { it.isCancelled }).isEqualTo(5_000)
@@ -424,7 +424,7 @@ class EndsTest : InTestSpace() {
         first.cancel()
         assertThat(test.error(awaits)).isInstanceOf(CancellationException::class.java)
         val job = test.space().scope.launch { second.coAwait() }
-        test.crank()
+        test.runQueued()
         job.cancel()
         assertThat(second.isCancelled).isTrue()
         val promise = run {
@@ -435,7 +435,7 @@ class EndsTest : InTestSpace() {
             }
         }
         promise.cancel()
-        test.crank()
+        test.runQueued()
         assertThat(log).containsExactly("cancelled")
     }
 

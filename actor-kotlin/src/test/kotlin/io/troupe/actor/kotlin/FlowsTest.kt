@@ -120,7 +120,7 @@ class FlowsTest : InTestSpace() {
         val two = run { numbers.asFlow(FlowBuffer.latest()).take(2).toList() }
         (1..3).forEach {
             numbers.publish(it)
-            test.crank()
+            test.runQueued()
         }
         assertThat(two.now).containsExactly(1, 2)
         assertThat(numbers.subscribers()).isZero()
@@ -135,7 +135,7 @@ class FlowsTest : InTestSpace() {
         advance(10)
         assertThat(test.error(collected)).hasMessage("no room for 1")
         test.space().stop(counter)
-        test.crank()
+        test.runQueued()
         assertThat(error { numbers(3).toList() }).isInstanceOf(ActorStoppedException::class.java)
         assertThat(test.takeDeadLetters()).hasSize(1)
     }
@@ -157,9 +157,9 @@ class FlowsTest : InTestSpace() {
     fun cancelledFlow_failsItsCallback_andIsCancelled() {
         val probe = test.callback<Int>()
         val job = test.space().scope.launch { flow<Int> { delay(10) }.sendTo(probe) }
-        test.crank()
+        test.runQueued()
         job.cancel()
-        test.crank()
+        test.runQueued()
         assertThat(probe.expectFailed()).isInstanceOf(CancellationException::class.java)
         assertThat(job.isCancelled).isTrue()
     }

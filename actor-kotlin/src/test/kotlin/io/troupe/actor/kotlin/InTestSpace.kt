@@ -16,7 +16,7 @@ abstract class InTestSpace {
     /** Runs a coroutine on the space until nothing is left to do without time. */
     protected fun <T> run(block: suspend () -> T): Promise<T> {
         val result = test.space().scope.promise { block() }
-        test.crank()
+        test.runQueued()
         return result
     }
 

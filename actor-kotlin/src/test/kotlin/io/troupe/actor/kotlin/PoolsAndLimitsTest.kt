@@ -60,7 +60,7 @@ class PoolsAndLimitsTest : InTestSpace() {
                 "c6 is number 2 at desk 2",
             )
         pool.close()
-        test.crank()
+        test.runQueued()
     }
 
     @Test
@@ -75,7 +75,7 @@ class PoolsAndLimitsTest : InTestSpace() {
             .isInstanceOf(UnsupportedOperationException::class.java)
             .hasMessageContaining("no argument by which")
         pool.close()
-        test.crank()
+        test.runQueued()
     }
 
     @Test
@@ -91,7 +91,7 @@ class PoolsAndLimitsTest : InTestSpace() {
         advance(20)
         assertThat(test.get(second)).containsExactly("bob is number 2 at desk 0", "bob is number 2 at desk 1")
         pool.close()
-        test.crank()
+        test.runQueued()
     }
 
     interface Clerk {
@@ -123,7 +123,7 @@ class PoolsAndLimitsTest : InTestSpace() {
     private fun <T> within(millis: Long, block: suspend () -> T): Promise<T> {
         val answer =
             test.space().within<T>(Duration.ofMillis(millis)) { test.space().scope.promise { block() } }
-        test.crank()
+        test.runQueued()
         return answer
     }
 

@@ -108,7 +108,7 @@ class SamplesTest : InTestSpace() {
         }
         assertThat(log).containsExactly("red")
         colours.finish()
-        test.crank()
+        test.runQueued()
     }
 
     interface Thermometer {

@@ -60,13 +60,13 @@ class ScopesTest : InTestSpace() {
     fun cancelledDelay_withdrawsItsTimer() {
         val job = test.space().scope.launch { delay(1_000) }
         val limited = test.space().scope.launch { withTimeout(1_000) { delay(10) } }
-        test.crank()
+        test.runQueued()
         assertThat(test.space().metrics().timers()).isEqualTo(3)
         advance(10)
         assertThat(limited.isCompleted).isTrue()
         assertThat(test.space().metrics().timers()).isEqualTo(1)
         job.cancel()
-        test.crank()
+        test.runQueued()
         assertThat(test.space().metrics().timers()).isZero()
     }
 
@@ -77,7 +77,7 @@ class ScopesTest : InTestSpace() {
             gate.await()
             log += "resumed"
         }
-        test.crank()
+        test.runQueued()
         test.run {
             test.space().execute { log += "message" }
             gate.complete(Unit)
@@ -162,9 +162,9 @@ class ScopesTest : InTestSpace() {
         val lamp = test.spawn<Lamp> { LampActor() }
         val gate = CompletableDeferred<Unit>()
         lamp.openFor(gate)
-        test.crank()
+        test.runQueued()
         gate.complete(Unit) // by a thread outside the space
-        test.crank()
+        test.runQueued()
         assertThat(log).containsExactly("same scope true")
     }
 
@@ -180,7 +180,7 @@ class ScopesTest : InTestSpace() {
     fun failureInTheScopeOfASpace_isReported_andTheOthersGoOn() {
         val other = test.space().scope.launch { awaitCancellation() }
         test.space().scope.launch { throw IOException("lost") }
-        test.crank()
+        test.runQueued()
         assertThat(takeProblems()).hasSize(1).first().asString().endsWith(": lost")
         assertThat(other.isActive).isTrue()
     }

@@ -91,9 +91,9 @@ class ServicesTest : InTestSpace() {
     @AfterEach
     fun shutDown() {
         brokers.forEach { test.get(it.shutDown()) }
-        test.crank()
+        test.runQueued()
         buses.forEach(Bus::close)
-        test.crank()
+        test.runQueued()
     }
 
     private fun publish(services: ActorServices) {

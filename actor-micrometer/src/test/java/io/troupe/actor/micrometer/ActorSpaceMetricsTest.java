@@ -72,13 +72,13 @@ class ActorSpaceMetricsTest {
             Oracle oracle = test.spawn(Oracle.class, Silent::new);
             oracle.note("not noted");
             oracle.ask(Promise.of("")).cancel();
-            test.crank();
+            test.runQueued();
             test.run(() -> oracle.ask(new Deferred<>()).completeOnTimeout("late", Duration.ofSeconds(1)));
             test.advance(Duration.ofSeconds(1));
             Oracle other = test.spawn(Oracle.class, Silent::new);
             test.space().stop(other);
             other.note("too late");
-            test.crank();
+            test.runQueued();
             test.space().delay(Duration.ofSeconds(1));
             test.space().execute(() -> {});
             SpaceMetrics metrics = test.space().metrics();
@@ -94,7 +94,7 @@ class ActorSpaceMetricsTest {
                             "timers", 0.0,
                             "latency", 0.0));
             assertThat(metrics.served()).isPositive();
-            test.crank();
+            test.runQueued();
             assertThat(figures()).containsEntry("timers", 1.0).containsEntry("waiting", 0.0);
             test.takeProblems();
             test.takeDeadLetters();
@@ -103,7 +103,7 @@ class ActorSpaceMetricsTest {
 
     @Test
     void meters_areTaggedWithTheirSpace_andRemovedWhenItIsClosed() {
-        var settings = SpaceSettings.named("shop").withHandCrank();
+        var settings = SpaceSettings.named("shop").withoutThread();
         ActorSpace space = ActorSpace.create(settings);
         ActorSpace other = ActorSpace.create(settings.withOffloadLimit(1));
         new ActorSpaceMetrics(space).bindTo(registry);

@@ -156,7 +156,7 @@ class GuideSamplesTest {
         var kept = new ArrayList<String>();
         var monitor = WiringMonitor.of(wiring);
         var settings = SpaceSettings.named("pictures").withCallObserver(new FollowedCalls(wiring, monitor));
-        try (var space = ActorSpace.create(settings.withHandCrank())) {
+        try (var space = ActorSpace.create(settings.withoutThread())) {
             Store store = space.spawn(
                     Store.class,
                     () -> picture -> kept.size() < 2 ? Promise.of(kept.add(picture)) : new Deferred<>(),
@@ -164,14 +164,14 @@ class GuideSamplesTest {
             Camera camera =
                     space.spawn(Camera.class, () -> () -> store.keep("a picture"), ActorSettings.named("camera"));
             camera.click();
-            space.crank();
+            space.runQueued();
             camera.click();
-            space.crank();
+            space.runQueued();
             monitor.idle();
             monitor.check();
 
             camera.click();
-            space.crank();
+            space.runQueued();
             monitor.idle();
         }
         assertThat(monitor.violation().orElseThrow().toString())

@@ -19,7 +19,7 @@ public abstract class ComponentBench {
     @AfterEach
     protected void nothingIsLeftOnTheBus() {
         bus.close();
-        test.crank();
+        test.runQueued();
         test.close();
     }
 

@@ -300,7 +300,7 @@ class ComponentInterfaceTest extends ComponentBench {
         var provider = running();
         var end = provider.whenEnded();
         end.handle((ended, error) -> null);
-        test.crank();
+        test.runQueued();
         test.run(() -> {
             script.signals().data("7");
             script.signals().failed(new IllegalStateException("burnt out"));
@@ -465,7 +465,7 @@ class ComponentInterfaceTest extends ComponentBench {
         Promise<?> stopped = failed ? Promise.done() : provider.stop();
         var first = provider.start();
         var second = provider.start();
-        test.crank();
+        test.runQueued();
         assertThat(script.calls).containsExactly("invoke", "terminate");
         test.run(() -> slow.resolve(null));
         assertThat(stopped.isDone() && first.isDone() && second.isDone()).isTrue();

@@ -73,7 +73,7 @@ class RemoteProviderFaultsTest extends ComponentBench {
 
     private void seconds(int count) {
         for (int i = 0; i < count; i++) {
-            test.crank();
+            test.runQueued();
             test.advance(Duration.ofSeconds(1));
         }
     }
@@ -144,7 +144,7 @@ class RemoteProviderFaultsTest extends ComponentBench {
         first.invoke = ScriptedComponent::later;
         var remote = remote(firstInterface);
         var started = remote.start();
-        test.crank();
+        test.runQueued();
         test.advance(LIMIT);
         assertThat(test.error(started))
                 .isInstanceOfSatisfying(

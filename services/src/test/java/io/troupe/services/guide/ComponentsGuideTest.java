@@ -108,7 +108,7 @@ class ComponentsGuideTest {
     void nothingIsLeft() {
         test.get(broker.shutDown());
         bus.close();
-        test.crank();
+        test.runQueued();
         test.close();
     }
 

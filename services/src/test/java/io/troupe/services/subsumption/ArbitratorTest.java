@@ -37,7 +37,7 @@ class ArbitratorTest extends RobotsBench {
         services = robotServices;
         arbitrator = test.spawn(Arbitrator.class, () -> new Arbitrator(mode, services, table, listener));
         arbitrator.live();
-        test.crank();
+        test.runQueued();
     }
 
     private void begin(Mode mode) {
@@ -47,7 +47,7 @@ class ArbitratorTest extends RobotsBench {
     @AfterEach
     void callsAreEnded() {
         test.space().stop(arbitrator);
-        test.crank();
+        test.runQueued();
         assertThat(charge.most).as("services of a robot at the same time").isEqualTo(mostServices);
     }
 
@@ -89,7 +89,7 @@ class ArbitratorTest extends RobotsBench {
         begin(mode);
         tick();
         test.space().stop(arbitrator);
-        test.crank();
+        test.runQueued();
         robots.tick(100);
         assertThat(charge.of(0)).isEmpty();
         assertThat(charge.of(1)).isEmpty();

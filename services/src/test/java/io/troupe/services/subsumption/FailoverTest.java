@@ -47,7 +47,7 @@ class FailoverTest extends RobotsBench {
         buses.add(bus);
         var node = RobotNode.open(bus, test.space(), event -> {}, 0);
         nodes.put(name, node);
-        test.crank();
+        test.runQueued();
         return node;
     }
 
@@ -84,9 +84,9 @@ class FailoverTest extends RobotsBench {
     @AfterEach
     void closeNodes() {
         nodes.values().forEach(node -> test.get(node.broker().shutDown()));
-        test.crank();
+        test.runQueued();
         buses.forEach(Bus::close);
-        test.crank();
+        test.runQueued();
     }
 
     /** Time passes, with a reading each 100 ms. */
@@ -129,7 +129,7 @@ class FailoverTest extends RobotsBench {
                             .connect(LeasedRobotServices.class, need, HostedRun.LIMITS)
                             .actor());
         }
-        test.crank();
+        test.runQueued();
         return test.spawn(RobotServices.class, () -> new FailoverServices(byService, base.broker(), new Changes()));
     }
 
@@ -179,7 +179,7 @@ class FailoverTest extends RobotsBench {
         offer("b", BOTH);
         run(Mode.PROMISE);
         var withdrawn = leaving.withdraw();
-        test.crank();
+        test.runQueued();
         assertLastCommands(STOP, STOP);
         test.get(withdrawn);
         seconds(0.5);
@@ -228,7 +228,7 @@ class FailoverTest extends RobotsBench {
         run(Mode.PROMISE);
         offer("b", BOTH);
         robots.vanish();
-        test.crank();
+        test.runQueued();
         assertThat(charge.of(0)).isEmpty();
         seconds(3);
         assertThat(drivers).endsWith("b 1 starts", "b 2 starts").doesNotContain("a 1 loses");
@@ -399,7 +399,7 @@ class FailoverTest extends RobotsBench {
 
     private Promise<DriveEnd> drive(LeasedRobotServices provider, Lease lease) {
         var end = provider.drive(lease, 0, "wallFollower", BLUE);
-        test.crank();
+        test.runQueued();
         return end;
     }
 

@@ -48,7 +48,7 @@ class RobotServicesTest extends RobotsBench {
 
     private Promise<ServiceEnd> drive(int robot, Service service, int stateColour) {
         var end = services.drive(robot, service.name(), stateColour);
-        test.crank();
+        test.runQueued();
         return end;
     }
 
@@ -111,7 +111,7 @@ class RobotServicesTest extends RobotsBench {
 
     private void assertCancelledCallHasNoEffect(RobotServices called) {
         called.drive(0, WF.name(), BLUE).cancel();
-        test.crank();
+        test.runQueued();
         robots.tick(100);
         assertThat(robots.connections()).isZero();
         assertThat(charge.of(0)).isEmpty();
@@ -151,7 +151,7 @@ class RobotServicesTest extends RobotsBench {
     private Listener listenTo(String service) {
         Listener listener = test.spawn(Listener.class, () -> new Listener(services, received));
         listener.listenTo(service);
-        test.crank();
+        test.runQueued();
         return listener;
     }
 
@@ -174,7 +174,7 @@ class RobotServicesTest extends RobotsBench {
         robots.tick(100);
         assertThat(received).containsExactly("red");
         test.space().stop(listener);
-        test.crank();
+        test.runQueued();
         assertThat(charge.of(0)).as("until the next reading").containsExactly(SW);
 
         var warnings = new ArrayList<String>();
@@ -382,7 +382,7 @@ class RobotServicesTest extends RobotsBench {
         robots.tick(100);
         robots.range(0, 3, Double.NaN);
         services.stop(0);
-        test.crank();
+        test.runQueued();
         robots.show(0, BLACK);
         Promise<ServiceEnd> second = drive(0, SW, BLUE); // fails while it takes over
         robots.tick(100);
@@ -410,7 +410,7 @@ class RobotServicesTest extends RobotsBench {
         robots.vanish();
         assertThat(test.error(ended)).isInstanceOf(PlayerException.class).hasMessage("the server has gone");
         assertThat(charge.of(0)).isEmpty();
-        test.crank();
+        test.runQueued();
         assertThat(robots.connections()).as("the dead connection").isZero();
         wallFollower(0);
         assertThat(robots.connectionsMade).isEqualTo(2);

@@ -111,7 +111,7 @@ abstract class RobotsBench {
     @AfterEach
     void nothingIsLeft() {
         robots.close();
-        test.crank();
+        test.runQueued();
         assertThat(failures).isEmpty();
         test.close();
         assertThat(robots.connections()).as("connections left open").isZero();

@@ -48,14 +48,14 @@ class Figure20Test {
             val recorder = RunRecorder(scenario.world(), table, log) { }
             val onSpace = SpaceSettings.named("robots")
                 .withClock(simulation.clock())
-                .withHandCrank()
+                .withoutThread()
                 .withOnError { _, error -> problems += error }
             ActorSpace.create(onSpace).use { space ->
-                simulation.whileWaiting(space::crank)
+                simulation.whileWaiting(space::runQueued)
                 val observed = RobotServicesActor.Settings.ofThePaper().withObserver(recorder)
                 val robots = space.spawn<RobotServices> { RobotServicesActor(observed) }
                 space.spawn<Demo3> { Demo3(robots, recorder) }.live()
-                space.crank()
+                space.runQueued()
                 recorder.start(simulation.latest())
                 while (simulation.timeMicros() < 300_000_000) {
                     recorder.record(simulation.tick())

@@ -35,7 +35,7 @@ class PortsTest : InTestSpace() {
     @AfterEach
     fun cancel() {
         scope.cancel()
-        test.crank()
+        test.runQueued()
     }
 
     @Test
@@ -64,7 +64,7 @@ class PortsTest : InTestSpace() {
                 times += "$call at ${(test.space().clock().nanos() - began) / 1_000_000} ms"
             }
         }
-        test.crank()
+        test.runQueued()
         advance(45)
         calls[2].cancel()
         calls[4].cancel()
@@ -86,7 +86,7 @@ class PortsTest : InTestSpace() {
         val heard = sortedMapOf<String, List<String>>()
         val reached = mutableListOf<Int>()
         val members = listOf("Ada" to 3, "Bob" to 2, "Cid" to 1).map { (name, lines) ->
-            scope.launch { heard[name] = room.join(name).take(lines).toList() }.also { test.crank() }
+            scope.launch { heard[name] = room.join(name).take(lines).toList() }.also { test.runQueued() }
         }
         val talk = scope.launch {
             val lines = listOf("Ada" to "hello", "Bob" to "hi", "Ada" to "well", "Bob" to "bye", "Bob" to "?")

@@ -190,12 +190,12 @@ class PaperFiguresTest {
         try (var simulation = open();
                 var space = ActorSpace.create(SpaceSettings.named("robots")
                         .withClock(simulation.clock())
-                        .withHandCrank()
+                        .withoutThread()
                         .withOnError((where, error) -> problems.add(error)))) {
             stamp(simulation.clock());
-            simulation.whileWaiting(space::crank);
+            simulation.whileWaiting(space::runQueued);
             application.accept(space);
-            space.crank();
+            space.runQueued();
             tick(simulation, TICKS);
         }
         assertThat(problems).isEmpty();

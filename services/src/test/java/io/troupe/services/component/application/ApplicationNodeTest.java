@@ -191,7 +191,7 @@ class ApplicationNodeTest {
         }
         base.close();
         laptop.close();
-        test.crank();
+        test.runQueued();
         assertThat(robots.connections()).as("connections left open").isZero();
         test.close();
     }
@@ -312,7 +312,7 @@ class ApplicationNodeTest {
         robots.tick(100);
         seconds(0.2);
         wire.release();
-        test.crank();
+        test.runQueued();
         assertThat(robots.commands(0)).as("commands that were obeyed").hasSize(1);
         robots.tick(100);
         assertThat(robots.commands(0)).hasSize(2);
@@ -329,7 +329,7 @@ class ApplicationNodeTest {
         robots.tick(100);
         seconds(0.4);
         wire.release();
-        test.crank();
+        test.runQueued();
         assertThat(robots.commands(0)).as("commands that were obeyed").hasSize(1);
         robots.tick(100);
         assertThat(robots.commands(0)).hasSize(2);

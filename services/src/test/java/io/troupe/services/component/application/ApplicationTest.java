@@ -59,7 +59,7 @@ class ApplicationTest extends ComponentBench {
     void nothingIsLeft() {
         robots.close();
         test.get(application.stop().handle((ended, error) -> true));
-        test.crank();
+        test.runQueued();
         assertThat(robots.connections()).as("connections left open").isZero();
     }
 
