@@ -41,6 +41,7 @@ class SamplesTest {
                 "docs/guide/16-recordings-in-other-tools.md",
                 "docs/guide/17-a-world-as-a-library.md",
                 "docs/guide/18-bip.md",
+                "docs/guide/20-testing-actors.md",
                 "actor-core/README.md",
                 "actor-service/README.md",
                 "actor-nats/README.md",
