@@ -15,5 +15,3 @@ tasks.test {
     inputs.dir("../docs/hosts")
     providers.systemProperty("troupe.python").orNull?.let { systemProperty("troupe.python", it) }
 }
-
-tasks.test { maxParallelForks = 3 }

@@ -8,5 +8,3 @@ dependencies {
 
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.view") } }
 tasks.test { inputs.files("../demo/worlds", "../docs/figures", "../docs/examples/python").withPathSensitivity(PathSensitivity.RELATIVE) }
-
-tasks.test { maxParallelForks = 2 }

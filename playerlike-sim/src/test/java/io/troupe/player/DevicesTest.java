@@ -40,10 +40,12 @@ import java.util.logging.Logger;
 import org.assertj.core.api.ThrowableAssert.ThrowingCallable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** What devices send to the server, what the server reports about them, and the message handling that all share. */
+@Isolated("reads the log")
 class DevicesTest implements PlayerConstants {
     private final ScriptedServer server = new ScriptedServer();
     private final PlayerPorts.Registration port = PlayerPorts.open(ScriptedServer.PORT, server);

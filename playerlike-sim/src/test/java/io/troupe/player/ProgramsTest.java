@@ -45,6 +45,7 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -55,6 +56,7 @@ import org.junit.jupiter.params.provider.EnumSource;
  */
 @Tag("threads")
 @Timeout(120)
+@Isolated("looks at all threads")
 class ProgramsTest implements PlayerConstants {
     private static final int PORT = 6740;
     private static final String HOST = "localhost";

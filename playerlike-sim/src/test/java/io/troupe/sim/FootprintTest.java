@@ -9,10 +9,12 @@ import java.lang.management.MemoryUsage;
 import java.lang.ref.Reference;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Heap use of a world. */
+@Isolated("measures the heap")
 class FootprintTest {
     private static final ThreadMXBean THREADS = (ThreadMXBean) ManagementFactory.getThreadMXBean();
     private static final int ATTEMPTS = 20;

@@ -21,8 +21,10 @@ import java.util.List;
 import java.util.Optional;
 import java.util.Random;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** Obstacles that are pushed, grippers, and what of it comes and goes. */
+@Isolated("reads the log")
 class MovingThingsTest {
     private static final String ROBOT = "position ( name \"r\" size [ 0.4 0.4 0.2 ] mass 10 )\n";
 

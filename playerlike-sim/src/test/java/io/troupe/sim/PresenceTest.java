@@ -17,8 +17,10 @@ import java.util.Optional;
 import java.util.Random;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** Robots and obstacles that come and go. */
+@Isolated("reads the log")
 class PresenceTest {
     private static final int BOX = 0;
     private static final double NOSE_M = 0.18; // ahead of the axle

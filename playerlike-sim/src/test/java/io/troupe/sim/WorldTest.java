@@ -30,8 +30,10 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** Commands and intervals of a world, the view that controllers get, and what is refused. */
+@Isolated("reads the log")
 class WorldTest {
     private static final RobotSpec R2 = robot("r2", 0, 3, 0);
 

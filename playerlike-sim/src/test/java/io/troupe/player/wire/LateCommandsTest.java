@@ -18,11 +18,13 @@ import java.util.logging.Logger;
 import java.util.logging.SimpleFormatter;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** Speeds that arrive late, on a clock that the test moves for both sides. */
 @Timeout(300)
+@Isolated("reads the log")
 class LateCommandsTest {
     private static final DeviceAddress WHEELS = new DeviceAddress(0, ScriptedServer.PORT, POSITION2D.code(), 0);
     private static final double SENDERS_CLOCK_SECONDS = 4_000;

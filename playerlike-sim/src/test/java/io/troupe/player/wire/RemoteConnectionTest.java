@@ -32,6 +32,7 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /**
  * A client and a server connected by a socket: what is sent, how arriving messages are handled and in which order, how
@@ -39,6 +40,7 @@ import org.junit.jupiter.api.Timeout;
  */
 @Tag("threads")
 @Timeout(value = 60, threadMode = Timeout.ThreadMode.SEPARATE_THREAD) // a busy loop cannot be interrupted
+@Isolated("looks at all threads")
 class RemoteConnectionTest implements PlayerConstants {
     private static final int SET_INTEGER_PROPERTY = 253;
 

@@ -17,6 +17,7 @@ import java.util.concurrent.atomic.AtomicLong;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /**
  * A server under clients that send without a pause, send requests without reading, send garbage, connect and leave.
@@ -26,6 +27,7 @@ import org.junit.jupiter.api.Test;
  * progress. {@code -Dsoak.minutes=10} extends the run and prints the number of frames, the longest time between two,
  * and the heap in use.
  */
+@Isolated("switches the log off")
 class ServerSoakTest {
     private static final int FRAMES = Thorough.times(15, 50);
     private static final long EACH = Thorough.times(6, 20);

@@ -35,12 +35,14 @@ import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /**
  * A server whose clients send garbage, send nothing, do not read or vanish, which affects no other client; the limits
  * that it sets them; and its behaviour when the machine runs out of resources.
  */
 @Timeout(120)
+@Isolated("reads the log")
 class TcpServerTest {
     private static final int EACH = 10;
     private static final Duration LONG = Duration.ofDays(1);
