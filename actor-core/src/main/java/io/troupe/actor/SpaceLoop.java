@@ -5,8 +5,8 @@ import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 
 /**
- * The event loop of a space: pass after pass through the queues, with sleeps; or, when it has no thread, as many passes as
- * there is work for.
+ * The event loop of a space: pass after pass through the queues, with sleeps; or, when it has no thread, as many passes
+ * as there is work for.
  */
 final class SpaceLoop {
     private static final long SHORTEST_PAUSE_NANOS = 1_000_000;
@@ -90,8 +90,7 @@ final class SpaceLoop {
     /** See {@link ActorSpace#runQueued}. */
     void runQueued() {
         if (!settings.threadless()) {
-            throw new IllegalStateException(
-                    "space " + space + " has a thread of its own, expected one without");
+            throw new IllegalStateException("space " + space + " has a thread of its own, expected one without");
         }
         if (closing.isOver()) {
             return; // later callers are rejected immediately

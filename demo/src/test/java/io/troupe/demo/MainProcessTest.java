@@ -291,6 +291,6 @@ class MainProcessTest extends CommandLineBench {
         assertThat(Files.readString(Path.of("..", "pom.xml")))
                 .as("Maven prints the id of the execution that fails")
                 .containsPattern("<id>install-a-JDK-21-or-later-or-set-JAVA_HOME-to-one</id>"
-                        + "<goals><goal>select-jdk-toolchain</goal></goals>");
+                        + "<phase>\\$\\{toolchain.phase}</phase><goals><goal>select-jdk-toolchain</goal></goals>");
     }
 }

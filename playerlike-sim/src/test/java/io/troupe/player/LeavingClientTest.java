@@ -432,7 +432,8 @@ class LeavingClientTest implements PlayerConstants {
             for (int troop = 1 + random.nextInt(3); troop > 0; troop--) {
                 troops.add(new Troop(random.nextBoolean(), seed * 10 + troop));
             }
-            List<Troop> threadless = troops.stream().filter(each -> each.threadless).toList();
+            List<Troop> threadless =
+                    troops.stream().filter(each -> each.threadless).toList();
             if (!threadless.isEmpty()) {
                 simulation.whileWaiting(() -> threadless.forEach(each -> each.space.runQueued()));
             }

@@ -159,8 +159,8 @@ final class MarkingStore {
     }
 
     /**
-     * A product depends on the bits of its factor that are not above its own. So a bit of any field must come down, by a
-     * shift, and go through one more product: else markings that differ in the last field of a word alone have equal
+     * A product depends on the bits of its factor that are not above its own. So a bit of any field must come down, by
+     * a shift, and go through one more product: else markings that differ in the last field of a word alone have equal
      * low bits, and share a slot.
      */
     static int hash(long[] packed) {

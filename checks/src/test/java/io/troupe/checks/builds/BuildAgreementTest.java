@@ -123,7 +123,7 @@ class BuildAgreementTest {
             build.gradle.kts        | artifactId = "troupe-${project.name}" | Gradle would use the folder
             jmh/pom.xml             | io.troupe.bench.JmhMain               | JMH exits with 0 when its forks fail
             jmh/build.gradle.kts    | io.troupe.bench.JmhMain               | JMH exits with 0 when its forks fail
-            pom.xml                 | <executable>java</executable><skip>true</skip> | only what is named starts
+            pom.xml                 | <executable>${java.command}</executable><skip>true</skip> | only what is named starts
             pom.xml                 | <name>${owner.name}</name>            | of the developer
             pom.xml                 | <url>${owner.url}</url>               | of the project
             pom.xml                 | <connection>scm:git:${owner.scm}</connection> | of the sources

@@ -163,7 +163,9 @@ class CompareBuildsTest {
         var quick = part.table(new BuildPart.Setting(List.of(), 1, null), "").rows().stream()
                 .filter(row -> row.choice() == Choice.QUICK)
                 .toList();
-        String[] row = Thorough.on() ? new String[0] : new String[] {"--row", quick.getLast().name()};
+        String[] row = Thorough.on()
+                ? new String[0]
+                : new String[] {"--row", quick.getLast().name()};
         var outcome = run(NOW, thisBuild(), SHORT + " --parts " + part, row);
         assertThat(outcome.status).as(outcome.out).isZero();
         var rows = outcome.out

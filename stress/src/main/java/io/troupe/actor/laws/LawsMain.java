@@ -16,8 +16,8 @@ import org.jspecify.annotations.Nullable;
 import org.openjdk.jcstress.Main;
 
 /**
- * Runs jcstress with the given arguments, and fails unless every law (jcstress test) passed. After {@code --log FILE} as
- * the first two arguments its output goes to that file, and one line is printed.
+ * Runs jcstress with the given arguments, and fails unless every law (jcstress test) passed. After {@code --log FILE}
+ * as the first two arguments its output goes to that file, and one line is printed.
  *
  * <p><b>Errors.</b> jcstress itself fails only on a forbidden outcome. Its exit status is also 0 when laws ended in an
  * error, for example on a JVM that cannot load them, and when no law ran at all. In these cases the exit status of this
