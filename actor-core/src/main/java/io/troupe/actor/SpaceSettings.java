@@ -21,8 +21,8 @@ import org.jspecify.annotations.Nullable;
  * @param clock the clock of its timers
  * @param onError receives errors that have no caller
  * @param onDeadLetter receives messages that were not delivered, on the thread that detected this
- * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = off. A space without
- *     a thread reports none
+ * @param stallLimit a message that takes longer, by the machine's clock, is reported; zero = off. A space without a
+ *     thread reports none
  * @param onStall receives such a report, on a helper thread that it may block
  * @param offloadLimit the number of concurrent runs of {@link ActorSpace#offload}
  * @param threadless true for a space without a thread, which runs only in {@link ActorSpace#runQueued}

@@ -18,8 +18,8 @@ import org.jspecify.annotations.Nullable;
  * colours.expectFinished();
  * }
  *
- * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#runQueued}. Each method that checks or reads first runs
- * everything that is queued in the space.
+ * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#runQueued}. Each method that checks or reads first
+ * runs everything that is queued in the space.
  *
  * <p><b>Errors.</b> A result or an end after the end throws an {@link IllegalStateException} to the sender.
  */

@@ -33,8 +33,8 @@ import org.jspecify.annotations.Nullable;
  * assertThat(test.get(advice)).isEqualTo("wait");
  * }
  *
- * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#runQueued}. Each method first runs everything that is
- * queued in the space.
+ * <p><b>Threads.</b> The test's thread, outside of {@link TestSpace#runQueued}. Each method first runs everything that
+ * is queued in the space.
  *
  * <p><b>Order.</b> Calls are in the order in which they were handled; requests are answered in that order too.
  *

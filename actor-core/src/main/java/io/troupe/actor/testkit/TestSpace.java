@@ -204,7 +204,8 @@ public final class TestSpace implements AutoCloseable {
             }
         }
         if (!quiet) {
-            throw new AssertionError("the test ended while messages waited in the space: runQueued() it, or say why not");
+            throw new AssertionError(
+                    "the test ended while messages waited in the space: runQueued() it, or say why not");
         }
     }
 }
