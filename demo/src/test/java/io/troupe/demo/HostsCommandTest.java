@@ -22,12 +22,15 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import picocli.CommandLine;
 import picocli.CommandLine.ParameterException;
 
 /** {@code troupe hosts}, as processes: it shows a failover, and leaves no process behind. */
 @Timeout(300)
 @DisabledOnOs(OS.WINDOWS)
+@Execution(ExecutionMode.CONCURRENT)
 class HostsCommandTest extends CommandLineBench {
     private static final Path CONFIGURATION = Path.of("..", "docs", "hosts", "nats.conf");
     private static final Pattern ADDRESS = Pattern.compile("watch it at (http://\\S+)");

@@ -18,10 +18,13 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
 /** {@code troupe verify}, every statement of section 5 with our numbers, and our wiring. */
+@Execution(ExecutionMode.CONCURRENT)
 class VerifyCommandTest extends CommandLineBench {
     private PetriNet net(String name) {
         return Pnml.read(directory.resolve(name + ".pnml"));
