@@ -30,8 +30,6 @@ import java.util.concurrent.TimeUnit;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -40,7 +38,6 @@ import org.junit.jupiter.params.provider.ValueSource;
  * progress.
  */
 @Timeout(300)
-@Execution(ExecutionMode.CONCURRENT)
 class EvaluateCommandTest extends CommandLineBench {
     private static final Path PAPER_ARENA = Path.of("worlds", "paper-arena.cfg");
     private static final String EVALUATE = "evaluate --world worlds/paper-arena.cfg ";
