@@ -144,9 +144,7 @@ class MainTest extends CommandLineBench {
         Pnml.write(net.build(), directory.resolve("many.pnml"));
         assertRefused("verify --net DIR/many.pnml --out DIR", "many.pnml", "place p would hold 2147483648 tokens");
 
-        for (String name : List.of("paper-arena.world", "pioneer.inc")) {
-            Files.copy(Path.of("worlds", name), directory.resolve(name));
-        }
+        Files.copy(Path.of("worlds", "paper-arena.world"), directory.resolve("paper-arena.world"));
         String swapped = Files.readString(Path.of("worlds", "paper-arena.cfg"))
                 .replace("\"robot1\"", "\"x\"")
                 .replace("\"robot2\"", "\"robot1\"")
@@ -344,7 +342,6 @@ class MainTest extends CommandLineBench {
     /** A world of 5.4 m by 8.4 m with five robots, two of them navy. */
     @Test
     void trajectory_ofANarrowWorldWithFiveRobots_canBeRead() throws Exception {
-        Files.copy(Path.of("worlds", "pioneer.inc"), directory.resolve("pioneer.inc"));
         file("five.table", """
                 robots 5
                 ignore black : walls
