@@ -102,9 +102,9 @@ public final class AppCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
-        FileProblems.checkInput(spec, file, "the file of a declaration");
+        Path declaration = FileProblems.input(spec, file, "the file of a declaration");
         if (bus.isGiven()) {
-            return overBus(file, terminal);
+            return overBus(declaration, terminal);
         }
         bus.refuseWithoutBus();
         if (robots != null) {
@@ -113,10 +113,10 @@ public final class AppCommand implements Callable<Integer> {
         Scenario scenario = loader.read(world);
         try (var opened = jars;
                 var interruption = Interruption.open()) {
-            var kinds = ComponentKinds.standard(opened.catalogue(file));
+            var kinds = ComponentKinds.standard(opened.catalogue(declaration));
             AppMonitor monitor = monitored ? new AppMonitor() : null;
             try (var page = view.open()) {
-                new AppRun(file, kinds, scenario, new AppReport(terminal), page, monitor)
+                new AppRun(declaration, kinds, scenario, new AppReport(terminal), page, monitor)
                         .run(seconds, realtime, interruption::isRequested);
             }
             if (monitor != null) {

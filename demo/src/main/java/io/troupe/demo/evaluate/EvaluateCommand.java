@@ -109,10 +109,10 @@ public final class EvaluateCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         System.setProperty("java.awt.headless", "true"); // drawing needs no display
+        world = FileProblems.input(spec, world, "a world file");
         var settings = settings();
-        FileProblems.checkInput(spec, world, "a world file");
-        prepare(settings.log());
         var paperWorld = PaperWorld.of(loader.read(world), world);
+        prepare(settings.log());
         long begin = System.nanoTime();
         try (var interruption = Interruption.open()) {
             Evaluation.Outcome outcome;

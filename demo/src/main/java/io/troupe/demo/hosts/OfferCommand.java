@@ -17,7 +17,6 @@ import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionTable;
-import io.troupe.services.subsumption.SubsumptionTableReader;
 import java.io.PrintWriter;
 import java.lang.System.Logger.Level;
 import java.nio.file.Path;
@@ -96,7 +95,7 @@ public final class OfferCommand implements Callable<Integer> {
             var catalogue = opened.catalogue(table);
             SubsumptionTable read = table == null
                     ? SubsumptionTable.ofThePaper(corners)
-                    : SubsumptionTableReader.read(table, catalogue);
+                    : ServiceJars.read(spec, table, catalogue);
             List<String> offered = offered(read);
             RobotAddress address = RobotAddress.parse(spec, robots);
             busOptions.settings(); // rejects wrong options before anything is opened

@@ -63,7 +63,7 @@ public final class ReplayCommand implements Callable<Integer> {
 
     @Override
     public Integer call() throws IOException {
-        FileProblems.checkInput(spec, recording, "what serve --record has written");
+        recording = FileProblems.input(spec, recording, "what serve --record has written");
         WorldSpec world = worlds.scenario().world();
         if (html != null) {
             FileProblems.checkOutput(spec, "--html", html);

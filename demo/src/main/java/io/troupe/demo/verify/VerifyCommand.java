@@ -114,6 +114,9 @@ public final class VerifyCommand implements Callable<Integer> {
         if (net != null && bip != null) {
             throw new ParameterException(spec.commandLine(), "--net and --bip are given, expected one of them");
         }
+        if (net != null) {
+            FileProblems.input(spec, net, "a net in PNML");
+        }
         if (bip == null) {
             OutputDirectory.make(spec, out);
         }
@@ -170,12 +173,10 @@ public final class VerifyCommand implements Callable<Integer> {
     /** The values of an application file do not matter for its model. */
     private static final Map<String, String> VALUES = Map.of("host", "localhost", "port", "6665", "tcp", "6665");
 
-    private int model(Path file, Interruption interruption, ProgressLine line, Consumer<String> results)
+    private int model(Path named, Interruption interruption, ProgressLine line, Consumer<String> results)
             throws IOException {
-        boolean paper = file.toString().isEmpty();
-        if (!paper) {
-            FileProblems.checkInput(spec, file, "the file of a declaration");
-        }
+        boolean paper = named.toString().isEmpty();
+        Path file = paper ? named : FileProblems.input(spec, named, "the file of a declaration");
         long end = System.nanoTime() + (long) (seconds * 1e9);
         var limits = SearchLimits.markings(Integer.MAX_VALUE)
                 .cancelledBy(() -> {
@@ -202,7 +203,6 @@ public final class VerifyCommand implements Callable<Integer> {
 
     /** Errors after the verdict do not change the exit status, since scripts rely on it. */
     private int examine(Path file, Interruption interruption, Consumer<String> progress, Consumer<String> results) {
-        FileProblems.checkInput(spec, file, "a net in PNML");
         PrintWriter err = spec.commandLine().getErr();
         try {
             var read = Pnml.readLarge(file, warning -> {
