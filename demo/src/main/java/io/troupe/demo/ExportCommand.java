@@ -38,11 +38,9 @@ import picocli.CommandLine.Spec;
         },
         mixinStandardHelpOptions = true,
         footer = {
-            "",
-            "Examples:",
-            "  troupe run && troupe export out/run.jsonl --mcap out/run.mcap",
+            "  troupe export out/run.jsonl --mcap out/run.mcap",
             "  troupe export out/run.jsonl --csv out/tables",
-            "  troupe export recording.txt --world demo/worlds/office.cfg --mcap office.mcap"
+            "  troupe export office.txt --world office.cfg --mcap office.mcap"
         })
 final class ExportCommand implements Callable<Integer> {
     private static final int COLOURS = 8;

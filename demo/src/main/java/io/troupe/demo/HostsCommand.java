@@ -57,6 +57,11 @@ import picocli.CommandLine.Spec;
             "host-a offers the wall follower, host-b the space wanderer, and host-c both for the case that one of them"
                     + " is gone."
         },
+        footer = {
+            "  troupe hosts",
+            "  troupe hosts --fault freeze --view",
+            "  troupe hosts --world office.world --seconds 240"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class HostsCommand implements Callable<Integer> {

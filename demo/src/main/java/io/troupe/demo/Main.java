@@ -91,6 +91,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             ServicesCommand.class,
             HostsCommand.class,
             DrawCommand.class,
+            NewCommand.class,
             HelpCommand.class
         })
 public final class Main implements Callable<Integer> {
@@ -155,6 +156,7 @@ public final class Main implements Callable<Integer> {
                 .exitCodeListHeading("%nExit status:%n")
                 .exitCodeList(exitStatuses())
                 .footer("", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND");
+        HelpPage.layOut(troupe, HelpPage.columns(System.getenv("COLUMNS"), System.getProperty("troupe.columns")));
         return Converters.register(troupe)
                 .setOut(out)
                 .setErr(err)
@@ -323,11 +325,13 @@ public final class Main implements Callable<Integer> {
             var unknown = UNKNOWN_COMMAND.matcher(line);
             var exclusive = EXCLUSIVE.matcher(line);
             return switch (wrong) {
-                case UnmatchedArgumentException unmatched -> unmatched(unmatched.getUnmatched(), wrong.getCommandLine());
+                case UnmatchedArgumentException unmatched ->
+                    unmatched(unmatched.getUnmatched(), wrong.getCommandLine());
                 case MissingParameterException missing -> missing(line, missing.getMissing());
-                case OverwrittenOptionException twice when argument != null ->
-                    name(argument) + " is given twice, expected once";
-                case MutuallyExclusiveArgsException both when exclusive.matches() ->
+                case OverwrittenOptionException twice ->
+                    name(twice.getOverwritten()) + " is given twice, expected once";
+                case MutuallyExclusiveArgsException both
+                when exclusive.matches() ->
                     exclusive.group(1).replaceFirst(",(?=[^,]*$)", " and") + " are given, expected one of them";
                 default ->
                     unknown.matches()

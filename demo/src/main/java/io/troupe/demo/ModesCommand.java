@@ -33,6 +33,7 @@ import picocli.CommandLine.Spec;
         name = "modes",
         description =
                 "Runs the paper's three modes from the same seed and shows their states side by side, where they differ, and why.",
+        footer = {"  troupe modes", "  troupe modes --seed 7", "  troupe modes --world office.world --seconds 60"},
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class ModesCommand implements Callable<Integer> {

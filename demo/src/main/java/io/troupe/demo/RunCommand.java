@@ -41,6 +41,11 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "run",
         description = "Lets the robots of a world follow walls, wander, and swap services by the colours they see.",
+        footer = {
+            "  troupe run --view",
+            "  troupe run --seed 7 --seconds 60 --mode sync --out out/sync",
+            "  troupe run --world office.world"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class RunCommand implements Callable<Integer> {

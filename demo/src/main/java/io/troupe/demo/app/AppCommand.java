@@ -38,6 +38,7 @@ import picocli.CommandLine.Spec;
             "With --bus, several processes run it together, on the robots of a server (troupe serve): each one starts the same file under the name of one of its nodes.",
             "Exit status 3: a service that it needs is missing."
         },
+        footer = {"  troupe app two-robots.app", "  troupe app python.app --view", "  troupe app --list"},
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class AppCommand implements Callable<Integer> {

@@ -32,6 +32,11 @@ import picocli.CommandLine.Spec;
         name = "evaluate",
         description =
                 "Measures what section 4 of the paper measured, and sets what the paper says beside what comes out.",
+        footer = {
+            "  troupe evaluate",
+            "  troupe evaluate --loops 1000 --reconnect",
+            "  troupe evaluate --realtime --loops 100 --cores 1"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class EvaluateCommand implements Callable<Integer> {

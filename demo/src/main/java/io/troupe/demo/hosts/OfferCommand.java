@@ -40,6 +40,10 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "offer",
         description = "Offers services for the robots of a Player server on a bus over hosts, until Ctrl-C.",
+        footer = {
+            "  troupe offer --robots base:6665 --bus nats://base:4222",
+            "  troupe offer --robots base:6665 --bus nats://base:4222 --services wallFollower --rank 1"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class OfferCommand implements Callable<Integer> {
@@ -93,9 +97,8 @@ public final class OfferCommand implements Callable<Integer> {
         try (var opened = jars;
                 var interruption = Interruption.open()) {
             var catalogue = opened.catalogue(table);
-            SubsumptionTable read = table == null
-                    ? SubsumptionTable.ofThePaper(corners)
-                    : ServiceJars.read(spec, table, catalogue);
+            SubsumptionTable read =
+                    table == null ? SubsumptionTable.ofThePaper(corners) : ServiceJars.read(spec, table, catalogue);
             List<String> offered = offered(read);
             RobotAddress address = RobotAddress.parse(spec, robots);
             busOptions.settings(); // rejects wrong options before anything is opened

@@ -39,6 +39,11 @@ import picocli.CommandLine.Spec;
         name = "replay",
         description =
                 "Replays what serve --record has written, checks that it is the same, and says where the robots went.",
+        footer = {
+            "  troupe replay office.txt --world office.cfg",
+            "  troupe replay office.txt --world office.cfg --view",
+            "  troupe replay office.txt --world office.cfg --html office.html"
+        },
         mixinStandardHelpOptions = true)
 public final class ReplayCommand implements Callable<Integer> {
     private static final int TICKS_PER_REPORT = 50;

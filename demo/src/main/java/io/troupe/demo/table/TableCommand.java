@@ -25,6 +25,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "table",
         description = "Checks a table of services, prints it, and draws its states and its switching rules.",
+        footer = {"  troupe table", "  troupe table four-services.table --out out/four"},
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class TableCommand implements Callable<Integer> {

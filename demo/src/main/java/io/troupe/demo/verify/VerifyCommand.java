@@ -39,6 +39,11 @@ import picocli.CommandLine.Spec;
         name = "verify",
         description =
                 "Computes what the paper says about its Petri nets, prints both side by side, and draws the nets.",
+        footer = {
+            "  troupe verify",
+            "  troupe verify --net FILE.pnml",
+            "  troupe verify --bip two-robots.app --out two-robots.bip"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true,
         exitCodeListHeading = "Exit status:%n",
