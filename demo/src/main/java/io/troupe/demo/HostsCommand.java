@@ -93,7 +93,7 @@ final class HostsCommand implements Callable<Integer> {
     private ViewOptions view;
 
     @Option(names = "--seconds", paramLabel = "N", description = "time to run, in real time")
-    private double seconds = 60;
+    private double seconds = 120;
 
     @Option(
             names = "--fault",

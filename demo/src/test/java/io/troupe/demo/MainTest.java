@@ -209,7 +209,7 @@ class MainTest extends CommandLineBench {
             assertThat(printed("draw demo/worlds/cave.world --out DIR/w.svg")).contains("1 robot");
             assertThat(printed("table four-services.table --out DIR")).contains("5 services");
             assertThat(printed("run --world office.cfg --seconds 1 --out DIR")).contains("office");
-            assertThat(printed("app two-robots.app --seconds 1")).contains("two-robots on paper arena");
+            assertThat(printed("app two-robots.app --seconds 1 --out DIR")).contains("two-robots on paper arena");
             assertRefused(
                     "draw caev.world",
                     "looked in " + Path.of("").toAbsolutePath() + ", ",

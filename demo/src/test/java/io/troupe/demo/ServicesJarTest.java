@@ -140,7 +140,7 @@ class ServicesJarTest extends CommandLineBench {
                 robot1 needs service lead
                 robot2 needs service behind
                 """.formatted(follower));
-        String text = printed("app DIR/parade.app --world DIR/parade.world --seconds 20 " + JAR);
+        String text = printed("app DIR/parade.app --world DIR/parade.world --out DIR/o --seconds 20 " + JAR);
         assertFollowed(text, "robot 2 +([0-9.]+) m");
     }
 

@@ -8,6 +8,7 @@ import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.RunFiles;
 import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.component.application.ApplicationPlan;
@@ -88,6 +89,9 @@ public final class AppCommand implements Callable<Integer> {
                     "follow the declared protocols of providers, components and messages, and end with the story if something is not allowed")
     private boolean monitored;
 
+    @Option(names = "--out", paramLabel = "DIR", description = "where trajectory.svg and run.jsonl go")
+    private Path out = Path.of("out");
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
@@ -116,8 +120,9 @@ public final class AppCommand implements Callable<Integer> {
                 var interruption = Interruption.open()) {
             var kinds = ComponentKinds.standard(opened.catalogue(declaration));
             AppMonitor monitor = monitored ? new AppMonitor() : null;
-            try (var page = view.open()) {
-                new AppRun(declaration, kinds, scenario, new AppReport(terminal), page, monitor)
+            try (var page = view.open();
+                    var files = new RunFiles(spec, out, scenario.world(), seconds)) {
+                new AppRun(declaration, kinds, scenario, new AppReport(terminal), page, monitor, files)
                         .run(seconds, realtime, interruption::isRequested);
             }
             if (monitor != null) {
@@ -129,7 +134,7 @@ public final class AppCommand implements Callable<Integer> {
     }
 
     private int overBus(Path declaration, PrintWriter terminal) throws IOException, InterruptedException {
-        for (String option : List.of("--world", "--realtime", "--view", "--monitor")) {
+        for (String option : List.of("--world", "--realtime", "--view", "--monitor", "--out")) {
             if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
                 throw wrong(
                         option + " is given with --bus, expected only --robots: over a bus the world runs elsewhere,"
