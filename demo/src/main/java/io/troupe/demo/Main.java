@@ -192,7 +192,9 @@ public final class Main implements Callable<Integer> {
         Map<String, String> statuses = new LinkedHashMap<>();
         statuses.put("0", "done");
         statuses.put("" + FAILED, "failed on the way");
-        statuses.put("" + USAGE, "used wrongly: an option, a number, or a file that cannot be read");
+        statuses.put(
+                "" + USAGE,
+                "used wrongly: an option, a number, a file that cannot be read, or an output that cannot be written");
         statuses.put("" + MISSING_SERVICE, "a service is missing (app, run --bus)");
         statuses.put("" + Interruption.STATUS, "interrupted; what was done until then was printed");
         return statuses;
