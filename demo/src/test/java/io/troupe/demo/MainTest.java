@@ -202,8 +202,8 @@ class MainTest extends CommandLineBench {
 
     @Test
     void nameThatIsNoFileHere_isThatOfTheInstallation() {
-        String before = System.setProperty(
-                "troupe.home", Path.of("..").toAbsolutePath().normalize().toString());
+        Path root = Path.of("").toAbsolutePath().getParent();
+        String before = System.setProperty("troupe.home", root.toString());
         try {
             assertThat(printed("draw cave.world --out DIR/w.svg")).contains("1 robot");
             assertThat(printed("draw demo/worlds/cave.world --out DIR/w.svg")).contains("1 robot");
@@ -213,7 +213,7 @@ class MainTest extends CommandLineBench {
             assertRefused(
                     "draw caev.world",
                     "looked in " + Path.of("").toAbsolutePath() + ", ",
-                    Path.of("..", "demo", "worlds").toAbsolutePath().normalize() + "; did you mean \"cave.world\"?");
+                    root.resolve(Path.of("demo", "worlds")) + "; did you mean \"cave.world\"?");
         } finally {
             if (before == null) {
                 System.clearProperty("troupe.home");

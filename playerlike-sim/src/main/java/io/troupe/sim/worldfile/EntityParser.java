@@ -16,8 +16,7 @@ import org.jspecify.annotations.Nullable;
  * Parses the grammar that world and configuration files share into a tree. It knows no entities or properties.
  *
  * <p>{@code include "file"} is relative to the including file or else, as in Stage, to the first file, or one of those
- * that come with us; {@code define
- * new old ( .. )} defines a macro, which may be based on another macro.
+ * that come with us; {@code define new old ( .. )} defines a macro, which may be based on another macro.
  */
 final class EntityParser {
     private static final int DEEPEST_NESTING = 64;

@@ -29,7 +29,8 @@ final class SourceText {
 
     private static final List<Path> STAGE_FOLDERS = stageFolders(System.getenv("STAGEPATH"));
     /** A file in the world folder of some version of Stage, wherever that is installed. */
-    private static final Pattern FILE_OF_STAGE = Pattern.compile("(?i).*[/\\\\]stage[^/\\\\]*[/\\\\]worlds[/\\\\]([^/\\\\]+)");
+    private static final Pattern FILE_OF_STAGE =
+            Pattern.compile("(?i).*[/\\\\]stage[^/\\\\]*[/\\\\]worlds[/\\\\]([^/\\\\]+)");
 
     /** The files that come with us, in the folder {@code includes} of the resources. */
     static final List<String> OURS = List.of(

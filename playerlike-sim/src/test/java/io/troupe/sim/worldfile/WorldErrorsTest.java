@@ -376,7 +376,10 @@ class WorldErrorsTest extends WorldFiles {
         WorldSpec own = world("include \"pioneer.inc\" include \"sick.inc\" pioneer3dx ( sicklaser ( ) )");
         assertThat(own.robots().getFirst().rangers()).hasSize(1);
         write("pioneer.inc", "define pioneer3dx position ( size [ 1 1 1 ] )");
-        assertThat(world("include \"pioneer.inc\" pioneer3dx ( )").robots().getFirst().sonar())
+        assertThat(world("include \"pioneer.inc\" pioneer3dx ( )")
+                        .robots()
+                        .getFirst()
+                        .sonar())
                 .as("a file beside the world comes first")
                 .isNull();
 
@@ -384,7 +387,8 @@ class WorldErrorsTest extends WorldFiles {
                 .contains("there is no file pionier.inc; looked in ", "/usr/share/stage/worlds; with Troupe come")
                 .endsWith("; did you mean \"pioneer.inc\"?");
         assertThat(problem("include \"sub/map.inc\"")).contains("there is no file sub/map.inc; looked in ");
-        assertThat(problem("include \"pioneer.inc\" pioneer3dx ( bitmap \"a.png\" )")).contains("looked in ");
+        assertThat(problem("include \"pioneer.inc\" pioneer3dx ( bitmap \"a.png\" )"))
+                .contains("looked in ");
     }
 
     @Test
@@ -393,7 +397,8 @@ class WorldErrorsTest extends WorldFiles {
         assertThat(warnings("include \"" + stage + "\" floorplan ( size [ 1 1 1 ] )"))
                 .containsExactly("t.world:1:9: there is no file " + stage
                         + "; the map.inc that comes with Troupe is read instead");
-        assertThat(problem("include \"/opt/other/worlds/map.inc\"")).contains("no file /opt/other/worlds/map.inc; with");
+        assertThat(problem("include \"/opt/other/worlds/map.inc\""))
+                .contains("no file /opt/other/worlds/map.inc; with");
     }
 
     /** One robot of each kind with each laser, in both dialects, in which they must be the same. */
