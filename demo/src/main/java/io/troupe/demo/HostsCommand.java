@@ -117,6 +117,7 @@ final class HostsCommand implements Callable<Integer> {
         OptionRange.checkSeconds(spec, seconds, MOST_SECONDS);
         Path file = world == null ? Installation.world("paper-arena.world") : world;
         WorldSpec read = loader.read(file).world();
+        settings(read, 0); // refuses a world that does not fit
         if (!isServerInstalled) {
             throw new ParameterException(spec.commandLine(), NatsServerProcess.HOW_TO_GET);
         }
@@ -127,6 +128,11 @@ final class HostsCommand implements Callable<Integer> {
             new Job(processes, file, read, interruption).run();
             return interruption.isRequested() ? Interruption.STATUS : 0;
         }
+    }
+
+    private RecordedHostedRun.Settings settings(WorldSpec arena, int port) {
+        return new RecordedHostedRun.Settings(
+                "127.0.0.1", port, arena, SubsumptionTable.ofThePaper(), Mode.PROMISE, seconds);
     }
 
     /** One run. */
@@ -147,8 +153,7 @@ final class HostsCommand implements Callable<Integer> {
         void run() throws IOException, InterruptedException {
             print("nats-server: " + processes.bus() + ", settings of docs/hosts/nats.conf");
             int port = startHosts();
-            var settings = new RecordedHostedRun.Settings(
-                    "127.0.0.1", port, arena, SubsumptionTable.ofThePaper(), Mode.PROMISE, seconds);
+            var settings = settings(arena, port);
             print("arbitrator: this process, " + ProcessHandle.current().pid() + "; the times are the robots'");
             var events = new Faults();
             RunResult result = drive(settings, events);

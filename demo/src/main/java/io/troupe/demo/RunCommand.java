@@ -148,6 +148,8 @@ final class RunCommand implements Callable<Integer> {
             TeamOptions.Team team = options.team(corners);
             if (address == null) {
                 run(team); // refuses a world that does not fit
+            } else {
+                settings(address, team); // the same
             }
             OutputDirectory.make(spec, out);
             warnOfSizes(team.scenario().world());

@@ -193,10 +193,14 @@ class MainTest extends CommandLineBench {
         for (String line : List.of("run --world", "modes --world", "evaluate --world", "verify --net")) {
             assertRefused(line + " DIR/nowhere.world --out DIR/o", "nowhere.world: no such file");
         }
-        for (String line : List.of("run", "modes", "evaluate")) {
+        for (String line : List.of("run", "modes", "evaluate", "hosts")) {
             assertRefused(line + " --world DIR/wrong.world --out DIR/o", "wrong.world:1:9: ");
             assertRefused(line + " --world DIR/lonely.world --out DIR/o", "expected 2");
         }
+        file("bad.pnml", "<pnml xmlns=\"http://www.pnml.org/version-2009/grammar/pnml\">");
+        assertRefused("verify --net DIR/bad.pnml --out DIR/o", "bad.pnml");
+        file("bad.app", "application a\ncomponent r is plyer\n");
+        assertRefused("verify --bip DIR/bad.app --out DIR/o", "bad.app:2:16: ");
         assertMissing("o");
     }
 

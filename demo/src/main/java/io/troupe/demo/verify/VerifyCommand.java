@@ -122,7 +122,7 @@ public final class VerifyCommand implements Callable<Integer> {
         if (net != null) {
             FileProblems.input(spec, net, "a net in PNML");
         }
-        if (bip == null) {
+        if (bip == null && net == null) {
             OutputDirectory.make(spec, out);
         }
         PrintWriter terminal = spec.commandLine().getOut();
@@ -190,9 +190,8 @@ public final class VerifyCommand implements Callable<Integer> {
                 })
                 .reporting(10_000, found -> line.show("searching: " + found.markings() + " states"))
                 .within(bytes());
-        var study = new BipStudy(spec, out, limits, results);
         if (paper) {
-            return study.paper();
+            return new BipStudy(spec, out, limits, results).paper();
         }
         try (var opened = jars) {
             var plan = ApplicationReader.read(file, ComponentKinds.standard(opened.catalogue(file)), VALUES);
@@ -202,7 +201,7 @@ public final class VerifyCommand implements Callable<Integer> {
             } catch (IllegalArgumentException e) {
                 throw new ParameterException(spec.commandLine(), file + ": " + e.getMessage(), e);
             }
-            return study.application(plan, model);
+            return new BipStudy(spec, out, limits, results).application(plan, model);
         }
     }
 
@@ -214,6 +213,7 @@ public final class VerifyCommand implements Callable<Integer> {
                 err.println("troupe: warning: " + warning);
                 err.flush();
             });
+            OutputDirectory.make(spec, out);
             if (!read.largePlaces().isEmpty()) {
                 return NetExamination.decideLarge(read, limits(interruption), progress, results);
             }
