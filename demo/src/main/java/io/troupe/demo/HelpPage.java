@@ -120,7 +120,7 @@ final class HelpPage {
                 .orElse(OTHERS);
     }
 
-    /** The columns of the terminal: what the user says in {@code COLUMNS}, else what the start script has found. */
+    /** The columns of the terminal: the value of {@code COLUMNS}, else what the start script has found. */
     static int columns(@Nullable String said, @Nullable String found) {
         for (String each : new String[] {said, found}) {
             if (each != null && each.matches("[0-9]{1,6}")) {

@@ -98,7 +98,7 @@ public final class FileProblems {
     private static String unwritable(Path file) {
         boolean exists = Files.exists(file);
         if (exists && !Files.isRegularFile(file)) {
-            return Files.isWritable(file) ? "" : "permission denied"; // a device, or a pipe that nobody reads yet
+            return Files.isWritable(file) ? "" : "permission denied"; // a device, or a pipe without a reader
         }
         try {
             Files.newByteChannel(file, StandardOpenOption.CREATE, StandardOpenOption.WRITE)
@@ -112,7 +112,7 @@ public final class FileProblems {
         }
     }
 
-    /** The reason why something cannot be created, after a colon; empty if the file system only says that it is not. */
+    /** The reason why something cannot be created, after a colon; empty if the file system gives none. */
     static String because(IOException e) {
         return e instanceof NoSuchFileException ? "" : ": " + reason(e);
     }

@@ -68,7 +68,7 @@ public final class RunFiles implements AutoCloseable {
         return "wrote " + picture + " and " + directory.resolve("run.jsonl");
     }
 
-    /** Closes the log, which says so if the run has failed. */
+    /** Closes the log, with a last line for a run that has failed. */
     @Override
     public void close() throws IOException {
         if (recorder != null && !isFinished) {
