@@ -24,8 +24,8 @@ public final class Installation {
     }
 
     /**
-     * A file that the user names: where he says, or else below the folder of the installation, or beside the worlds,
-     * tables or applications there.
+     * A file that the user names: as a path, or else below the folder of the installation, or beside the worlds, tables
+     * or applications there.
      *
      * @return the name itself if there is no such file
      */
