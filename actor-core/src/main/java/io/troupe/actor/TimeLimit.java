@@ -28,6 +28,7 @@ final class TimeLimit {
     private final Duration limit;
     private final long deadlineNanos;
     private final List<Deferred<?>> questions = new ArrayList<>(2);
+    private @Nullable Owner asker; // of the last question
     private List<Asked> open = new ArrayList<>(1);
     private int sweepAt = FEW;
     private @Nullable Runnable withdraw; // of the timer, while it is set
@@ -72,6 +73,7 @@ final class TimeLimit {
      */
     synchronized void limit(Deferred<?> question) {
         questions.add(question);
+        asker = caller();
         setTimer();
     }
 
@@ -83,8 +85,7 @@ final class TimeLimit {
 
     /** Rejects this request when the limit is over, unless it is answered by then. On the thread of its caller. */
     void add(Request<?> request) {
-        Home here = Home.current();
-        var asked = new Asked(request, here == null ? home.itself() : here.owner());
+        var asked = new Asked(request, caller());
         synchronized (this) {
             if (!over) {
                 if (open.size() >= sweepAt) {
@@ -97,6 +98,11 @@ final class TimeLimit {
             }
         }
         reject(asked);
+    }
+
+    private Owner caller() {
+        Home here = Home.current();
+        return here == null ? home.itself() : here.owner();
     }
 
     private void sweep() {
@@ -136,8 +142,8 @@ final class TimeLimit {
         }
         if (first == null && !questions.getLast().isDone()) {
             home.limitExpired();
-            first = new TimeoutException(
-                    "no answer within " + limit + ": the promise of the function is still pending");
+            first = new TimeoutException("no answer to " + asker + " within " + limit
+                    + ": the promise of the function is still pending," + " and it waits for no request to an actor");
         }
         if (first != null) {
             rejectQuestions(first);

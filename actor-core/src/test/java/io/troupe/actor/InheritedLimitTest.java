@@ -152,6 +152,16 @@ class InheritedLimitTest extends InTestSpace {
     }
 
     @Test
+    void functionThatWaitsForNoRequest_namesWhoHasAsked() {
+        Promise<String> byTheShop = shop.ask(me -> within(InheritedLimitTest::never));
+        test.advance(LIMIT);
+        assertThat(test.error(byTheShop))
+                .isInstanceOf(TimeoutException.class)
+                .hasMessage("no answer to shop within PT2S: the promise of the function is still pending, and it waits"
+                        + " for no request to an actor");
+    }
+
+    @Test
     void calledOutside_timeInTheQueueCounts_andTheFunctionIsNotCalledTooLate() {
         test.clock().advance(SECOND);
         Promise<String> answer = within(() -> {

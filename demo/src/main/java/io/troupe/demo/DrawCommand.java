@@ -23,6 +23,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "draw",
         description = "Draws a world file as SVG, with the first readings of its sonars and lasers.",
+        footer = {"  troupe draw office.world", "  troupe draw my.world --out my.svg"},
         mixinStandardHelpOptions = true)
 final class DrawCommand implements Callable<Integer> {
     @Spec

@@ -4,6 +4,7 @@ import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.OptionRange;
+import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.CrowdWorld;
@@ -37,11 +38,9 @@ import picocli.CommandLine.Spec;
         },
         mixinStandardHelpOptions = true,
         footer = {
-            "",
-            "Examples:",
-            "  troupe run && troupe export out/run.jsonl --mcap out/run.mcap",
+            "  troupe export out/run.jsonl --mcap out/run.mcap",
             "  troupe export out/run.jsonl --csv out/tables",
-            "  troupe export recording.txt --world demo/worlds/office.cfg --mcap office.mcap"
+            "  troupe export office.txt --world office.cfg --mcap office.mcap"
         })
 final class ExportCommand implements Callable<Integer> {
     private static final int COLOURS = 8;
@@ -96,7 +95,7 @@ final class ExportCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "nothing to write, expected --mcap FILE or --csv DIR, or both");
         }
-        FileProblems.checkInput(spec, run, "a run.jsonl, or what serve --record has written");
+        run = FileProblems.input(spec, run, "a run.jsonl, or what serve --record has written");
         if (mcap != null) {
             FileProblems.checkOutput(spec, "--mcap", mcap);
             if (Files.exists(mcap) && Files.isSameFile(mcap, run)) {
@@ -104,15 +103,14 @@ final class ExportCommand implements Callable<Integer> {
                         spec.commandLine(), "--mcap is " + mcap + ", which is the run, expected another file");
             }
         }
-        if (csv != null && Files.exists(csv) && !Files.isDirectory(csv)) {
-            throw new ParameterException(
-                    spec.commandLine(), "--csv is " + csv + ", but that is a file, expected a directory");
-        }
         if (sensors != null && mcap == null) {
             throw new ParameterException(spec.commandLine(), "--sensors is given without --mcap, expected both");
         }
         WorldSpec where = world();
         var export = new RunExport(run, where);
+        if (csv != null) {
+            OutputDirectory.make(spec, "--csv", csv);
+        }
         RunExport.Report report = null;
         if (mcap != null) {
             report = sensors == null ? export.writeMcap(mcap) : export.writeMcap(mcap, indices(sensors, where));

@@ -57,6 +57,11 @@ import picocli.CommandLine.Spec;
             "host-a offers the wall follower, host-b the space wanderer, and host-c both for the case that one of them"
                     + " is gone."
         },
+        footer = {
+            "  troupe hosts",
+            "  troupe hosts --fault freeze --view",
+            "  troupe hosts --world office.world --seconds 240"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class HostsCommand implements Callable<Integer> {
@@ -88,7 +93,7 @@ final class HostsCommand implements Callable<Integer> {
     private ViewOptions view;
 
     @Option(names = "--seconds", paramLabel = "N", description = "time to run, in real time")
-    private double seconds = 60;
+    private double seconds = 120;
 
     @Option(
             names = "--fault",
@@ -112,6 +117,7 @@ final class HostsCommand implements Callable<Integer> {
         OptionRange.checkSeconds(spec, seconds, MOST_SECONDS);
         Path file = world == null ? Installation.world("paper-arena.world") : world;
         WorldSpec read = loader.read(file).world();
+        settings(read, 0); // refuses a world that does not fit
         if (!isServerInstalled) {
             throw new ParameterException(spec.commandLine(), NatsServerProcess.HOW_TO_GET);
         }
@@ -122,6 +128,11 @@ final class HostsCommand implements Callable<Integer> {
             new Job(processes, file, read, interruption).run();
             return interruption.isRequested() ? Interruption.STATUS : 0;
         }
+    }
+
+    private RecordedHostedRun.Settings settings(WorldSpec arena, int port) {
+        return new RecordedHostedRun.Settings(
+                "127.0.0.1", port, arena, SubsumptionTable.ofThePaper(), Mode.PROMISE, seconds);
     }
 
     /** One run. */
@@ -142,8 +153,7 @@ final class HostsCommand implements Callable<Integer> {
         void run() throws IOException, InterruptedException {
             print("nats-server: " + processes.bus() + ", settings of docs/hosts/nats.conf");
             int port = startHosts();
-            var settings = new RecordedHostedRun.Settings(
-                    "127.0.0.1", port, arena, SubsumptionTable.ofThePaper(), Mode.PROMISE, seconds);
+            var settings = settings(arena, port);
             print("arbitrator: this process, " + ProcessHandle.current().pid() + "; the times are the robots'");
             var events = new Faults();
             RunResult result = drive(settings, events);

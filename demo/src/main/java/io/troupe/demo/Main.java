@@ -44,18 +44,25 @@ import java.nio.file.Path;
 import java.util.Arrays;
 import java.util.LinkedHashMap;
 import java.util.List;
+import java.util.Locale;
 import java.util.Map;
 import java.util.Optional;
 import java.util.concurrent.Callable;
 import java.util.function.Function;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine;
 import picocli.CommandLine.Command;
 import picocli.CommandLine.HelpCommand;
 import picocli.CommandLine.ITypeConverter;
+import picocli.CommandLine.MissingParameterException;
+import picocli.CommandLine.Model.ArgSpec;
 import picocli.CommandLine.Model.CommandSpec;
+import picocli.CommandLine.Model.OptionSpec;
+import picocli.CommandLine.MutuallyExclusiveArgsException;
+import picocli.CommandLine.OverwrittenOptionException;
 import picocli.CommandLine.ParameterException;
 import picocli.CommandLine.Spec;
 import picocli.CommandLine.TypeConversionException;
@@ -84,6 +91,7 @@ import picocli.CommandLine.UnmatchedArgumentException;
             ServicesCommand.class,
             HostsCommand.class,
             DrawCommand.class,
+            NewCommand.class,
             HelpCommand.class
         })
 public final class Main implements Callable<Integer> {
@@ -148,6 +156,7 @@ public final class Main implements Callable<Integer> {
                 .exitCodeListHeading("%nExit status:%n")
                 .exitCodeList(exitStatuses())
                 .footer("", "Start with the main job: troupe run", "Options of a command: troupe help COMMAND");
+        HelpPage.layOut(troupe, HelpPage.columns(System.getenv("COLUMNS"), System.getProperty("troupe.columns")));
         return Converters.register(troupe)
                 .setOut(out)
                 .setErr(err)
@@ -183,7 +192,9 @@ public final class Main implements Callable<Integer> {
         Map<String, String> statuses = new LinkedHashMap<>();
         statuses.put("0", "done");
         statuses.put("" + FAILED, "failed on the way");
-        statuses.put("" + USAGE, "used wrongly: an option, a number, or a file that cannot be read");
+        statuses.put(
+                "" + USAGE,
+                "used wrongly: an option, a number, a file that cannot be read, or an output that cannot be written");
         statuses.put("" + MISSING_SERVICE, "a service is missing (app, run --bus)");
         statuses.put("" + Interruption.STATUS, "interrupted; what was done until then was printed");
         return statuses;
@@ -297,29 +308,75 @@ public final class Main implements Callable<Integer> {
         }
     }
 
-    /** Error messages for wrong arguments: one line, with a suggestion for misspelled names. */
+    /**
+     * Error messages for wrong arguments: one line that names the option, its value and what was expected, with a
+     * suggestion for a misspelled name.
+     */
     private static final class UsageProblems {
         private static final String ERROR = "Error: ";
-        private static final String INVALID_VALUE = "Invalid value for ";
         /** Message of picocli's help command. */
         private static final Pattern UNKNOWN_COMMAND = Pattern.compile("Unknown subcommand '(.*)'\\.?");
+
+        private static final Pattern EXCLUSIVE = Pattern.compile("Error: (.*) are mutually exclusive .*");
 
         private UsageProblems() {}
 
         static String message(ParameterException wrong) {
             String line = wrong.getMessage().lines().findFirst().orElse("wrong arguments");
-            if (wrong instanceof UnmatchedArgumentException unmatched) {
-                return unmatched(unmatched.getUnmatched(), wrong.getCommandLine());
-            }
+            ArgSpec argument = wrong.getArgSpec();
             var unknown = UNKNOWN_COMMAND.matcher(line);
-            if (unknown.matches()) {
-                return unmatched(List.of(unknown.group(1)), wrong.getCommandLine());
+            var exclusive = EXCLUSIVE.matcher(line);
+            return switch (wrong) {
+                case UnmatchedArgumentException unmatched ->
+                    unmatched(unmatched.getUnmatched(), wrong.getCommandLine());
+                case MissingParameterException missing -> missing(line, missing.getMissing());
+                case OverwrittenOptionException twice ->
+                    name(twice.getOverwritten()) + " is given twice, expected once";
+                case MutuallyExclusiveArgsException both
+                when exclusive.matches() ->
+                    exclusive.group(1).replaceFirst(",(?=[^,]*$)", " and") + " are given, expected one of them";
+                default ->
+                    unknown.matches()
+                            ? unmatched(List.of(unknown.group(1)), wrong.getCommandLine())
+                            : argument != null && wrong.getValue() != null
+                                    ? value(line, argument, wrong.getValue())
+                                    : line.startsWith(ERROR) ? line.substring(ERROR.length()) : line;
+            };
+        }
+
+        private static String missing(String line, List<ArgSpec> missing) {
+            String names = missing.stream().map(UsageProblems::name).collect(Collectors.joining(" and "));
+            ArgSpec first = missing.getFirst();
+            boolean isValue = first.isOption() && !line.startsWith("Missing required option");
+            return isValue
+                    ? names + " is given without its value, expected " + names + " " + first.paramLabel()
+                    : names + (missing.size() == 1 ? " is missing, expected " + expected(first) : " are missing");
+        }
+
+        private static String expected(ArgSpec argument) {
+            String[] description = argument.description();
+            return description.length == 0 ? argument.paramLabel() : description[0];
+        }
+
+        private static String name(ArgSpec argument) {
+            return argument instanceof OptionSpec option ? option.longestName() : argument.paramLabel();
+        }
+
+        /** A value that is none of its type. */
+        private static String value(String line, ArgSpec argument, String value) {
+            Class<?> type = argument.auxiliaryTypes().length == 0 ? argument.type() : argument.auxiliaryTypes()[0];
+            String is = name(argument) + " is ";
+            Object[] constants = type.getEnumConstants();
+            if (constants != null) {
+                List<String> names = Arrays.stream(constants)
+                        .map(each -> each.toString().toLowerCase(Locale.ROOT))
+                        .toList();
+                return is + "'" + value + "'" + Suggestions.expected("one of", value, names);
             }
-            if (line.startsWith(INVALID_VALUE)) {
-                return line.substring(INVALID_VALUE.length())
-                        .replaceFirst("^option '([^']*)'(?: \\([^)]*\\))?: ", "$1 is ");
+            if (type == boolean.class) {
+                return is + "'" + value + "', expected no value, true or false";
             }
-            return line.startsWith(ERROR) ? line.substring(ERROR.length()) : line;
+            return is + line.replaceFirst("^Invalid value for [^:]*: ", "");
         }
 
         private static String unmatched(List<String> arguments, CommandLine commandLine) {

@@ -33,6 +33,7 @@ import picocli.CommandLine.Spec;
         name = "modes",
         description =
                 "Runs the paper's three modes from the same seed and shows their states side by side, where they differ, and why.",
+        footer = {"  troupe modes", "  troupe modes --seed 7", "  troupe modes --world office.world --seconds 60"},
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class ModesCommand implements Callable<Integer> {
@@ -65,6 +66,7 @@ final class ModesCommand implements Callable<Integer> {
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
         Scenario scenario = loader.read(world);
+        recorded(scenario, Mode.PROMISE); // refuses a world that does not fit
         OutputDirectory.make(spec, out);
         try (var interruption = Interruption.open()) {
             var results = new EnumMap<Mode, RunResult>(Mode.class);
@@ -104,14 +106,17 @@ final class ModesCommand implements Callable<Integer> {
         return 0;
     }
 
-    private RunResult run(Scenario scenario, Mode mode, Interruption interruption)
-            throws IOException, InterruptedException {
+    private RecordedRun recorded(Scenario scenario, Mode mode) {
         var settings =
                 RecordedRun.Settings.DEFAULT.withMode(mode).withSeed(seed).withSeconds(seconds);
+        return new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings);
+    }
+
+    private RunResult run(Scenario scenario, Mode mode, Interruption interruption)
+            throws IOException, InterruptedException {
         try (var progress = ProgressBar.onTerminal(mode + " mode ", seconds);
                 var log = new RunLog(out.resolve("run-" + mode + ".jsonl"))) {
-            return new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings)
-                    .run(log, progress.listener(change -> {}, interruption));
+            return recorded(scenario, mode).run(log, progress.listener(change -> {}, interruption));
         }
     }
 }

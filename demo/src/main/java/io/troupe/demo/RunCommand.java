@@ -41,6 +41,11 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "run",
         description = "Lets the robots of a world follow walls, wander, and swap services by the colours they see.",
+        footer = {
+            "  troupe run --view",
+            "  troupe run --seed 7 --seconds 60 --mode sync --out out/sync",
+            "  troupe run --world office.world"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class RunCommand implements Callable<Integer> {
@@ -130,7 +135,7 @@ final class RunCommand implements Callable<Integer> {
             FileProblems.checkOutput(spec, "--html", html);
         }
         if (repeat != null) {
-            FileProblems.checkInput(spec, repeat, "the run.jsonl of a run");
+            repeat = FileProblems.input(spec, repeat, "the run.jsonl of a run");
         }
         if (mode == Mode.SYNC && reconnect) {
             throw new ParameterException(
@@ -141,11 +146,16 @@ final class RunCommand implements Callable<Integer> {
         checkHosts(address);
         try (var options = teamOptions) {
             TeamOptions.Team team = options.team(corners);
+            if (address == null) {
+                run(team); // refuses a world that does not fit
+            } else {
+                settings(address, team); // the same
+            }
             OutputDirectory.make(spec, out);
             warnOfSizes(team.scenario().world());
             try (var interruption = Interruption.open()) {
                 if (address == null) {
-                    run(team, interruption);
+                    run(run(team), team, interruption);
                 } else {
                     new HostedRunJob(spec, busOptions, viewOptions, out).run(settings(address, team), interruption);
                 }
@@ -198,16 +208,20 @@ final class RunCommand implements Callable<Integer> {
         }
     }
 
-    private void run(TeamOptions.Team team, Interruption interruption) throws IOException, InterruptedException {
-        PrintWriter terminal = spec.commandLine().getOut();
-        Scenario scenario = team.scenario();
+    private RecordedRun run(TeamOptions.Team team) {
         var settings = RecordedRun.Settings.DEFAULT
                 .withMode(mode)
                 .withSeed(seed)
                 .withSeconds(seconds)
                 .withRealTime(realtime && !viewOptions.isGiven())
                 .withReconnection(reconnect);
-        var run = new RecordedRun(scenario, team.table(), settings);
+        return new RecordedRun(team.scenario(), team.table(), settings);
+    }
+
+    private void run(RecordedRun run, TeamOptions.Team team, Interruption interruption)
+            throws IOException, InterruptedException {
+        PrintWriter terminal = spec.commandLine().getOut();
+        Scenario scenario = team.scenario();
         long begin = System.nanoTime();
         RunResult result;
         Path file = out.resolve("run.jsonl");

@@ -9,7 +9,6 @@ import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.SubsumptionTable;
-import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.CrowdWorld;
 import java.nio.file.Path;
@@ -127,8 +126,7 @@ final class TeamOptions implements AutoCloseable {
         refuseWithoutCrowd("--services", services);
         refuseWithoutCrowd("--hold", holdSeconds);
         Path file = world == null ? Installation.world("paper-arena.world") : world;
-        var services =
-                table == null ? SubsumptionTable.ofThePaper(corners) : SubsumptionTableReader.read(table, catalogue);
+        var services = table == null ? SubsumptionTable.ofThePaper(corners) : ServiceJars.read(spec, table, catalogue);
         return new Team(loader.read(file), services);
     }
 
@@ -167,7 +165,7 @@ final class TeamOptions implements AutoCloseable {
     private SubsumptionTable read(Path file, int size, ServiceCatalogue catalogue) {
         refuseBesideTable("--services", services);
         refuseBesideTable("--hold", holdSeconds);
-        SubsumptionTable read = SubsumptionTableReader.read(file, catalogue);
+        SubsumptionTable read = ServiceJars.read(spec, file, catalogue);
         if (read.robots() != size) {
             throw new ParameterException(
                     spec.commandLine(),

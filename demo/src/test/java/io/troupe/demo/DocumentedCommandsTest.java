@@ -96,7 +96,8 @@ class DocumentedCommandsTest extends CommandLineBench {
         String examples = "../docs/examples/paper/";
         assertThat(troupe("table " + examples + "both-follow-walls.table --out DIR"))
                 .isEqualTo(Main.USAGE);
-        assertThat(troupe("app " + ARENA + examples + "missing-service.app")).isEqualTo(Main.MISSING_SERVICE);
+        assertThat(troupe("app --out DIR/o " + ARENA + examples + "missing-service.app"))
+                .isEqualTo(Main.MISSING_SERVICE);
         assertThat(err.toString().replace("../docs", "docs").lines())
                 .hasSize(4)
                 .allSatisfy(line -> assertThat(map).contains("\n    " + line + "\n"));

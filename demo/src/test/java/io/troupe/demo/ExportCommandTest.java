@@ -76,7 +76,7 @@ class ExportCommandTest extends CommandLineBench {
         assertRefused(EXPORT + "DIR/run.jsonl --mcap DIR", "--mcap is DIR, but that is a directory, expected a file");
         assertRefused(EXPORT + "DIR/run.jsonl --mcap DIR/no/m", "but there is no directory DIR/no");
         assertRefused(EXPORT + "DIR/run.jsonl --mcap DIR/run.jsonl", "which is the run, expected another file");
-        assertRefused(EXPORT + "DIR/run.jsonl --csv DIR/run.jsonl", "but that is a file, expected a directory");
+        assertRefused(EXPORT + "DIR/run.jsonl --csv DIR/run.jsonl", "is a file, expected a directory");
         assertRefused(EXPORT + "DIR/run.jsonl --mcapp DIR/m", "there is no option --mcapp; did you mean --mcap?");
         assertRefused(
                 EXPORT + "--crowd 3 DIR/run.jsonl --csv DIR/t", "--crowd and --world are both given, expected one");

@@ -317,7 +317,7 @@ class HostedMainJobTest extends CommandLineBench {
                 "run --robots base:6665 --bus nats://base:4222 --reconnect | --reconnect is for robots in this process",
                 "run --robots base:6665 --bus nats://base:4222 --colours 3 | --colours is 3, but there is no crowd",
                 "offer --robots base:6665 | --bus is missing, expected an address like nats://HOST:4222",
-                "offer --bus nats://base:4222 | Missing required option: '--robots=HOST:PORT'",
+                "offer --bus nats://base:4222 | --robots is missing, expected the Player server",
                 "offer --robots 6665 --bus nats://base:4222 | --robots is '6665', expected the address of a Player server",
                 "offer --robots a:1 --bus nats://b:4222 --services wallFolower"
                         + " | --services has 'wallFolower', expected services of the table: wallFollower, spaceWanderer"

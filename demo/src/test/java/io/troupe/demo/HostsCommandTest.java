@@ -201,7 +201,7 @@ class HostsCommandTest extends CommandLineBench {
     @Test
     void wrongOptions_areRefused() {
         assertRefused("hosts --seconds 0", "--seconds is 0.0, expected a number above 0 and up to 3600");
-        assertRefused("hosts --fault melt", "--fault", "melt", "KILL, FREEZE, NONE");
+        assertRefused("hosts --fault melt", "--fault is 'melt', expected one of: kill, freeze, none");
         assertRefused("hosts --world DIR/nowhere", "DIR/nowhere: no such file, expected a world file");
     }
 }

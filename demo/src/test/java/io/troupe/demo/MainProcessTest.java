@@ -125,7 +125,7 @@ class MainProcessTest extends CommandLineBench {
 
     @Test
     void app_endsItsComponentsAndSaysHowFarItCame() throws Exception {
-        String app = "app applications/two-robots.app --world worlds/paper-arena.cfg --seconds 100000";
+        String app = "app applications/two-robots.app --world worlds/paper-arena.cfg --seconds 100000 --out DIR/o";
         assertInterrupted("^ +[0-9.]+ s  ", app, ".* on .*, [0-9.]+ s simulated");
     }
 

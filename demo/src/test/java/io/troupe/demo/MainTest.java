@@ -2,6 +2,7 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.within;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Pnml;
@@ -10,6 +11,8 @@ import io.troupe.sim.worldfile.ScenarioReader;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunLog;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.net.InetAddress;
 import java.net.ServerSocket;
 import java.nio.file.Files;
@@ -21,6 +24,7 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 import org.junit.jupiter.params.provider.ValueSource;
 import org.w3c.dom.Element;
+import picocli.CommandLine;
 
 /** The command line, and {@code troupe run}, {@code modes}, {@code crowd} and {@code draw}. */
 @Timeout(300)
@@ -33,6 +37,50 @@ class MainTest extends CommandLineBench {
         assertThat(printed("help run")).startsWith("Usage: troupe run").doesNotContain("Start with");
         assertThat(printed("run --help"))
                 .contains("--world=FILE", "--seconds=N", "--seed=N", "--realtime", "--out=DIR");
+    }
+
+    @Test
+    void help_hasExamplesThatAreRight_beforeTheOptions_whichAreInGroupsIfTheyAreMany() {
+        var nowhere = new PrintWriter(PrintWriter.nullWriter());
+        CommandLine troupe = Main.commandLine(nowhere, nowhere);
+        int examples = 0;
+        for (CommandLine command : troupe.getSubcommands().values()) {
+            for (String example : HelpPage.examples(command)) {
+                String[] words = example.replaceFirst("troupe ", "").split(" ");
+                assertThat(words[0]).isEqualTo(command.getCommandName());
+                troupe.parseArgs(words); // throws if there is no such option
+                examples++;
+            }
+        }
+        assertThat(examples).isGreaterThan(30);
+
+        assertThat(printed("run --help"))
+                .containsSubsequence(
+                        "Examples:\n  troupe run --view\n",
+                        "\nWorld:\n",
+                        "--world=FILE",
+                        "\nRobots and their services:\n",
+                        "--mode=MODE",
+                        "\nOutput:\n",
+                        "--out=DIR",
+                        "\nAlso:\n",
+                        "\nHelp:\n");
+        assertThat(printed("draw --help")).contains("Examples:", "--out=FILE").doesNotContain("Output:");
+        assertThat(printed("crowd --help")).containsSubsequence("Help:", "--version", "Processor time is that of all");
+    }
+
+    @Test
+    void help_isAsWideAsTheTerminal() {
+        assertThat(HelpPage.columns("120", "90")).isEqualTo(120);
+        assertThat(HelpPage.columns(null, "90")).isEqualTo(90);
+        assertThat(HelpPage.columns("wide", null)).isEqualTo(80);
+        assertThat(HelpPage.columns("9", null)).isEqualTo(60);
+        var text = new StringWriter();
+        CommandLine troupe = Main.commandLine(new PrintWriter(text), new PrintWriter(text));
+        HelpPage.layOut(troupe, 140);
+        troupe.execute("run", "--help");
+        assertThat(text.toString().lines().mapToInt(String::length).max().orElseThrow())
+                .isBetween(101, 140);
     }
 
     @Test
@@ -57,10 +105,18 @@ class MainTest extends CommandLineBench {
                 "run --seconds soon | --seconds is 'soon', expected a number (see",
                 "run --seconds -3 | --seconds is -3.0 .. above 0",
                 "run --seed 1.5 | --seed is '1.5', expected a whole number (see",
-                "run --mode magic | --mode .. magic .. SYNC, CALLBACK, PROMISE .. case-insensitive",
+                "run --mode magic | --mode is 'magic', expected one of: sync, callback, promise (see",
+                "run --mode asynch | --mode is 'asynch', expected one of: .. (did you mean 'sync'?) (see",
+                "evaluate --modes sync,promis | --modes is 'promis', expected one of: .. 'promise'",
+                "run --realtime=maybe | --realtime is 'maybe', expected no value, true or false",
+                "run --seed | --seed is given without its value, expected --seed N (see",
+                "run --seed 1 --seed 2 | --seed is given twice, expected once (see",
+                "export | RUN is missing, expected the run.jsonl or recording (see",
+                "offer | --robots is missing, expected the Player server",
+                "draw caves.world | caves.world: no such file, expected a world file; looked in",
                 "run --mode sync --reconnect | --reconnect goes with --mode callback or promise .. connects once"
                         + " .. troupe run --help",
-                "run --world worlds/track.world --out DIR/taken"
+                "run --world worlds/paper-arena.world --out DIR/taken"
                         + " | --out is DIR/taken, but DIR/taken is a file, expected a directory",
                 "run --robots 0 | --robots is 0, expected a number from 1 to 20000",
                 "run --robots 3 --colours 101 | --colours is 101, expected a number from 1 to 100",
@@ -73,7 +129,7 @@ class MainTest extends CommandLineBench {
                 "run --robots 2 --services 3 --table tables/paper.table | --services is 3 beside --table",
                 "run --table nowhere.table | nowhere.table: no such file",
                 "crowd --sizes 3,0 | --sizes is 0, expected a number from 1 to 20000",
-                "serve --realtime --lock-step | troupe: --realtime, --lock-step are mutually exclusive",
+                "serve --realtime --lock-step | troupe: --realtime and --lock-step are given, expected one of them",
                 "draw worlds/office.world --out DIR/missing/x.svg"
                         + " | --out is DIR/missing/x.svg, but there is no directory DIR/missing",
             })
@@ -114,6 +170,64 @@ class MainTest extends CommandLineBench {
     }
 
     @Test
+    void outputThatCannotBeWritten_isStatus2InEveryCommand_andNothingIsLeftBehind() throws IOException {
+        Path nowhere = Path.of("/proc");
+        assumeTrue(Files.isDirectory(nowhere), "a folder where nobody can write, even root");
+        String here = "/proc/x, but ";
+        assertRefused(
+                "run " + ARENA + "--seconds 1 --out /proc/x", "--out is " + here + "that cannot be made a directory");
+        assertRefused("table --out /proc/x", "--out is " + here);
+        assertRefused("new /proc/x", "FOLDER is " + here);
+        assertRefused("draw worlds/track.world --out /proc/x", "--out is " + here + "it cannot be written (see");
+        file("run.jsonl", "");
+        assertRefused("export DIR/run.jsonl " + ARENA + "--mcap /proc/x", "--mcap is " + here + "it cannot be written");
+        assertRefused(
+                "export DIR/run.jsonl " + ARENA + "--csv /proc/x",
+                "--csv is " + here + "that cannot be made a directory");
+    }
+
+    @Test
+    void wrongInput_leavesNoEmptyDirectoryBehind() throws IOException {
+        file("wrong.world", "model ( siez 1 )");
+        file("lonely.world", "position ( )");
+        for (String line : List.of("run --world", "modes --world", "evaluate --world", "verify --net")) {
+            assertRefused(line + " DIR/nowhere.world --out DIR/o", "nowhere.world: no such file");
+        }
+        for (String line : List.of("run", "modes", "evaluate", "hosts")) {
+            assertRefused(line + " --world DIR/wrong.world --out DIR/o", "wrong.world:1:9: ");
+            assertRefused(line + " --world DIR/lonely.world --out DIR/o", "expected 2");
+        }
+        file("bad.pnml", "<pnml xmlns=\"http://www.pnml.org/version-2009/grammar/pnml\">");
+        assertRefused("verify --net DIR/bad.pnml --out DIR/o", "bad.pnml");
+        file("bad.app", "application a\ncomponent r is plyer\n");
+        assertRefused("verify --bip DIR/bad.app --out DIR/o", "bad.app:2:16: ");
+        assertMissing("o");
+    }
+
+    @Test
+    void nameThatIsNoFileHere_isThatOfTheInstallation() {
+        Path root = Path.of("").toAbsolutePath().getParent();
+        String before = System.setProperty("troupe.home", root.toString());
+        try {
+            assertThat(printed("draw cave.world --out DIR/w.svg")).contains("1 robot");
+            assertThat(printed("draw demo/worlds/cave.world --out DIR/w.svg")).contains("1 robot");
+            assertThat(printed("table four-services.table --out DIR")).contains("5 services");
+            assertThat(printed("run --world office.cfg --seconds 1 --out DIR")).contains("office");
+            assertThat(printed("app two-robots.app --seconds 1 --out DIR")).contains("two-robots on paper arena");
+            assertRefused(
+                    "draw caev.world",
+                    "looked in " + Path.of("").toAbsolutePath() + ", ",
+                    root.resolve(Path.of("demo", "worlds")) + "; did you mean \"cave.world\"?");
+        } finally {
+            if (before == null) {
+                System.clearProperty("troupe.home");
+            } else {
+                System.setProperty("troupe.home", before);
+            }
+        }
+    }
+
+    @Test
     void mistakeInAFile_isToldWithItsPlace() throws IOException {
         file("bad.pnml", "<pnml xmlns=\"http://www.pnml.org/version-2009/grammar/pnml\">");
         assertRefused("verify --net DIR/bad.pnml --out DIR", "bad.pnml", "(see docs/guide/03-proving-a-wiring.md)");
@@ -144,9 +258,7 @@ class MainTest extends CommandLineBench {
         Pnml.write(net.build(), directory.resolve("many.pnml"));
         assertRefused("verify --net DIR/many.pnml --out DIR", "many.pnml", "place p would hold 2147483648 tokens");
 
-        for (String name : List.of("paper-arena.world", "pioneer.inc")) {
-            Files.copy(Path.of("worlds", name), directory.resolve(name));
-        }
+        Files.copy(Path.of("worlds", "paper-arena.world"), directory.resolve("paper-arena.world"));
         String swapped = Files.readString(Path.of("worlds", "paper-arena.cfg"))
                 .replace("\"robot1\"", "\"x\"")
                 .replace("\"robot2\"", "\"robot1\"")
@@ -344,7 +456,6 @@ class MainTest extends CommandLineBench {
     /** A world of 5.4 m by 8.4 m with five robots, two of them navy. */
     @Test
     void trajectory_ofANarrowWorldWithFiveRobots_canBeRead() throws Exception {
-        Files.copy(Path.of("worlds", "pioneer.inc"), directory.resolve("pioneer.inc"));
         file("five.table", """
                 robots 5
                 ignore black : walls

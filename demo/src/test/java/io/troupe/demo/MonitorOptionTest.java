@@ -31,7 +31,9 @@ class MonitorOptionTest extends CommandLineBench {
 
     @Test
     void application_isFollowed() {
-        assertThat(printed("app --world worlds/paper-arena.cfg --seconds 1 --monitor applications/two-robots.app"))
+        assertThat(
+                        printed(
+                                "app --world worlds/paper-arena.cfg --out DIR/o --seconds 1 --monitor applications/two-robots.app"))
                 .containsPattern("monitor: [1-9]\\d* events of providers, components and messages, all as declared");
     }
 

@@ -112,14 +112,13 @@ class ServicesJarTest extends CommandLineBench {
     void followerOfAJar_byLaserOrByCamera_followsAsAServiceOfATable_andAsAComponent(String follower)
             throws IOException {
         // a leader that drives 4 m in 20 s, and a robot behind it, about as far as the followers want to be
-        String worlds = Path.of("worlds").toAbsolutePath().toString().replace('\\', '/');
         file("parade.world", """
                 interval_sim 100
-                include "%1$s/pioneer.inc"
-                include "%1$s/laser.inc"
-                pioneer2dx ( name "leader" color "orange" pose [ 1.5 0 0 0 ] scanner () )
-                pioneer2dx ( name "follower" color "black" pose [ 0 0 0 0 ] scanner () )
-                """.formatted(worlds));
+                include "pioneer.inc"
+                include "sick.inc"
+                pioneer2dx ( name "leader" color "orange" pose [ 1.5 0 0 0 ] sicklaser () )
+                pioneer2dx ( name "follower" color "black" pose [ 0 0 0 0 ] sicklaser () )
+                """);
         file("parade.table", """
                 robots 2
                 service lead = goToGoal(9, 0; speed 0.2)
@@ -141,7 +140,7 @@ class ServicesJarTest extends CommandLineBench {
                 robot1 needs service lead
                 robot2 needs service behind
                 """.formatted(follower));
-        String text = printed("app DIR/parade.app --world DIR/parade.world --seconds 20 " + JAR);
+        String text = printed("app DIR/parade.app --world DIR/parade.world --out DIR/o --seconds 20 " + JAR);
         assertFollowed(text, "robot 2 +([0-9.]+) m");
     }
 

@@ -103,8 +103,8 @@ class ViewOptionsTest extends CommandLineBench {
 
     @Test
     void application_isShown() {
-        assertThat(assertAnswersWhile(
-                        "app --world worlds/paper-arena.cfg --seconds 1 --view 0" + " applications/two-robots.app"))
+        assertThat(assertAnswersWhile("app --world worlds/paper-arena.cfg --out DIR/o --seconds 1 --view 0"
+                        + " applications/two-robots.app"))
                 .contains("two-robots on paper arena, 1.0 s simulated");
     }
 

@@ -66,6 +66,18 @@ public final class RunLog implements AutoCloseable {
                 .put("interval", new Json.Fragment(Json.seconds(world.intervalMillis() * 1000L))));
     }
 
+    /** The same for a run without a table of services, which has no mode. */
+    public void begin(WorldSpec world, double seconds) {
+        write(Json.line(0, "header")
+                .put("format", FORMAT)
+                .put("version", VERSION)
+                .put("program", PROGRAM)
+                .put("world", world.name())
+                .put("robots", world.robots().size())
+                .put("seconds", new Json.Fragment(Json.seconds(StrictMath.round(seconds * 1e6))))
+                .put("interval", new Json.Fragment(Json.seconds(world.intervalMillis() * 1000L))));
+    }
+
     /** The same for a run over hosts. */
     void begin(RecordedHostedRun.Settings settings) {
         write(Json.line(0, "header")

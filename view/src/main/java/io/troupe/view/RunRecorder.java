@@ -95,6 +95,11 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
         this.grips = new ArrayList<>(Collections.nCopies(world.robots().size(), List.of()));
     }
 
+    /** The recorder of a run in which robots have no services: drives of Player programs, or of an application. */
+    public RunRecorder(WorldSpec world, RunLog log) {
+        this(world, SubsumptionTable.NONE, log, change -> {});
+    }
+
     // ---- called by the services
 
     @Override
@@ -251,6 +256,9 @@ public final class RunRecorder implements ServiceObserver, Arbitrator.StateListe
      * readings.
      */
     private void logCharge() {
+        if (table.states().isEmpty()) {
+            return;
+        }
         for (RobotRecord robot : robots) {
             if (robot.servicesInCharge().size() != 1) {
                 robot.countChargeFault();

@@ -31,13 +31,18 @@ public record RunResult(
     private static final String NO_CYCLE_TITLE = "readings without a cycle";
     private static final String STAY_TITLE = "longest stay within 5 cm";
 
+    /** How often the state has changed. */
+    int switches() {
+        return Math.max(0, states.size() - 1);
+    }
+
     /** How often a state started. */
     public long visits(State state) {
         return states.stream().filter(change -> change.state().equals(state)).count();
     }
 
     Json toJson() {
-        var json = Json.line(endMicros, "summary").put("switches", states.size() - 1);
+        var json = Json.line(endMicros, "summary").put("switches", switches());
         json.put(
                 "states",
                 Json.objects(table.states().stream()
@@ -157,7 +162,7 @@ public record RunResult(
     }
 
     private String messageSummary() {
-        int changes = states.size() - 1;
+        int changes = switches();
         String each = changes == 0
                 ? ""
                 : String.format(Locale.ROOT, ", %.1f a state change", (double) messages.sent() / changes);

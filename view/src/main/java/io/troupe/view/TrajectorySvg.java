@@ -39,7 +39,10 @@ final class TrajectorySvg {
     private final RunResult result;
     private final WorldMap map;
     private final boolean crowd;
-    private final ServiceColours services;
+    /** Otherwise paths are coloured by robot. */
+    private final boolean hasServices;
+
+    private final ServiceColours colours;
     private final Svg legend = Svg.fragment();
     private final List<String> title;
     private final Svg svg;
@@ -49,7 +52,11 @@ final class TrajectorySvg {
     TrajectorySvg(WorldSpec world, RunResult result) {
         this.world = world;
         this.result = result;
-        this.services = ServiceColours.of(result.table());
+        this.hasServices = !result.table().services().isEmpty();
+        this.colours = hasServices
+                ? ServiceColours.of(result.table())
+                : ServiceColours.of(
+                        result.robots().stream().map(TrajectorySvg::name).toList());
         Stream<Point> obstacles =
                 world.obstacles().stream().flatMap(obstacle -> corners(obstacle.shape(), obstacle.pose()));
         Stream<Point> paths = result.robots().stream().flatMap(this::reach);
@@ -105,8 +112,22 @@ final class TrajectorySvg {
 
     /** The main result in one sentence; the picture's title. */
     private String finding() {
-        int changes = result.states().size() - 1;
+        int changes = result.switches();
         int robots = result.robots().size();
+        if (!hasServices) {
+            return String.format(
+                    Locale.ROOT,
+                    "%s: %s %s %s m in %s s",
+                    world.name(),
+                    robots == 1 ? "1 robot" : robots + " robots",
+                    robots == 1 ? "drives" : "drive",
+                    Svg.number(
+                            result.robots().stream()
+                                    .mapToDouble(RobotRecord::distanceM)
+                                    .sum(),
+                            1),
+                    Svg.number(result.endMicros() / 1e6, 1));
+        }
         return String.format(
                 Locale.ROOT,
                 "%s: %s %s state %s in %s s",
@@ -151,7 +172,7 @@ final class TrajectorySvg {
                 "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-opacity=\"%s\""
                         + dash(robot) + "/>\n",
                 points,
-                colourOf(first),
+                colourOf(robot, first),
                 crowd ? 0.6 + 1.4 * newness : 2.0,
                 crowd ? String.format(Locale.ROOT, "%.2f", 0.08 + 0.77 * newness * newness) : "0.8");
     }
@@ -160,8 +181,13 @@ final class TrajectorySvg {
         return crowd ? (int) Math.min(AGES - 1, sample.timeMicros() * AGES / Math.max(1, result.endMicros())) : 0;
     }
 
-    private String colourOf(RobotRecord.Sample sample) {
-        return services.colour(sample.service());
+    private String colourOf(int robot, RobotRecord.Sample sample) {
+        return colours.colour(
+                hasServices ? sample.service() : name(result.robots().get(robot)));
+    }
+
+    private static String name(RobotRecord robot) {
+        return "robot " + (robot.index() + 1);
     }
 
     /** Draws arrow heads along the path at equal distances. */
@@ -179,7 +205,7 @@ final class TrajectorySvg {
                         y(path.get(i).pose()),
                         StrictMath.atan2(dy, dx),
                         11,
-                        colourOf(path.get(i)));
+                        colourOf(robot.index(), path.get(i)));
             }
         }
     }
@@ -195,7 +221,7 @@ final class TrajectorySvg {
                 double y = y(sample.pose());
                 svg.add(
                         "<circle class=\"time\" cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"white\" stroke=\"%s\" stroke-width=\"1.5\"/>\n",
-                        x, y, colourOf(sample));
+                        x, y, colourOf(robot.index(), sample));
                 String label = Svg.number(next / 1e6, 1) + " s";
                 svg.textOnLines(x + 6, y - 5, "font-size=\"11\" fill=\"#333333\"", label);
                 next += every;
@@ -262,11 +288,12 @@ final class TrajectorySvg {
     private void drawLegend() {
         legendX += map.scaleBar(legend, legendX + 1, legendY - 5, FONT_PX) + LINE_PX;
         for (Service service : result.table().services()) {
-            entry(service.name(), "stroke=\"" + services.colour(service.name()) + "\" stroke-width=\"3\"");
+            entry(service.name(), "stroke=\"" + colours.colour(service.name()) + "\" stroke-width=\"3\"");
         }
         if (!crowd) {
-            for (int robot = 0; robot < result.robots().size(); robot++) {
-                entry("robot " + (robot + 1), "stroke=\"#444444\" stroke-width=\"2\"" + dash(robot));
+            for (RobotRecord robot : result.robots()) {
+                String colour = hasServices ? "#444444" : colours.colour(name(robot));
+                entry(name(robot), "stroke=\"" + colour + "\" stroke-width=\"2\"" + dash(robot.index()));
             }
         }
         for (String line : Svg.wrap(caption(), map.pageWidthPx() - 2 * LEFT_PX, FONT_PX)) {
@@ -276,12 +303,12 @@ final class TrajectorySvg {
     }
 
     private String caption() {
-        String tag = "Tag s2: here a robot saw that colour, and state 2 began.";
+        String tag = hasServices ? "Tag s2: here a robot saw that colour, and state 2 began. " : "";
         if (crowd) {
             return result.robots().size() + " robots, " + Json.seconds(result.endMicros()) + " s simulated. " + tag
-                    + " Faint paths are old, strong ones new; bodies stand where the robots ended.";
+                    + "Faint paths are old, strong ones new; bodies stand where the robots ended.";
         }
-        return tag + " Faint body: start; body with a number: that robot at the end. Ring: where a robot was "
+        return tag + "Faint body: start; body with a number: that robot at the end. Ring: where a robot was "
                 + "after so many seconds.";
     }
 

@@ -8,6 +8,7 @@ import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Installation;
 import io.troupe.demo.terminal.Interruption;
+import io.troupe.demo.terminal.RunFiles;
 import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.component.application.ApplicationPlan;
@@ -38,6 +39,7 @@ import picocli.CommandLine.Spec;
             "With --bus, several processes run it together, on the robots of a server (troupe serve): each one starts the same file under the name of one of its nodes.",
             "Exit status 3: a service that it needs is missing."
         },
+        footer = {"  troupe app two-robots.app", "  troupe app python.app --view", "  troupe app --list"},
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class AppCommand implements Callable<Integer> {
@@ -87,6 +89,9 @@ public final class AppCommand implements Callable<Integer> {
                     "follow the declared protocols of providers, components and messages, and end with the story if something is not allowed")
     private boolean monitored;
 
+    @Option(names = "--out", paramLabel = "DIR", description = "where trajectory.svg and run.jsonl go")
+    private Path out = Path.of("out");
+
     @Override
     public Integer call() throws IOException, InterruptedException {
         PrintWriter terminal = spec.commandLine().getOut();
@@ -102,9 +107,9 @@ public final class AppCommand implements Callable<Integer> {
             throw new ParameterException(
                     spec.commandLine(), "--seconds is " + seconds + ", expected a number above 0 and up to 1000000");
         }
-        FileProblems.checkInput(spec, file, "the file of a declaration");
+        Path declaration = FileProblems.input(spec, file, "the file of a declaration");
         if (bus.isGiven()) {
-            return overBus(file, terminal);
+            return overBus(declaration, terminal);
         }
         bus.refuseWithoutBus();
         if (robots != null) {
@@ -113,10 +118,11 @@ public final class AppCommand implements Callable<Integer> {
         Scenario scenario = loader.read(world);
         try (var opened = jars;
                 var interruption = Interruption.open()) {
-            var kinds = ComponentKinds.standard(opened.catalogue(file));
+            var kinds = ComponentKinds.standard(opened.catalogue(declaration));
             AppMonitor monitor = monitored ? new AppMonitor() : null;
-            try (var page = view.open()) {
-                new AppRun(file, kinds, scenario, new AppReport(terminal), page, monitor)
+            try (var page = view.open();
+                    var files = new RunFiles(spec, out, scenario.world(), seconds)) {
+                new AppRun(declaration, kinds, scenario, new AppReport(terminal), page, monitor, files)
                         .run(seconds, realtime, interruption::isRequested);
             }
             if (monitor != null) {
@@ -128,7 +134,7 @@ public final class AppCommand implements Callable<Integer> {
     }
 
     private int overBus(Path declaration, PrintWriter terminal) throws IOException, InterruptedException {
-        for (String option : List.of("--world", "--realtime", "--view", "--monitor")) {
+        for (String option : List.of("--world", "--realtime", "--view", "--monitor", "--out")) {
             if (spec.commandLine().getParseResult().hasMatchedOption(option)) {
                 throw wrong(
                         option + " is given with --bus, expected only --robots: over a bus the world runs elsewhere,"

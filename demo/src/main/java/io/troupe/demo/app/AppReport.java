@@ -210,6 +210,12 @@ final class AppReport implements ComponentObserver {
         terminal.flush();
     }
 
+    /** Which files were written. */
+    synchronized void wrote(String words) {
+        terminal.println(words);
+        terminal.flush();
+    }
+
     /** The summary of an application whose world is elsewhere. */
     synchronized void summary(String application) {
         terminal.printf(Locale.ROOT, "%n%s over a bus, %.1f s%n", application, clockMicros.getAsLong() / 1e6);

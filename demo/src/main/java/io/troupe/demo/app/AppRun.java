@@ -8,6 +8,7 @@ import io.troupe.bus.BusObserver;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.Loss;
 import io.troupe.demo.monitor.AppMonitor;
+import io.troupe.demo.terminal.RunFiles;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
@@ -56,12 +57,14 @@ final class AppRun {
     private final AppReport report;
     private final @Nullable LiveView page;
     private final @Nullable AppMonitor monitor;
+    private final @Nullable RunFiles files;
 
     /**
      * Prepares a run.
      *
      * @param page that shows the world; null = none
      * @param monitor follows the application; null = none
+     * @param files record the robots; null = none
      */
     AppRun(
             Path file,
@@ -69,8 +72,10 @@ final class AppRun {
             Scenario scenario,
             AppReport report,
             @Nullable LiveView page,
-            @Nullable AppMonitor monitor) {
+            @Nullable AppMonitor monitor,
+            @Nullable RunFiles files) {
         this.page = page;
+        this.files = files;
         this.monitor = monitor;
         this.file = file;
         this.kinds = kinds;
@@ -95,6 +100,9 @@ final class AppRun {
                 values.put("tcp", String.valueOf(tcp.port()));
             }
             var plan = ApplicationReader.parse(declaration, file, kinds, values).inOneProcess();
+            if (files != null) {
+                files.open();
+            }
             report.watch(simulation.latest(), simulation::timeMicros);
             var bus = Bus.inProcess(
                     "troupe",
@@ -116,6 +124,9 @@ final class AppRun {
                 monitor.check();
             }
             report.summary(plan.name(), scenario.world().name());
+            if (files != null) {
+                report.wrote(files.finish(simulation.timeMicros() < StrictMath.round(seconds * 1e6)));
+            }
         }
     }
 
@@ -170,6 +181,9 @@ final class AppRun {
         if (page != null) {
             viewed.onto(page).moved(simulation.latest());
         }
+        if (files != null) {
+            files.record(simulation.latest());
+        }
         var pacer = new WallClockPacer();
         while (simulation.timeMicros() < endMicros && !stop.getAsBoolean()) {
             viewed.beforeTick(simulation, stop);
@@ -178,6 +192,9 @@ final class AppRun {
             }
             var snapshot = simulation.tick();
             report.moved(snapshot);
+            if (files != null) {
+                files.record(snapshot);
+            }
             viewed.moved(snapshot);
             if (realtime && page == null) {
                 pacer.await(snapshot.timeMicros());

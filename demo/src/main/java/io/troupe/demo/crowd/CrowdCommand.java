@@ -29,6 +29,9 @@ import picocli.CommandLine.Spec;
         description =
                 "Measures crowds of robots on one actor space: simulated world, Player connections, arbitrator and services, in lock step.",
         footer = {
+            "  troupe crowd",
+            "  troupe crowd --sizes 2,50,1000",
+            "  troupe crowd --sizes 200 --view",
             "",
             "Processor time is that of all threads, the compiler's and the collector's included; world is that of the thread that moves the world, services that of",
             "the actor space's thread. The two take turns, so one core is all they need; to have no more than one: taskset -c 0 ./troupe crowd"

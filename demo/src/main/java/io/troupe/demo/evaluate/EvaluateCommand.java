@@ -32,6 +32,11 @@ import picocli.CommandLine.Spec;
         name = "evaluate",
         description =
                 "Measures what section 4 of the paper measured, and sets what the paper says beside what comes out.",
+        footer = {
+            "  troupe evaluate",
+            "  troupe evaluate --loops 1000 --reconnect",
+            "  troupe evaluate --realtime --loops 100 --cores 1"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class EvaluateCommand implements Callable<Integer> {
@@ -109,10 +114,10 @@ public final class EvaluateCommand implements Callable<Integer> {
     @Override
     public Integer call() throws IOException {
         System.setProperty("java.awt.headless", "true"); // drawing needs no display
+        world = FileProblems.input(spec, world, "a world file");
         var settings = settings();
-        FileProblems.checkInput(spec, world, "a world file");
-        prepare(settings.log());
         var paperWorld = PaperWorld.of(loader.read(world), world);
+        prepare(settings.log());
         long begin = System.nanoTime();
         try (var interruption = Interruption.open()) {
             Evaluation.Outcome outcome;

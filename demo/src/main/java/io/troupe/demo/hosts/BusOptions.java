@@ -197,7 +197,7 @@ public final class BusOptions {
     }
 
     private String firstLine(Path file) {
-        FileProblems.checkInput(spec, file, "a file whose first line is the password");
+        FileProblems.input(spec, file, "a file whose first line is the password");
         try (var lines = Files.lines(file)) {
             return lines.findFirst().orElse("");
         } catch (IOException | UncheckedIOException unreadable) {
@@ -207,7 +207,7 @@ public final class BusOptions {
 
     private SSLContext trusting(Path file) {
         String expected = "a certificate in the PEM format (-----BEGIN CERTIFICATE-----)";
-        FileProblems.checkInput(spec, file, expected);
+        FileProblems.input(spec, file, expected);
         try (InputStream content = Files.newInputStream(file)) {
             var certificates = CertificateFactory.getInstance("X.509").generateCertificates(content);
             if (certificates.isEmpty()) {

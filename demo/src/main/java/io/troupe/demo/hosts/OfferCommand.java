@@ -17,7 +17,6 @@ import io.troupe.services.subsumption.RobotServicesActor;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.ServiceObserver;
 import io.troupe.services.subsumption.SubsumptionTable;
-import io.troupe.services.subsumption.SubsumptionTableReader;
 import java.io.PrintWriter;
 import java.lang.System.Logger.Level;
 import java.nio.file.Path;
@@ -41,6 +40,10 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "offer",
         description = "Offers services for the robots of a Player server on a bus over hosts, until Ctrl-C.",
+        footer = {
+            "  troupe offer --robots base:6665 --bus nats://base:4222",
+            "  troupe offer --robots base:6665 --bus nats://base:4222 --services wallFollower --rank 1"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class OfferCommand implements Callable<Integer> {
@@ -94,9 +97,8 @@ public final class OfferCommand implements Callable<Integer> {
         try (var opened = jars;
                 var interruption = Interruption.open()) {
             var catalogue = opened.catalogue(table);
-            SubsumptionTable read = table == null
-                    ? SubsumptionTable.ofThePaper(corners)
-                    : SubsumptionTableReader.read(table, catalogue);
+            SubsumptionTable read =
+                    table == null ? SubsumptionTable.ofThePaper(corners) : ServiceJars.read(spec, table, catalogue);
             List<String> offered = offered(read);
             RobotAddress address = RobotAddress.parse(spec, robots);
             busOptions.settings(); // rejects wrong options before anything is opened

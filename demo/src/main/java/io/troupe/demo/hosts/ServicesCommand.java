@@ -31,6 +31,8 @@ import picocli.CommandLine.Spec;
         name = "services",
         description = "Shows which process on a bus offers which service, and how well.",
         footer = {
+            "  troupe services --bus nats://base:4222",
+            "  troupe services --bus nats://base:4222 --json",
             "",
             "The columns: the service, its capabilities, the node that offers it, whether it runs there, the time of a"
                     + " request to that node, how often the service was started there (life), its rank (the lower, the"

@@ -25,6 +25,7 @@ import picocli.CommandLine.Spec;
         description = "Compares the wall follower that drives forward while it turns at a corner (the paper), with the"
                 + " one that drives backward (its model); each random arena is driven through by both. Writes corners.csv and"
                 + " corners.svg.",
+        footer = "  troupe learn corners",
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 final class CornersCommand implements Callable<Integer> {

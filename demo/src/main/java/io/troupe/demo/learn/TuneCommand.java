@@ -24,6 +24,7 @@ import picocli.CommandLine.Spec;
                 "Tunes the numbers of the wall follower by random search over random arenas, which are the same for each"
                         + " candidate. Writes tuning.csv and tuning.svg.",
         footer = {
+            "  troupe learn tune",
             "",
             "A candidate's score: metres along walls in a minute, of which each touch takes one; the mean of all arenas."
         },

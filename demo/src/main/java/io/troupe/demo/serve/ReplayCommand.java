@@ -6,6 +6,7 @@ import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
 import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.demo.terminal.RunFiles;
 import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.sim.RecordingException;
 import io.troupe.sim.Replay;
@@ -39,6 +40,11 @@ import picocli.CommandLine.Spec;
         name = "replay",
         description =
                 "Replays what serve --record has written, checks that it is the same, and says where the robots went.",
+        footer = {
+            "  troupe replay office.txt --world office.cfg",
+            "  troupe replay office.txt --world office.cfg --view",
+            "  troupe replay office.txt --world office.cfg --html office.html"
+        },
         mixinStandardHelpOptions = true)
 public final class ReplayCommand implements Callable<Integer> {
     private static final int TICKS_PER_REPORT = 50;
@@ -61,9 +67,15 @@ public final class ReplayCommand implements Callable<Integer> {
             description = "write a page with the recording, which any browser plays")
     private @Nullable Path html;
 
+    @Option(
+            names = "--out",
+            paramLabel = "DIR",
+            description = "write trajectory.svg and run.jsonl of the recording there")
+    private @Nullable Path out;
+
     @Override
     public Integer call() throws IOException {
-        FileProblems.checkInput(spec, recording, "what serve --record has written");
+        recording = FileProblems.input(spec, recording, "what serve --record has written");
         WorldSpec world = worlds.scenario().world();
         if (html != null) {
             FileProblems.checkOutput(spec, "--html", html);
@@ -72,10 +84,17 @@ public final class ReplayCommand implements Callable<Integer> {
         var travelled = new Travelled(world.robots().size());
         PrintWriter terminal = spec.commandLine().getOut();
         ViewFile film = html == null ? null : new ViewFile();
+        double seconds = replay.ticks() * world.intervalMillis() / 1000.0;
         try (var interruption = Interruption.open();
-                var page = view.open()) {
+                var page = view.open();
+                var files = out == null ? null : new RunFiles(spec, out, world, seconds)) {
+            if (files != null) {
+                files.open();
+            }
             try {
-                long checksum = play(replay, world, viewer(world, page, film, interruption), travelled, interruption);
+                Consumer<Snapshot> viewer = viewer(world, page, film, interruption);
+                Consumer<Snapshot> recorder = files == null ? viewer : viewer.andThen(files::record);
+                long checksum = play(replay, world, recorder, travelled, interruption);
                 terminal.printf(
                         Locale.ROOT,
                         "%s of world %s, the same bit for bit; checksum %08x%n",
@@ -90,6 +109,10 @@ public final class ReplayCommand implements Callable<Integer> {
                 OutputFiles.write(html, film.html());
             }
             print(travelled, world.robots(), terminal);
+            if (files != null) {
+                terminal.println(files.finish(travelled.ticks < replay.ticks()));
+                terminal.flush();
+            }
             return interruption.isRequested() ? Interruption.STATUS : 0;
         }
     }

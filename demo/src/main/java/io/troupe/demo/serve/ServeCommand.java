@@ -26,6 +26,11 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "serve",
         description = "Simulates a world and offers its robots to Player clients over TCP, until Ctrl-C.",
+        footer = {
+            "  troupe serve --view",
+            "  troupe serve --world office.cfg --speed 10 --record office.txt",
+            "  troupe serve --crowd 50 --lock-step --clients 50"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class ServeCommand implements Callable<Integer> {

@@ -1,7 +1,10 @@
 package io.troupe.demo.table;
 
+import io.troupe.demo.terminal.FileProblems;
 import io.troupe.services.subsumption.ServiceCatalogue;
 import io.troupe.services.subsumption.ServiceJar;
+import io.troupe.services.subsumption.SubsumptionTable;
+import io.troupe.services.subsumption.SubsumptionTableReader;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
@@ -47,6 +50,11 @@ public final class ServiceJars implements AutoCloseable {
             catalogue = opened.addTo(catalogue);
         }
         return catalogue;
+    }
+
+    /** Reads a table, which may be one of the installation, with such services. */
+    public static SubsumptionTable read(CommandSpec spec, Path table, ServiceCatalogue catalogue) {
+        return SubsumptionTableReader.read(FileProblems.input(spec, table, "the text of a table"), catalogue);
     }
 
     @Override

@@ -5,7 +5,6 @@ import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
-import io.troupe.services.subsumption.SubsumptionTableReader;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
@@ -26,6 +25,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "table",
         description = "Checks a table of services, prints it, and draws its states and its switching rules.",
+        footer = {"  troupe table", "  troupe table four-services.table --out out/four"},
         mixinStandardHelpOptions = true,
         showDefaultValues = true)
 public final class TableCommand implements Callable<Integer> {
@@ -62,7 +62,7 @@ public final class TableCommand implements Callable<Integer> {
     private SubsumptionTable read() {
         try (var opened = jars) {
             var catalogue = opened.catalogue(file);
-            return file == null ? SubsumptionTable.ofThePaper() : SubsumptionTableReader.read(file, catalogue);
+            return file == null ? SubsumptionTable.ofThePaper() : ServiceJars.read(spec, file, catalogue);
         }
     }
 

@@ -7,26 +7,33 @@ import java.nio.file.Path;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.ParameterException;
 
-/** Creates the directory of the option {@code --out}. */
+/** Creates the directories of the option {@code --out} and its like. */
 public final class OutputDirectory {
     private OutputDirectory() {}
 
     /**
-     * Creates the directory and its parents if they are missing.
+     * Creates the directory of {@code --out}, and its parents, if they are missing. Call it when everything else has
+     * been checked, so that a command that is used wrongly leaves no empty directory behind.
      *
-     * @throws ParameterException if it cannot be created
+     * @throws ParameterException if it cannot be created, or nothing can be written in it
      */
     public static void make(CommandSpec spec, Path directory) {
+        make(spec, "--out", directory);
+    }
+
+    /** The same for another option. */
+    public static void make(CommandSpec spec, String option, Path directory) {
+        String problem;
         try {
             Files.createDirectories(directory);
+            problem = Files.isWritable(directory) ? "" : "nothing can be written there: permission denied";
         } catch (FileAlreadyExistsException file) {
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "--out is " + directory + ", but " + file.getFile() + " is a file, expected a directory");
+            problem = file.getFile() + " is a file, expected a directory";
         } catch (IOException e) {
-            throw new ParameterException(
-                    spec.commandLine(),
-                    "--out " + directory + " cannot be made a directory: " + FileProblems.message(e));
+            problem = "that cannot be made a directory" + FileProblems.because(e);
+        }
+        if (!problem.isEmpty()) {
+            throw new ParameterException(spec.commandLine(), option + " is " + directory + ", but " + problem);
         }
     }
 }

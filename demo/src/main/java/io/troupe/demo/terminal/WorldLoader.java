@@ -23,12 +23,12 @@ public final class WorldLoader {
     private boolean lenient;
 
     /**
-     * Reads a world or configuration file.
+     * Reads a world or configuration file, which may be one of the installation.
      *
      * @throws picocli.CommandLine.ParameterException if the file does not exist or is not readable
      */
-    public Scenario read(Path file) {
-        FileProblems.checkInput(spec, file, "a world file");
+    public Scenario read(Path named) {
+        Path file = FileProblems.input(spec, named, "a world file");
         PrintWriter err = spec.commandLine().getErr();
         Consumer<WorldFileWarning> print = warning -> err.println("troupe: warning: " + warning);
         Scenario scenario = lenient ? ScenarioReader.readLeniently(file, print) : ScenarioReader.read(file, print);

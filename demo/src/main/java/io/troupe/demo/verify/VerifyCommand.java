@@ -39,6 +39,11 @@ import picocli.CommandLine.Spec;
         name = "verify",
         description =
                 "Computes what the paper says about its Petri nets, prints both side by side, and draws the nets.",
+        footer = {
+            "  troupe verify",
+            "  troupe verify --net FILE.pnml",
+            "  troupe verify --bip two-robots.app --out two-robots.bip"
+        },
         mixinStandardHelpOptions = true,
         showDefaultValues = true,
         exitCodeListHeading = "Exit status:%n",
@@ -114,7 +119,10 @@ public final class VerifyCommand implements Callable<Integer> {
         if (net != null && bip != null) {
             throw new ParameterException(spec.commandLine(), "--net and --bip are given, expected one of them");
         }
-        if (bip == null) {
+        if (net != null) {
+            FileProblems.input(spec, net, "a net in PNML");
+        }
+        if (bip == null && net == null) {
             OutputDirectory.make(spec, out);
         }
         PrintWriter terminal = spec.commandLine().getOut();
@@ -170,12 +178,10 @@ public final class VerifyCommand implements Callable<Integer> {
     /** The values of an application file do not matter for its model. */
     private static final Map<String, String> VALUES = Map.of("host", "localhost", "port", "6665", "tcp", "6665");
 
-    private int model(Path file, Interruption interruption, ProgressLine line, Consumer<String> results)
+    private int model(Path named, Interruption interruption, ProgressLine line, Consumer<String> results)
             throws IOException {
-        boolean paper = file.toString().isEmpty();
-        if (!paper) {
-            FileProblems.checkInput(spec, file, "the file of a declaration");
-        }
+        boolean paper = named.toString().isEmpty();
+        Path file = paper ? named : FileProblems.input(spec, named, "the file of a declaration");
         long end = System.nanoTime() + (long) (seconds * 1e9);
         var limits = SearchLimits.markings(Integer.MAX_VALUE)
                 .cancelledBy(() -> {
@@ -184,9 +190,8 @@ public final class VerifyCommand implements Callable<Integer> {
                 })
                 .reporting(10_000, found -> line.show("searching: " + found.markings() + " states"))
                 .within(bytes());
-        var study = new BipStudy(spec, out, limits, results);
         if (paper) {
-            return study.paper();
+            return new BipStudy(spec, out, limits, results).paper();
         }
         try (var opened = jars) {
             var plan = ApplicationReader.read(file, ComponentKinds.standard(opened.catalogue(file)), VALUES);
@@ -196,19 +201,19 @@ public final class VerifyCommand implements Callable<Integer> {
             } catch (IllegalArgumentException e) {
                 throw new ParameterException(spec.commandLine(), file + ": " + e.getMessage(), e);
             }
-            return study.application(plan, model);
+            return new BipStudy(spec, out, limits, results).application(plan, model);
         }
     }
 
     /** Errors after the verdict do not change the exit status, since scripts rely on it. */
     private int examine(Path file, Interruption interruption, Consumer<String> progress, Consumer<String> results) {
-        FileProblems.checkInput(spec, file, "a net in PNML");
         PrintWriter err = spec.commandLine().getErr();
         try {
             var read = Pnml.readLarge(file, warning -> {
                 err.println("troupe: warning: " + warning);
                 err.flush();
             });
+            OutputDirectory.make(spec, out);
             if (!read.largePlaces().isEmpty()) {
                 return NetExamination.decideLarge(read, limits(interruption), progress, results);
             }

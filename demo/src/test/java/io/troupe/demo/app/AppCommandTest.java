@@ -25,6 +25,7 @@ import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.RunLog;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -42,11 +43,11 @@ import org.junit.jupiter.api.Timeout;
 /** {@code troupe app}, and a component that is a process in another language. */
 @Timeout(120)
 class AppCommandTest extends CommandLineBench {
-    private static final String APP = "app --world worlds/paper-arena.cfg ";
+    private static final String APP = "app --world worlds/paper-arena.cfg --out DIR/out ";
 
     @Test
     @Timeout(60)
-    void shippedApplication_findsStartsConnectsReplacesAndSums() {
+    void shippedApplication_findsStartsConnectsReplacesAndSums_andWritesPictureAndLog() throws IOException {
         assertThat(printed(APP + "applications/two-robots.app --seconds 32"))
                 .contains(
                         "0.0 s  offered    wanderer (service spaceWanderer; drives, wanders)",
@@ -58,7 +59,23 @@ class AppCommandTest extends CommandLineBench {
                         "two-robots on paper arena, 32.0 s simulated")
                 .containsPattern("robot 1 +[0-9.]+ m +320 loops over the bus  0 contacts")
                 .containsPattern("robot 2 +[0-9.]+ m +320 loops over the bus  0 contacts")
-                .doesNotContain("told", "problem", "lost");
+                .doesNotContain("told", "problem", "lost")
+                .endsWith(local("wrote DIR/out/trajectory.svg and DIR/out/run.jsonl\n"));
+        assertThat(written("out/trajectory.svg"))
+                .containsPattern("<title>paper arena: 2 robots drive [0-9.]+ m in 32 s</title>")
+                .doesNotContain("Tag s2");
+        assertThat(written("out/run.jsonl").lines())
+                .startsWith("{\"t\":0.0,\"type\":\"header\",\"format\":\"troupe-run\",\"version\":1,\"program\":\""
+                        + RunLog.PROGRAM
+                        + "\",\"world\":\"paper arena\",\"robots\":2,\"seconds\":32.0,\"interval\":0.1}")
+                .filteredOn(line -> line.contains("\"pose\""))
+                .hasSize(2 * 321)
+                .allSatisfy(line -> assertThat(line).contains("\"service\":\"none\""));
+        assertThat(written("out/run.jsonl"))
+                .contains("\"type\":\"summary\",\"switches\":0")
+                .doesNotContain("\"charge\"");
+        assertThat(printed("export DIR/out/run.jsonl --world worlds/paper-arena.cfg --csv DIR/tables"))
+                .contains("321 readings");
         assertThat(err.toString()).isEmpty();
     }
 
@@ -84,6 +101,7 @@ class AppCommandTest extends CommandLineBench {
                 .contains("\"robot1\"", "\"wallFolower\"", "did you mean \"wallFollower\"?")
                 .contains("registered: player", "spaceWanderer");
         assertThat(out.toString()).contains("started    robots", "stopped    robots");
+        assertThat(written("out/run.jsonl")).endsWith("\"cutShort\":\"failed\"}\n");
     }
 
     @Test
@@ -92,11 +110,13 @@ class AppCommandTest extends CommandLineBench {
         file("my.app", "application a\ncomponent r is plyer\n");
         String kind = "there is no kind of component \"plyer\"; did you mean \"player\"?";
         assertRefused(APP + "DIR/my.app", "troupe: DIR/my.app:2:16: " + kind);
+        assertMissing("out");
         assertRefused(APP, "FILE is missing");
         assertRefused(APP + "x.app --seconds 0", "--seconds is 0.0, expected");
         String expected = ", expected the file of a declaration (see troupe app --help)";
-        assertRefused(APP + "no-such.app", expected);
-        assertThat(err.toString().strip()).isEqualTo("troupe: no-such.app: no such file" + expected);
+        String places = ", expected the file of a declaration; looked in ";
+        assertRefused(APP + "no-such.app", places);
+        assertThat(err.toString()).startsWith("troupe: no-such.app: no such file" + places);
         assertRefused(APP + "applications", expected);
         assertThat(err.toString().strip()).isEqualTo("troupe: applications: a directory" + expected);
 

@@ -135,7 +135,7 @@ class AppOverBusTest extends CommandLineBench {
 
     @Test
     void sameFile_runsInOneProcessToo_andIsTheOneOfTheGuide() throws IOException {
-        assertThat(printed("app --world worlds/paper-arena.cfg applications/two-hosts.app --seconds 2"))
+        assertThat(printed("app --world worlds/paper-arena.cfg --out DIR/o applications/two-hosts.app --seconds 2"))
                 .contains("connected  robot1 with follower", "two-hosts on paper arena, 2.0 s simulated");
         String guide = Files.readString(Path.of("..", "docs", "guide", "09-components.md"));
         List<String> lines = Files.readAllLines(FILE).stream()

@@ -28,6 +28,7 @@ class AppRunViewTest {
                             scenario,
                             new AppReport(new PrintWriter(text)),
                             page,
+                            null,
                             null)
                     .run(2, false, () -> false);
             Map<String, Long> calls = page.callGraph().snapshot().edges().stream()

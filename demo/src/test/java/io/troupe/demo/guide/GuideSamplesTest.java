@@ -419,7 +419,7 @@ class GuideSamplesTest {
             name "open field"
             interval_sim 100
             include "pioneer.inc"
-            include "laser.inc"
+            include "sick.inc"
             """;
 
     private static Snapshot run(Mode mode, String things, int seconds, Service... services) throws Exception {
@@ -485,7 +485,7 @@ class GuideSamplesTest {
         // the wall is 4 m in front of the laser, which is 0.1 m in front of the robot's centre
         String world = """
                 model ( color "black" size [ 0.2 4 0.5 ] pose [ 4.2 0 0 0 ] )
-                pioneer2dx ( name "robot1" color "orange" pose [ 0 0 0 0 ] scanner ( pose [ 0.1 0 0 0 ] ) )
+                pioneer2dx ( name "robot1" color "orange" pose [ 0 0 0 0 ] sicklaser ( pose [ 0.1 0 0 0 ] ) )
                 """;
         var firstM = new double[] {Double.NaN};
         var stalledAtM = new double[] {Double.NaN};

@@ -99,8 +99,10 @@ class ServeCommandTest extends CommandLineBench {
                     .isGreaterThanOrEqualTo(19);
         }
         assertThat(written("session.txt")).contains(" velocity 0 0.3 0.0");
-        assertThat(printed("replay DIR/session.txt --world worlds/paper-arena.cfg"))
-                .contains("the same bit for bit", "robot1: ", " contacts");
+        assertThat(printed("replay DIR/session.txt --world worlds/paper-arena.cfg --out DIR/o"))
+                .contains("the same bit for bit", "robot1: ", " contacts", local("wrote DIR/o/trajectory.svg and"));
+        assertThat(written("o/trajectory.svg")).contains("paper arena: 2 robots drive ");
+        assertThat(written("o/run.jsonl")).contains("\"robot\":2,").contains("\"type\":\"summary\"");
         assertFails(1, "replay DIR/session.txt --world worlds/office.cfg", "made in another world");
     }
 
@@ -185,7 +187,7 @@ class ServeCommandTest extends CommandLineBench {
         assertRefused("serve --crowd 0", "--crowd is 0, expected a number from 1 to 20000");
         assertRefused("serve --clients 0", "--clients is 0, expected a number of at least 1");
         assertRefused("serve --port 70000", "--port is 70000, expected a number from 0 to 65535");
-        assertRefused("serve --realtime --speed 2", "--realtime, --speed");
+        assertRefused("serve --realtime --speed 2", "--realtime and --speed=N are given, expected one of them");
         assertThat(troupe("serve --bind", "no such host!")).isEqualTo(2);
         assertThat(err.toString()).contains("--bind is no such host!, expected an address of this machine");
     }

@@ -125,7 +125,7 @@ class ShippedWorldsTest {
     @Test
     void twinsForStage4_haveNothingOfTheClassicDialect() throws IOException {
         String classic = "\\blaser\\s*\\(|define \\w+ laser|scount|spose|sview|ssize|\"sonar|\"laser:";
-        var files = "paper-arena.world office.world cave.world track.world pioneer.inc laser.inc office.cfg";
+        var files = "paper-arena.world office.world cave.world track.world office.cfg";
         assertThat(files.split(" ")).allSatisfy(name -> {
             String text = Files.readString(file("stage4/" + name)).replaceAll("#.*", "");
             assertThat(text).doesNotContainPattern(classic);

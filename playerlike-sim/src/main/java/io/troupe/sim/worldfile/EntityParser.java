@@ -15,8 +15,8 @@ import org.jspecify.annotations.Nullable;
 /**
  * Parses the grammar that world and configuration files share into a tree. It knows no entities or properties.
  *
- * <p>{@code include "file"} is relative to the including file or else, as in Stage, to the first file; {@code define
- * new old ( .. )} defines a macro, which may be based on another macro.
+ * <p>{@code include "file"} is relative to the including file or else, as in Stage, to the first file, or one of those
+ * that come with us; {@code define new old ( .. )} defines a macro, which may be based on another macro.
  */
 final class EntityParser {
     private static final int DEEPEST_NESTING = 64;
@@ -58,7 +58,7 @@ final class EntityParser {
      */
     static Document parse(String rootType, Path file, @Nullable SourcePosition namedAt, Diagnostics diagnostics) {
         var parser = new EntityParser(rootType, file, diagnostics);
-        parser.file(file, namedAt);
+        parser.text(SourceText.read(file, namedAt), file);
         return new Document(parser.root.build(), parser.macros);
     }
 
@@ -67,12 +67,6 @@ final class EntityParser {
         var parser = new EntityParser(rootType, file, diagnostics);
         parser.text(text, file);
         return new Document(parser.root.build(), parser.macros);
-    }
-
-    private void file(Path file, @Nullable SourcePosition namedAt) {
-        String text = SourceText.read(file, namedAt);
-        guardIncludes(file, namedAt);
-        text(text, file);
     }
 
     private void text(String text, Path file) {
@@ -96,10 +90,7 @@ final class EntityParser {
         open.removeLast();
     }
 
-    private void guardIncludes(Path file, @Nullable SourcePosition namedAt) {
-        if (namedAt == null) {
-            return;
-        }
+    private void guardIncludes(Path file, SourcePosition namedAt) {
         Path absolute = file.toAbsolutePath().normalize();
         if (open.stream().anyMatch(other -> other.toAbsolutePath().normalize().equals(absolute))) {
             String chain = Stream.concat(open.stream(), Stream.of(file))
@@ -114,7 +105,9 @@ final class EntityParser {
 
     private void include(TokenCursor cursor) {
         Token name = cursor.expect(Kind.TEXT, "a file name in double quotes after include");
-        file(SourceText.sibling(cursor.file(), mainFile, name.text(), name.where()), name.where());
+        var included = SourceText.include(cursor.file(), mainFile, name.text(), name.where(), diagnostics);
+        guardIncludes(included.file(), name.where());
+        text(included.text(), included.file());
     }
 
     private void define(TokenCursor cursor) {

@@ -7,6 +7,7 @@ import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Random;
@@ -53,11 +54,15 @@ class ReaderFuzzTest extends WorldFiles {
             velocity_bounds [ -1 1 0 0 0 0 -9 9 ];localization "odom";size [ 16 16 ];pose [ 1e6 0 0 0 ];\
             """.split(";");
 
+    /** The included files beside the worlds, too, so that they can be damaged. */
     @BeforeEach
-    void files() throws IOException {
-        try (Stream<Path> shipped = Files.list(SHIPPED)) {
-            for (Path file : shipped.sorted().toList()) {
-                Files.copy(file, file(file.getFileName().toString()));
+    void files() throws Exception {
+        for (Path folder : List.of(
+                SHIPPED, Path.of(SourceText.class.getResource("includes").toURI()))) {
+            try (Stream<Path> shipped = Files.list(folder)) {
+                for (Path file : shipped.sorted().toList()) {
+                    Files.copy(file, file(file.getFileName().toString()), StandardCopyOption.REPLACE_EXISTING);
+                }
             }
         }
     }

@@ -4,6 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.LoggedWarnings;
+import io.troupe.sim.model.RangeSensorSpec;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
@@ -13,6 +14,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.Test;
@@ -362,10 +364,83 @@ class WorldErrorsTest extends WorldFiles {
         Path from = write("parts/all.inc", "include \"wall.inc\"");
         assertThat(world("include \"parts/all.inc\" wall ()").obstacles()).hasSize(1);
 
-        Function<String, Path> found =
+        Function<String, Optional<Path>> found =
                 name -> SourceText.find(from, file("t.world"), List.of(stage), name, new SourcePosition(from, 1, 1));
-        assertThat(found.apply("only.inc")).isEqualTo(stage.resolve("only.inc"));
-        assertThat(found.apply("wall.inc")).isEqualTo(file("wall.inc"));
-        assertThat(found.apply("none.inc")).as("none has it").isEqualTo(parts.resolve("none.inc"));
+        assertThat(found.apply("only.inc")).contains(stage.resolve("only.inc"));
+        assertThat(found.apply("wall.inc")).contains(file("wall.inc"));
+        assertThat(found.apply("none.inc")).isEmpty();
+    }
+
+    @Test
+    void includedFile_thatIsNowhere_isOneOfThoseThatComeWithUs_orToldWithThePlacesLookedAt() throws IOException {
+        WorldSpec own = world("include \"pioneer.inc\" include \"sick.inc\" pioneer3dx ( sicklaser ( ) )");
+        assertThat(own.robots().getFirst().rangers()).hasSize(1);
+        write("pioneer.inc", "define pioneer3dx position ( size [ 1 1 1 ] )");
+        assertThat(world("include \"pioneer.inc\" pioneer3dx ( )")
+                        .robots()
+                        .getFirst()
+                        .sonar())
+                .as("a file beside the world comes first")
+                .isNull();
+
+        assertThat(problem("include \"pionier.inc\""))
+                .contains("there is no file pionier.inc; looked in ", "/usr/share/stage/worlds; with Troupe come")
+                .endsWith("; did you mean \"pioneer.inc\"?");
+        assertThat(problem("include \"sub/map.inc\"")).contains("there is no file sub/map.inc; looked in ");
+        assertThat(problem("include \"pioneer.inc\" pioneer3dx ( bitmap \"a.png\" )"))
+                .contains("looked in ");
+    }
+
+    @Test
+    void includedFile_ofAnInstalledStage_isOurs_withAWarning() {
+        String stage = "/opt/stage-4.3/worlds/map.inc";
+        assertThat(warnings("include \"" + stage + "\" floorplan ( size [ 1 1 1 ] )"))
+                .containsExactly("t.world:1:9: there is no file " + stage
+                        + "; the map.inc that comes with Troupe is read instead");
+        assertThat(problem("include \"/opt/other/worlds/map.inc\""))
+                .contains("no file /opt/other/worlds/map.inc; with");
+    }
+
+    /** One robot of each kind with each laser, in both dialects, in which they must be the same. */
+    @Test
+    void filesThatComeWithUs_areAllListed_andDefineTheSameThingsInBothDialects() throws Exception {
+        Path folder = Path.of(SourceText.class.getResource("includes").toURI());
+        try (Stream<Path> files = Files.walk(folder).filter(Files::isRegularFile)) {
+            assertThat(files.map(each -> folder.relativize(each).toString().replace('\\', '/')))
+                    .containsExactlyInAnyOrderElementsOf(SourceText.OURS);
+        }
+        String things = "";
+        for (String kind : List.of("pioneer2dx", "pioneer3dx", "pioneer3at", "amigobot")) {
+            things += kind + " ( pose [ " + things.length() / 20.0 + " 0 0 0 ] sicklaser ( ) hokuyolaser ( ) )\n";
+        }
+        things += "include \"map.inc\"\nfloorplan ( size [ 90 9 1 ] )\nzone ( pose [ 1 0 0 0 ] )\n";
+        String includes = "include \"pioneer.inc\"\ninclude \"sick.inc\"\ninclude \"hokuyo.inc\"\n";
+        var warnings = new ArrayList<WorldFileWarning>();
+        WorldSpec classic = ScenarioReader.read(write("t.world", includes + things), warnings::add)
+                .world();
+        String newer = includes.replace("include \"", "include \"stage4/");
+        WorldSpec stage4 = ScenarioReader.read(write("t.world", newer + things), warnings::add)
+                .world();
+
+        assertThat(warnings).as("nothing overlaps the zone").isEmpty();
+        assertThat(classic.robots()).hasSize(4);
+        assertThat(stage4.robots()).zipSatisfy(classic.robots(), (robot, other) -> {
+            assertThat(robot)
+                    .usingRecursiveComparison()
+                    .ignoringFields("where", "sonar", "rangers", "startOdometry", "drive", "traits.reflectance")
+                    .isEqualTo(other);
+            assertThat(robot.rangers().getFirst().sensors())
+                    .extracting(RangeSensorSpec::mount)
+                    .isEqualTo(other.sonar().mounts());
+            assertThat(robot.rangers()).hasSize(3);
+            assertThat(other.rangers()).hasSize(2);
+        });
+        assertThat(stage4.obstacles())
+                .usingRecursiveFieldByFieldElementComparatorIgnoringFields("where", "traits.reflectance")
+                .isEqualTo(classic.obstacles());
+        assertThat(SourceText.OURS.stream().filter(each -> each.startsWith("stage4/")))
+                .as("Stage 4 rejects a world with an unknown type or property")
+                .allSatisfy(each -> assertThat(Files.readString(folder.resolve(each)))
+                        .doesNotContainPattern("define \\w+ laser|scount|spose|sview|ssize"));
     }
 }

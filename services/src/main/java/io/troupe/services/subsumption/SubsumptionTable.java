@@ -22,6 +22,9 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, section 3.3, Tables 3 and 4 (Table 4 takes precedence over the list of rules); challenge v.
  */
 public final class SubsumptionTable {
+    /** The table without states, of a run in which robots have no services. */
+    public static final SubsumptionTable NONE = new SubsumptionTable(forRobots(1));
+
     private final List<State> states;
     private final Map<Integer, State> byColour;
     private final List<Service> services;
