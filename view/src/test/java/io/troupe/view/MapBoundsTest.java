@@ -52,7 +52,8 @@ class MapBoundsTest {
         String svg = Pictures.trajectory(OPEN, result);
         double[] page = page(svg);
         assertThat(Pattern.compile("<polyline points=\"([^\"]*)\"").matcher(svg).results())
-                .hasSize(2)
+                .as("from each place to the next one, which are of different ages")
+                .hasSize(3)
                 .allSatisfy(line -> assertOnPage(line, page));
     }
 
