@@ -2,6 +2,7 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.svg.Svg;
 import java.io.StringReader;
 import java.util.List;
 import java.util.stream.IntStream;
@@ -45,6 +46,20 @@ public record ParsedSvg(Element root) {
         assertThat(root.getAttribute("aria-label"))
                 .isEqualTo(elements("title").getFirst().getTextContent());
         return root.getAttribute("aria-label");
+    }
+
+    /** By the estimated widths of the texts. */
+    public void assertWordsAreOnThePage() {
+        assertThat(elements("text")).isNotEmpty().allSatisfy(text -> {
+            String anchor = text.getAttribute("text-anchor");
+            double part = anchor.equals("end") ? 1 : anchor.equals("middle") ? 0.5 : 0;
+            double fontPx = number(text.hasAttribute("font-size") ? text : root, "font-size");
+            double wide = Svg.width(text.getTextContent(), fontPx);
+            double left = number(text, "x") - part * wide;
+            assertThat(left).as(text.getTextContent()).isNotNegative();
+            assertThat(left + wide).as(text.getTextContent()).isLessThanOrEqualTo(number(root, "width"));
+            assertThat(number(text, "y")).as(text.getTextContent()).isLessThan(number(root, "height"));
+        });
     }
 
     /** The scale of a map: length of the bar over the number beside it. */

@@ -255,11 +255,14 @@ final class DriversSvg {
         centred((from + to) / 2, y + height + 17, text);
     }
 
+    /** Words in the middle, on white, since the line of the fault may run behind them. */
     private void centred(double middle, double baseline, String text) {
         double half = Svg.width(text, FONT_PX) / 2;
         double x = Math.max(LEFT_PX + half, Math.min(LEFT_PX + PLOT_PX - half, middle));
-        String style = "text-anchor=\"middle\" fill=\"" + FAULT + "\"";
-        words.textOnLines(x, baseline, style, text);
+        words.add(
+                "<rect class=\"blank\" x=\"%.2f\" y=\"%.1f\" width=\"%.2f\" height=\"%.1f\" fill=\"white\"/>\n",
+                x - half, baseline - FONT_PX, 2 * half, FONT_PX + 4);
+        words.text(x, baseline, "text-anchor=\"middle\" fill=\"" + FAULT + "\"", text);
     }
 
     private void drawFault(DriverFault known, double top) {

@@ -6,46 +6,57 @@ import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.view.RunResult.StateChange;
 import java.util.List;
+import java.util.stream.Collectors;
+import java.util.stream.IntStream;
 
 /** Draws the states over time, one row per mode. */
 final class ModesSvg {
     private static final double LEFT_PX = 110;
     private static final double PLOT_PX = 860;
-    private static final double TOP_PX = 56;
+    private static final double WIDTH_PX = 1000;
+    private static final double MARGIN_PX = 16;
+    private static final double TITLE_PX = 15;
+    private static final double TITLE_LINE_PX = 22;
     private static final double ROW_PX = 64;
     private static final double BAR_PX = 34;
     private static final double LEGEND_LINE_PX = 22;
+    private static final double FONT_PX = 14;
     /** Narrower bars have no number. */
     private static final double NUMBER_PX = 14;
 
     private final ModeComparison comparison;
     private final SubsumptionTable table;
-    private final String title;
+    private final List<String> title;
+    private final double topPx;
     private final double endSeconds;
     private final double axisY;
+    private final Svg legend = Svg.fragment();
     private final Svg svg;
 
     ModesSvg(ModeComparison comparison, String title) {
         this.comparison = comparison;
         this.table = comparison.result(Mode.PROMISE).table();
-        this.title = title;
+        this.title = Svg.wrap(title, WIDTH_PX - 2 * MARGIN_PX, TITLE_PX);
+        this.topPx = 34 + this.title.size() * TITLE_LINE_PX;
         this.endSeconds = comparison.result(Mode.PROMISE).endMicros() / 1e6;
-        this.axisY = TOP_PX + comparison.modes().size() * ROW_PX;
-        this.svg = Svg.page(1000, axisY + 50 + table.states().size() * LEGEND_LINE_PX, 14, title);
+        this.axisY = topPx + comparison.modes().size() * ROW_PX;
+        double legendY = axisY + 50;
+        for (State state : table.states()) {
+            legendY = legend(state, legendY);
+        }
+        this.svg = Svg.page(WIDTH_PX, legendY, FONT_PX, title);
     }
 
     String draw() {
         List<Mode> modes = comparison.modes();
-        List<State> states = table.states();
-        svg.text(LEFT_PX, 26, "font-size=\"16\"", title);
+        for (int line = 0; line < title.size(); line++) {
+            svg.text(MARGIN_PX, 4 + (line + 1) * TITLE_LINE_PX, "font-size=\"" + TITLE_PX + "\"", title.get(line));
+        }
         for (int row = 0; row < modes.size(); row++) {
-            row(modes.get(row), TOP_PX + row * ROW_PX);
+            row(modes.get(row), topPx + row * ROW_PX);
         }
         axis(axisY);
-        for (int i = 0; i < states.size(); i++) {
-            legend(states.get(i), axisY + 50 + i * LEGEND_LINE_PX);
-        }
-        return svg.end();
+        return svg.append(legend).end();
     }
 
     private void row(Mode mode, double top) {
@@ -123,25 +134,22 @@ final class ModesSvg {
         return power * (rest >= 5 ? 5 : rest >= 2 ? 2 : 1);
     }
 
-    private void legend(State state, double y) {
-        var services = new StringBuilder();
-        for (int robot = 0; robot < state.services().size(); robot++) {
-            services.append(robot == 0 ? "" : ", ")
-                    .append("robot ")
-                    .append(robot + 1)
-                    .append(' ');
-            services.append(state.services().get(robot));
+    /** Returns where the next entry begins. */
+    private double legend(State state, double y) {
+        legend.add(
+                "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/>",
+                LEFT_PX, y - 12, Svg.colour(state.colour()));
+        String words = IntStream.range(0, state.services().size())
+                .mapToObj(
+                        robot -> "robot " + (robot + 1) + " " + state.services().get(robot))
+                .collect(Collectors.joining(
+                        ", ", "state " + state.number() + " (" + table.colourName(state.colour()) + "): ", ""));
+        double bottom = y;
+        for (String line : Svg.wrap(words, WIDTH_PX - MARGIN_PX - LEFT_PX - 34, FONT_PX)) {
+            legend.text(LEFT_PX + 34, bottom, "", line);
+            bottom += LEGEND_LINE_PX;
         }
-        svg.add(
-                "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"0.55\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">state %d (%s): %s</text>\n",
-                LEFT_PX,
-                y - 12,
-                Svg.colour(state.colour()),
-                LEFT_PX + 34,
-                y,
-                state.number(),
-                table.colourName(state.colour()),
-                services);
+        return bottom;
     }
 
     private double x(double seconds) {

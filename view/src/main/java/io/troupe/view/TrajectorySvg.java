@@ -8,18 +8,19 @@ import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.WorldSpec;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
 /**
- * Draws the arena, the paths coloured by service, and the places of state changes. Paths of a few robots have arrows
- * and time marks. Paths of a crowd fade with age instead, and its robots have no numbers.
+ * Draws the arena, the paths, and the places of state changes. Older parts of a path are paler and thinner. Paths of a
+ * few robots are coloured by service, with arrows and time marks; each robot of a crowd has a colour of its own.
  */
 final class TrajectorySvg {
     private static final double SCALE = 70; // pixels per metre, upper limit
-    private static final double MOST_PX = 1400; // length of the longer side
+    private static final double MOST_PX = 1000; // length of the longer side
     private static final double FONT_PX = 14;
     private static final double TITLE_PX = 17;
     private static final double LEFT_PX = 16;
@@ -30,8 +31,18 @@ final class TrajectorySvg {
     private static final double ARROW_EVERY_PX = 130;
     /** For all robots together. */
     private static final int MOST_TIME_MARKS = 12;
-    /** Number of steps from faint (old) to solid (new) in the paths of a crowd. */
+    /** Number of steps from faint (old) to solid (new) in the paths. */
     private static final int AGES = 6;
+
+    private static final double LABEL_PX = 12;
+    private static final double MARK_RADIUS_PX = 3;
+    /** Marks of a robot that stays within this distance have one label. */
+    private static final double STAY_PX = 12;
+    /** A body on which a number would be smaller has none. */
+    private static final double LEAST_NUMBER_PX = 7;
+    /** Between the hues of two robots of a crowd, in turns; successive hues differ, and none comes again. */
+    private static final double HUE_STEP = 0.381966;
+
     /** Dash patterns of the robots' paths, used cyclically; the first one is solid. */
     private static final List<String> DASHES = List.of("", "8 4", "2 3", "14 4 2 4", "18 6", "8 3 2 3 2 3", "5 2");
 
@@ -46,6 +57,7 @@ final class TrajectorySvg {
     private final Svg legend = Svg.fragment();
     private final List<String> title;
     private final Svg svg;
+    private final Labels labels;
     private double legendX = LEFT_PX;
     private double legendY;
 
@@ -67,6 +79,7 @@ final class TrajectorySvg {
         legendY = map.bottomPx() + LINE_PX;
         drawLegend();
         svg = Svg.page(map.pageWidthPx(), legendY + LEFT_PX, FONT_PX, finding());
+        labels = new Labels(new Box(0, title.size() * LINE_PX, map.pageWidthPx(), map.bottomPx()));
     }
 
     private static Stream<Point> corners(Shape shape, Pose pose) {
@@ -94,19 +107,23 @@ final class TrajectorySvg {
             svg.text(LEFT_PX, (line + 1) * LINE_PX, "font-size=\"" + TITLE_PX + "\"", title.get(line));
         }
         world.obstacles().forEach(this::obstacle);
-        for (int age = 0; age < (crowd ? AGES : 1); age++) {
+        for (int age = 0; age < AGES; age++) {
             for (RobotRecord robot : result.robots()) {
                 path(robot, age);
             }
         }
+        List<TimeMark> marks = crowd
+                ? List.of()
+                : result.robots().stream()
+                        .flatMap(robot -> timeMarks(robot).stream())
+                        .toList();
         if (!crowd) {
             result.robots().forEach(this::directions);
         }
+        marks.forEach(this::ring);
         result.robots().forEach(this::robot);
-        if (!crowd) {
-            result.robots().forEach(this::timeMarks);
-        }
         result.states().forEach(this::stateChange);
+        marks.forEach(this::time);
         return svg.append(legend).end();
     }
 
@@ -142,9 +159,17 @@ final class TrajectorySvg {
         svg.add("<g><title>%s</title>", obstacle.name());
         map.parts(svg, obstacle.shape(), obstacle.pose(), "fill=\"" + Svg.colour(obstacle.colour()) + "\"");
         svg.add("</g>\n");
+        labels.avoid(box(obstacle.shape(), obstacle.pose()), 0.3);
     }
 
-    /** Draws one polyline per stretch under the same service; of a crowd, only the stretches of one age. */
+    private Box box(Shape shape, Pose pose) {
+        return corners(shape, pose)
+                .map(corner -> new Box(map.x(corner.x()), map.y(corner.y()), map.x(corner.x()), map.y(corner.y())))
+                .reduce(Box::around)
+                .orElseThrow();
+    }
+
+    /** Draws one polyline per stretch under the same service, of those of one age. */
     private void path(RobotRecord robot, int age) {
         var path = robot.path();
         int from = 0;
@@ -163,31 +188,54 @@ final class TrajectorySvg {
     }
 
     private void line(int robot, List<RobotRecord.Sample> samples, RobotRecord.Sample first, int age) {
+        if (samples.size() < 2) {
+            return;
+        }
         String points = samples.stream()
                 .map(sample ->
                         map.corner(new Point(sample.pose().x(), sample.pose().y())))
                 .collect(Collectors.joining(" "));
         double newness = (age + 1.0) / AGES;
         svg.add(
-                "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-opacity=\"%s\""
+                "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"%s\" stroke-opacity=\"%.2f\""
                         + dash(robot) + "/>\n",
                 points,
                 colourOf(robot, first),
-                crowd ? 0.6 + 1.4 * newness : 2.0,
-                crowd ? String.format(Locale.ROOT, "%.2f", 0.08 + 0.77 * newness * newness) : "0.8");
+                (crowd ? 0.6 : 1.2) + 1.4 * newness,
+                opacity(age));
+    }
+
+    private double opacity(int age) {
+        double newness = (age + 1.0) / AGES;
+        return crowd ? 0.08 + 0.77 * newness * newness : 0.3 + 0.6 * newness;
     }
 
     private int age(RobotRecord.Sample sample) {
-        return crowd ? (int) Math.min(AGES - 1, sample.timeMicros() * AGES / Math.max(1, result.endMicros())) : 0;
+        return (int) Math.min(AGES - 1, sample.timeMicros() * AGES / Math.max(1, result.endMicros()));
     }
 
     private String colourOf(int robot, RobotRecord.Sample sample) {
+        if (crowd) {
+            return Svg.colour(colourInCrowd(robot));
+        }
         return colours.colour(
                 hasServices ? sample.service() : name(result.robots().get(robot)));
     }
 
     private static String name(RobotRecord robot) {
         return "robot " + (robot.index() + 1);
+    }
+
+    /** Three brightnesses of each hue, dark enough for lines on white. */
+    static int colourInCrowd(int robot) {
+        double hue = robot * HUE_STEP % 1 * 6;
+        double most = robot % 3 == 0 ? 220 : robot % 3 == 1 ? 170 : 120;
+        int rgb = 0;
+        for (int shift = 0; shift < 6; shift += 2) {
+            double distance = Math.abs((hue + shift) % 6 - 3); // 3 at the part's own hue
+            rgb = rgb << 8 | (int) (most * (0.1 + 0.9 * Math.max(0, Math.min(1, distance - 1))));
+        }
+        return rgb;
     }
 
     /** Draws arrow heads along the path at equal distances. */
@@ -200,32 +248,75 @@ final class TrajectorySvg {
             sinceLastPx += Math.hypot(dx, dy);
             if (sinceLastPx >= ARROW_EVERY_PX && Math.hypot(dx, dy) > 0) {
                 sinceLastPx = 0;
+                svg.add("<g opacity=\"%.2f\">", opacity(age(path.get(i))));
                 svg.arrowHead(
                         x(path.get(i).pose()),
                         y(path.get(i).pose()),
                         StrictMath.atan2(dy, dx),
                         11,
                         colourOf(robot.index(), path.get(i)));
+                svg.add("</g>");
             }
         }
     }
 
-    /** Marks the robot's position at regular times. */
-    private void timeMarks(RobotRecord robot) {
+    /** Where a robot was at one regular time, or stayed at several. */
+    private record TimeMark(long fromMicros, long toMicros, double x, double y, String colour) {
+        boolean hasStayed(double otherX, double otherY) {
+            return Math.hypot(otherX - x, otherY - y) <= STAY_PX;
+        }
+
+        String words() {
+            String end = Svg.number(toMicros / 1e6, 1) + " s";
+            return fromMicros == toMicros ? end : Svg.number(fromMicros / 1e6, 1) + "-" + end;
+        }
+    }
+
+    private List<TimeMark> timeMarks(RobotRecord robot) {
         long every = timeMarkMicros();
-        var path = robot.path();
+        List<TimeMark> marks = new ArrayList<>();
         long next = every;
-        for (RobotRecord.Sample sample : path) {
+        for (RobotRecord.Sample sample : robot.path()) {
             if (sample.timeMicros() >= next && next < result.endMicros()) {
                 double x = x(sample.pose());
                 double y = y(sample.pose());
-                svg.add(
-                        "<circle class=\"time\" cx=\"%.1f\" cy=\"%.1f\" r=\"3\" fill=\"white\" stroke=\"%s\" stroke-width=\"1.5\"/>\n",
-                        x, y, colourOf(robot.index(), sample));
-                String label = Svg.number(next / 1e6, 1) + " s";
-                svg.textOnLines(x + 6, y - 5, "font-size=\"11\" fill=\"#333333\"", label);
+                if (!marks.isEmpty() && marks.getLast().hasStayed(x, y)) {
+                    TimeMark last = marks.removeLast();
+                    marks.add(new TimeMark(last.fromMicros, next, last.x, last.y, last.colour));
+                } else {
+                    marks.add(new TimeMark(next, next, x, y, colourOf(robot.index(), sample)));
+                }
                 next += every;
             }
+        }
+        return marks;
+    }
+
+    private void ring(TimeMark mark) {
+        svg.add(
+                "<circle class=\"time\" cx=\"%.1f\" cy=\"%.1f\" r=\"%s\" fill=\"white\" stroke=\"%s\" stroke-width=\"1.5\"/>\n",
+                mark.x, mark.y, MARK_RADIUS_PX, mark.colour);
+        labels.avoid(Box.centred(mark.x, mark.y, 2 * MARK_RADIUS_PX, 2 * MARK_RADIUS_PX), 1);
+    }
+
+    private void time(TimeMark mark) {
+        Box at = labels.place(mark.x, mark.y, Svg.width(mark.words(), LABEL_PX), LABEL_PX, false);
+        pointer(mark.x, mark.y, at);
+        svg.textOnLines(
+                at.left,
+                at.bottom - 2,
+                "class=\"time\" font-size=\"" + Svg.number(LABEL_PX, 0) + "\" fill=\"#333333\"",
+                mark.words());
+    }
+
+    /** Draws a line to a label that is not beside its place. */
+    private void pointer(double x, double y, Box label) {
+        double nearX = Math.max(label.left, Math.min(label.right, x));
+        double nearY = Math.max(label.top, Math.min(label.bottom, y));
+        if (Math.hypot(nearX - x, nearY - y) > 10) {
+            svg.add(
+                    "<path d=\"M%.1f %.1f L%.1f %.1f\" stroke=\"#666666\" stroke-width=\"0.8\"/>\n",
+                    x, y, nearX, nearY);
         }
     }
 
@@ -239,20 +330,25 @@ final class TrajectorySvg {
     /** Draws the body, faint at the start and solid at the end. */
     private void robot(RobotRecord robot) {
         RobotSpec spec = world.robots().get(robot.index());
-        String fill = "fill=\"" + Svg.colour(spec.colour()) + "\" stroke=\"#444444\"";
+        int colour = crowd ? colourInCrowd(robot.index()) : spec.colour();
+        String fill = "fill=\"" + Svg.colour(colour) + "\" stroke=\"#444444\"";
         if (!crowd) {
             map.parts(svg, spec.shape(), robot.path().getFirst().pose(), fill + " opacity=\"0.35\"");
         }
-        map.parts(svg, spec.shape(), robot.path().getLast().pose(), fill);
-        if (crowd) {
-            return;
-        }
         Pose end = robot.path().getLast().pose();
-        svg.text(
-                x(end),
-                y(end) + 5,
-                "text-anchor=\"middle\" font-weight=\"bold\" fill=\"" + Svg.inkOn(spec.colour()) + "\"",
-                Integer.toString(robot.index() + 1));
+        map.parts(svg, spec.shape(), end, fill);
+        labels.avoid(box(spec.shape(), end), 1);
+        String number = Integer.toString(robot.index() + 1);
+        double roomPx = 0.8 * Math.min(spec.lengthM(), spec.widthM()) * map.pixelsPerMetre();
+        double fontPx = Math.min(FONT_PX, Math.min(roomPx, roomPx / Svg.width(number, 1)));
+        if (fontPx >= LEAST_NUMBER_PX) {
+            svg.text(
+                    x(end),
+                    y(end) + fontPx * 0.36,
+                    "text-anchor=\"middle\" font-weight=\"bold\" font-size=\"" + Svg.number(fontPx, 1) + "\" fill=\""
+                            + Svg.inkOn(colour) + "\"",
+                    number);
+        }
     }
 
     /**
@@ -277,17 +373,23 @@ final class TrajectorySvg {
     }
 
     private void tag(double x, double y, int colour, String words) {
-        double wide = Svg.width(words, 11) + 8;
+        Box at = labels.place(x, y, Svg.width(words, LABEL_PX) + 8, LABEL_PX + 4, true);
+        pointer(x, y, at);
         svg.add(
-                "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"15\" rx=\"3\" fill=\"%s\" stroke=\"white\" stroke-width=\"1.5\"/>",
-                x - wide / 2, y - 7.5, wide, Svg.colour(colour));
-        svg.text(x, y + 4, "text-anchor=\"middle\" font-size=\"11\" fill=\"" + Svg.inkOn(colour) + "\"", words);
+                "<rect x=\"%.1f\" y=\"%.1f\" width=\"%.1f\" height=\"%.1f\" rx=\"3\" fill=\"%s\" stroke=\"white\" stroke-width=\"1.5\"/>",
+                at.left, at.top, at.right - at.left, at.bottom - at.top, Svg.colour(colour));
+        svg.text(
+                (at.left + at.right) / 2,
+                at.bottom - 4,
+                "class=\"tag\" text-anchor=\"middle\" font-size=\"" + Svg.number(LABEL_PX, 0) + "\" fill=\""
+                        + Svg.inkOn(colour) + "\"",
+                words);
     }
 
     /** Draws the scale bar and the legend. Samples stand side by side as far as they fit; sentences follow. */
     private void drawLegend() {
         legendX += map.scaleBar(legend, legendX + 1, legendY - 5, FONT_PX) + LINE_PX;
-        for (Service service : result.table().services()) {
+        for (Service service : crowd ? List.<Service>of() : result.table().services()) {
             entry(service.name(), "stroke=\"" + colours.colour(service.name()) + "\" stroke-width=\"3\"");
         }
         if (!crowd) {
@@ -304,11 +406,12 @@ final class TrajectorySvg {
 
     private String caption() {
         String tag = hasServices ? "Tag s2: here a robot saw that colour, and state 2 began. " : "";
+        tag += "Pale paths are old.";
         if (crowd) {
             return result.robots().size() + " robots, " + Json.seconds(result.endMicros()) + " s simulated. " + tag
-                    + "Faint paths are old, strong ones new; bodies stand where the robots ended.";
+                    + " Each robot has a colour, and stands where it ended.";
         }
-        return tag + "Faint body: start; body with a number: that robot at the end. Ring: where a robot was "
+        return tag + " Faint body: start; body with a number: that robot at the end. Ring: where a robot was "
                 + "after so many seconds.";
     }
 
@@ -339,5 +442,78 @@ final class TrajectorySvg {
 
     private double y(Pose pose) {
         return map.y(pose.y());
+    }
+
+    /** A rectangle of the page, in pixels. */
+    private record Box(double left, double top, double right, double bottom) {
+        static Box centred(double x, double y, double width, double height) {
+            return new Box(x - width / 2, y - height / 2, x + width / 2, y + height / 2);
+        }
+
+        Box around(Box other) {
+            return new Box(
+                    Math.min(left, other.left),
+                    Math.min(top, other.top),
+                    Math.max(right, other.right),
+                    Math.max(bottom, other.bottom));
+        }
+
+        double overlap(Box other) {
+            double wide = Math.min(right, other.right) - Math.max(left, other.left);
+            double high = Math.min(bottom, other.bottom) - Math.max(top, other.top);
+            return wide > 0 && high > 0 ? wide * high : 0;
+        }
+
+        double area() {
+            return (right - left) * (bottom - top);
+        }
+    }
+
+    /** Finds places for labels: near what they name, within the map, and on nothing else. */
+    private static final class Labels {
+        private static final List<Double> DISTANCES_PX = List.of(7.0, 14.0, 24.0, 36.0, 52.0);
+        /** To the right and down, best first. */
+        private static final int[][] SIDES = {{1, -1}, {1, 1}, {-1, -1}, {-1, 1}, {0, -1}, {0, 1}, {1, 0}, {-1, 0}};
+
+        private record Thing(Box box, double weight) {}
+
+        private final List<Thing> things = new ArrayList<>();
+        private final Box page;
+
+        Labels(Box page) {
+            this.page = page;
+        }
+
+        /** @param weight how much it matters that no label is on the box; labels have 1 */
+        void avoid(Box box, double weight) {
+            things.add(new Thing(box, weight));
+        }
+
+        /** @param onIt whether the label may be at the place itself */
+        Box place(double x, double y, double width, double height, boolean onIt) {
+            Box best = Box.centred(x, y, width, height);
+            double least = onIt ? cost(best) : Double.POSITIVE_INFINITY;
+            for (double distance : DISTANCES_PX) {
+                for (int[] side : SIDES) {
+                    double reach = side[0] == 0 || side[1] == 0 ? distance : distance * 0.7;
+                    Box box = Box.centred(
+                            x + side[0] * (reach + width / 2), y + side[1] * (reach + height / 2), width, height);
+                    double cost = cost(box) + distance;
+                    if (cost < least) {
+                        least = cost;
+                        best = box;
+                    }
+                }
+            }
+            avoid(best, 1);
+            return best;
+        }
+
+        private double cost(Box box) {
+            double covered = things.stream()
+                    .mapToDouble(thing -> thing.weight * box.overlap(thing.box))
+                    .sum();
+            return 2 * covered + 10 * (box.area() - box.overlap(page));
+        }
     }
 }

@@ -95,7 +95,7 @@ final class WorldMap {
         svg.add("\n");
     }
 
-    /** Adds a body with its outline and name, filled with the even-odd rule, so that holes stay open. */
+    /** Adds a body with its outline and name. The line around a hole runs the other way round, so that it is open. */
     void body(Svg svg, String name, Shape shape, Pose pose, int colour) {
         String path = shape.outlines().stream()
                 .map(line -> line.stream()
@@ -104,7 +104,7 @@ final class WorldMap {
                         .collect(Collectors.joining(" L", "M", " Z")))
                 .collect(Collectors.joining(" "));
         svg.add(
-                "<path d=\"%s\" fill=\"%s\" fill-rule=\"evenodd\" stroke=\"#444444\" stroke-width=\"0.5\"><title>%s</title></path>\n",
+                "<path d=\"%s\" fill=\"%s\" stroke=\"#444444\" stroke-width=\"0.5\"><title>%s</title></path>\n",
                 path, Svg.colour(colour), name);
     }
 

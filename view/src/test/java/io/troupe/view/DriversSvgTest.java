@@ -94,6 +94,9 @@ class DriversSvgTest {
                 .contains("<title>wallFollower from 7.2 s to 10.0 s</title>")
                 .contains(">no driver for 2.2 s, then c</text>", ">a killed</text>")
                 .contains(">robot 1</text>", ">robot 2</text>", ">node a</text>", ">service spaceWanderer</text>");
+        assertThat(svg.lastIndexOf("stroke-dasharray"))
+                .as("words and what hides the line of the fault behind them are above it")
+                .isLessThan(svg.indexOf("class=\"blank\""));
         var gap = Pattern.compile("class=\"gap\" x=\"([0-9.]+)\" y=\"[0-9.]+\" width=\"([0-9.]+)\"")
                 .matcher(svg);
         assertThat(gap.find()).isTrue();

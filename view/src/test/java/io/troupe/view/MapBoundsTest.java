@@ -2,6 +2,8 @@ package io.troupe.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.svg.Svg;
+import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.RobotReading;
@@ -14,6 +16,7 @@ import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
 import org.junit.jupiter.api.Test;
@@ -49,7 +52,8 @@ class MapBoundsTest {
         String svg = Pictures.trajectory(OPEN, result);
         double[] page = page(svg);
         assertThat(Pattern.compile("<polyline points=\"([^\"]*)\"").matcher(svg).results())
-                .hasSize(2)
+                .as("from each place to the next one, which are of different ages")
+                .hasSize(3)
                 .allSatisfy(line -> assertOnPage(line, page));
     }
 
@@ -64,6 +68,39 @@ class MapBoundsTest {
                     .hasSizeGreaterThan(2)
                     .allSatisfy(line -> assertOnPage(line, page));
         }
+    }
+
+    @Test
+    void names_ofAnyLength_areOnThePage() {
+        String name = "a world whose name has many words, ".repeat(4) + "and_one_that_is_longer_than_a_line".repeat(9);
+        var world = new WorldSpec(name, Path.of("t"), 100, OPEN.robots(), OPEN.obstacles());
+        var table = SubsumptionTable.ofThePaper();
+        var robots = List.of(path(0, new Pose(0, 0, 0)), path(1, new Pose(1, 0, 0)));
+        var states = List.of(new RunResult.StateChange(0, table.states().getFirst(), null));
+        var result = new RunResult(200_000, table, states, robots, new RunResult.Messages(0, 0, 0));
+        var modes = new ModeComparison(Map.of(Mode.PROMISE, result, Mode.SYNC, result));
+        assertWordsAreOnThePage(Pictures.trajectory(world, result));
+        assertWordsAreOnThePage(Pictures.modes(modes, modes.finding() + " (" + name + ", seed 1)"));
+    }
+
+    private static void assertWordsAreOnThePage(String svg) {
+        double wide = page(svg)[0];
+        double font = attribute(svg, "font-size", Double.NaN);
+        assertThat(Pattern.compile("<text ([^>]*)>([^<]*)</text>").matcher(svg).results())
+                .isNotEmpty()
+                .allSatisfy(text -> {
+                    String attributes = text.group(1);
+                    double part = attributes.contains("\"end\"") ? 1 : attributes.contains("\"middle\"") ? 0.5 : 0;
+                    double words = Svg.width(text.group(2), attribute(attributes, "font-size", font));
+                    double left = attribute(attributes, "x", Double.NaN) - part * words;
+                    assertThat(left).as(text.group()).isNotNegative();
+                    assertThat(left + words).as(text.group()).isLessThanOrEqualTo(wide);
+                });
+    }
+
+    private static double attribute(String element, String name, double otherwise) {
+        var found = Pattern.compile("\\b" + name + "=\"([-0-9.]+)\"").matcher(element);
+        return found.find() ? Double.parseDouble(found.group(1)) : otherwise;
     }
 
     private static double[] page(String svg) {

@@ -167,10 +167,16 @@ public final class Svg {
         return words.length() * LETTER * fontPx;
     }
 
-    /** Breaks a text into lines of at most this width. A longer word gets a separate line. */
+    /** Breaks a text into lines of at most this width, at blanks, and within a word that is longer than a line. */
     public static List<String> wrap(String words, double widthPx, double fontPx) {
+        int most = Math.max(1, (int) (widthPx / width("m", fontPx)));
         List<String> lines = new ArrayList<>();
-        for (String word : words.split(" ")) {
+        for (String each : words.split(" ")) {
+            String word = each;
+            while (word.length() > most) {
+                lines.add(word.substring(0, most));
+                word = word.substring(most);
+            }
             String longer = lines.isEmpty() ? word : lines.getLast() + " " + word;
             if (!lines.isEmpty() && width(longer, fontPx) <= widthPx) {
                 lines.set(lines.size() - 1, longer);

@@ -102,8 +102,7 @@ final class EvaluationFigures {
                 "Figure " + figure + " of the paper, " + settings.loops() + " loops of each service" + machine;
         var passing = new BarPanel(time + ", s for " + settings.loops() + " loops", PASSING);
         var computing = new BarPanel(
-                "Computing time, µs for a loop"
-                        + (repeated() ? ": medians, thin lines from quartile to quartile" : ", measured once"),
+                "Computing time, µs for a loop" + (repeated() ? ": medians and quartiles" : ", measured once"),
                 COMPUTING);
         for (Bars bars : series) {
             passing.add(

@@ -19,6 +19,7 @@ final class Panel {
     static final String GREY = "#8a8a8a";
     private static final String GRID = "#dddddd";
     private static final double MAP_MARGIN_M = 0.2;
+    private static final double BOLD_PX = 13; // bold letters of 12 px are as wide
 
     private final Svg svg;
     private final double leftPx;
@@ -134,6 +135,16 @@ final class Panel {
         svg.add(
                 "<polyline points=\"%s\" fill=\"none\" stroke=\"%s\" stroke-width=\"1.5\" stroke-dasharray=\"6 4\"/>\n",
                 points(values), colour);
+    }
+
+    /** Explains a dashed line above the right corner, where no dot is. */
+    void keyOfDashes(String colour, String words) {
+        double right = leftPx + widthPx;
+        double sampleEnd = right - Svg.width(words, BOLD_PX) - 8;
+        svg.add(
+                "<line x1=\"%s\" y1=\"%s\" x2=\"%s\" y2=\"%s\" stroke=\"%s\" stroke-width=\"1.5\" stroke-dasharray=\"6 4\"/>\n",
+                sampleEnd - 34, topPx - 16, sampleEnd, topPx - 16, colour);
+        svg.text(right, topPx - 12, "text-anchor=\"end\" fill=\"" + colour + "\" font-weight=\"bold\"", words);
     }
 
     void dot(Point value, String colour, double radiusPx) {

@@ -26,7 +26,7 @@ final class TuningFigure {
                 20,
                 48,
                 "fill=\"" + Panel.GREY + "\"",
-                "points: metres along walls in a minute, of which each touch takes one; mean of " + settings.arenas()
+                "points: metres along walls in a minute, less one for a touch; mean of " + settings.arenas()
                         + " arenas in the search, of " + settings.checks() + " others in the title");
         search(svg, result.candidates());
         paths(svg, result, settings);
@@ -67,8 +67,8 @@ final class TuningFigure {
         bestSoFar.add(new Point(count, highest));
         chart.line(bestSoFar.subList(1, bestSoFar.size()), BEST, 2);
         chart.dashes(List.of(new Point(0, paper), new Point(count, paper)), PAPER);
+        chart.keyOfDashes(PAPER, "the paper's numbers");
         chart.label(new Point(count, highest + (most - least) / 50), "end", BEST, "the best so far");
-        chart.label(new Point(count, paper + (most - least) / 50), "end", PAPER, "the paper's numbers");
     }
 
     private static void paths(Svg svg, RandomSearch.Result result, RandomSearch.Settings settings) {

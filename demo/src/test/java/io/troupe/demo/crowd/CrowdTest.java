@@ -42,12 +42,14 @@ import java.util.concurrent.CountDownLatch;
 import java.util.function.ToDoubleFunction;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
+import java.util.stream.IntStream;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
+import org.w3c.dom.Element;
 
 /** Tables, runs in the real world with real threads, and the figure of crowds. */
 @Timeout(300)
@@ -167,13 +169,21 @@ class CrowdTest {
     }
 
     @Test
-    void picture_ofACrowd_hasAllBodiesAndNoNumbers() throws Exception {
-        RunResult result = run(80, 1, 3, Mode.PROMISE, "run.jsonl");
+    void picture_ofACrowd_hasAllBodies_eachWithAColourAndItsNumber() throws Exception {
+        RunResult result = run(50, 1, 3, Mode.PROMISE, "run.jsonl");
 
-        String svg = Pictures.trajectory(CrowdWorld.scenario(80, COLOURS).world(), result);
+        String svg = Pictures.trajectory(CrowdWorld.scenario(50, COLOURS).world(), result);
 
-        assertThat(svg.split("fill=\"#ffa500\"", -1)).hasSize(80 + 1);
-        assertThat(svg).contains("80 robots, 3.0 s simulated").doesNotContain("font-weight=\"bold\"");
+        var picture = ParsedSvg.parse(svg);
+        assertThat(picture.elements("polygon", "stroke", "#444444"))
+                .extracting(body -> body.getAttribute("fill"))
+                .hasSize(50)
+                .doesNotHaveDuplicates();
+        assertThat(picture.elements("text", "font-weight", "bold"))
+                .extracting(Element::getTextContent)
+                .containsExactlyElementsOf(
+                        IntStream.rangeClosed(1, 50).mapToObj(Integer::toString).toList());
+        assertThat(svg).contains("50 robots, 3.0 s simulated");
     }
 
     /** Messages served per robot and tick by the actor space of broker, services and arbitrator. */

@@ -301,7 +301,7 @@ class EvaluationFindingsTest {
         for (String name : names) {
             var svg = Files.readString(out.resolve(name + ".svg"));
             assertThat(svg).contains("#ddaa33").doesNotContain("NaN");
-            ParsedSvg.parse(svg);
+            ParsedSvg.parse(svg).assertWordsAreOnThePage();
         }
         BufferedImage all = ImageIO.read(out.resolve("evaluation-23.png").toFile());
         int left = all.getWidth() / 2;

@@ -59,8 +59,18 @@ class LearnCommandTest extends CommandLineBench {
         assertThat(output)
                 .containsPattern(
                         String.format("score in the arenas of the search +%.2f +%.2f", scores.getFirst(), best));
-        assertThat(ParsedSvg.parse(written("tuning.svg")).texts())
-                .contains("the paper's numbers", "the best so far", "points");
+        var svg = ParsedSvg.parse(written("tuning.svg"));
+        svg.assertWordsAreOnThePage();
+        assertThat(svg.texts()).contains("the paper's numbers", "the best so far", "points");
+        double highestDot = svg.elements("circle", "r", "2").stream()
+                .mapToDouble(dot -> ParsedSvg.number(dot, "cy"))
+                .min()
+                .orElseThrow();
+        assertThat(svg.elements("text"))
+                .filteredOn(text -> text.getTextContent().equals("the paper's numbers"))
+                .allSatisfy(label -> assertThat(ParsedSvg.number(label, "y"))
+                        .as("above the dots")
+                        .isLessThan(highestDot - 2));
     }
 
     private static double score(String line) {

@@ -255,7 +255,7 @@ class WorldCanvas {
   drawObstacle(colour, path) {
     const to = this.context;
     to.fillStyle = Model.colour(colour);
-    to.fill(path, "evenodd");
+    to.fill(path); // nonzero: overlaps are filled, and holes are open because their lines run the other way round
     to.strokeStyle = this.colours.wall;
     to.lineWidth = this.pixel;
     to.stroke(path);

@@ -19,12 +19,15 @@ import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
 import io.troupe.view.DeviceRoom;
+import io.troupe.view.Pictures;
 import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;
 import io.troupe.view.RunRecorder;
+import java.awt.image.BufferedImage;
 import java.io.IOException;
 import java.net.BindException;
 import java.net.InetAddress;
@@ -36,6 +39,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CountDownLatch;
 import java.util.regex.Pattern;
+import javax.imageio.ImageIO;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterAll;
 import org.junit.jupiter.api.AfterEach;
@@ -629,6 +633,69 @@ class BrowserTest {
                 + " const to = one.getContext('2d', {willReadFrequently: true});"
                 + " to.drawImage(" + canvas + ", -Math.round(x), -Math.round(y));"
                 + " return to.getImageData(0, 0, 1, 1).data; })(" + at + ")";
+    }
+
+    /** A cross of two walls, a corner, which is one body of two walls, and a ring with a bar across its right side. */
+    private WorldSpec overlappingWalls() throws IOException {
+        var ring = new BufferedImage(5, 5, BufferedImage.TYPE_INT_RGB);
+        for (int pixel = 0; pixel < 25; pixel++) {
+            boolean inside = pixel / 5 % 4 != 0 && pixel % 5 % 4 != 0;
+            ring.setRGB(pixel % 5, pixel / 5, inside ? 0xffffff : 0);
+        }
+        ImageIO.write(ring, "png", folder.resolve("ring.png").toFile());
+        return ScenarioReader.readText("""
+                model ( name "across" color "black" pose [ -3 0 0 0 ] size [ 2 0.4 0.5 ] )
+                model ( name "along" color "black" pose [ -3 0 0 0 ] size [ 0.4 2 0.5 ] )
+                model ( name "corner" color "black" pose [ 0 0 0 0 ] size [ 3 3 0.5 ]
+                  block ( points 4 point[0] [ 0 0 ] point[1] [ 6 0 ] point[2] [ 6 1 ] point[3] [ 0 1 ] )
+                  block ( points 4 point[0] [ 0 0 ] point[1] [ 1 0 ] point[2] [ 1 6 ] point[3] [ 0 6 ] ) )
+                model ( name "ring" color "black" bitmap "ring.png" pose [ 4 0 0 0 ] size [ 2.5 2.5 0.5 ] )
+                model ( name "bar" color "black" pose [ 5 0 0 0 ] size [ 1 0.3 0.5 ] )
+                """, folder.resolve("walls.world")).world();
+    }
+
+    @Test
+    void wallsThatOverlap_areFilled_andHolesAreOpen_onThePageInAFileAndInAPicture() throws Exception {
+        WorldSpec walls = overlappingWalls();
+        Path html = folder.resolve("walls.html");
+        Path svg = folder.resolve("walls.svg");
+        var file = new ViewFile();
+        try (var world = World.create(walls, WorldSettings.DEFAULT);
+                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed =
+                    new ViewedRun(walls, new RunControl(0, false)).onto(view).onto(file);
+            viewed.moved(world.latest());
+            open(view);
+            assertWallsAreFilled();
+            Files.writeString(html, file.html());
+            Files.writeString(svg, Pictures.world(walls, world.latest()));
+        }
+        page().open(svg.toUri().toString());
+        assertThat(isFilled("corner", 0.1)).as("the corner").isEqualTo("true");
+        assertThat(isFilled("corner", 0.5)).as("between its walls").isEqualTo("false");
+        assertThat(isFilled("ring", 0.1)).as("a corner of the ring").isEqualTo("true");
+        assertThat(isFilled("ring", 0.5)).as("its hole").isEqualTo("false");
+        page().open(html.toUri().toString());
+        page().await("troupe.model.frame !== null");
+        assertWallsAreFilled();
+    }
+
+    private static void assertWallsAreFilled() {
+        page().get("troupe.chooseTheme(false)");
+        page().await("(([r]) => r < 20)(" + pixel("[-3.5, 0]") + ")");
+        assertThat(page().get("[[-3, 0], [-1.25, -1.25], [4.75, 0], [4, 0], [0, 0]].map(at => (([r]) => r < 20)("
+                        + pixel("at") + ")).join()"))
+                .as("dark: middle of the cross, the corner, hole with a bar; floor: hole, inside")
+                .isEqualTo("true,true,true,false,false");
+    }
+
+    /** Whether an obstacle of the picture is filled on its diagonal, at a part of it. */
+    private static String isFilled(String name, double part) {
+        return page().get("(path => { const box = path.getBBox();"
+                + " const to = document.createElementNS('http://www.w3.org/1999/xhtml', 'canvas').getContext('2d');"
+                + " return to.isPointInPath(new Path2D(path.getAttribute('d')), box.x + box.width * " + part
+                + ", box.y + box.height * " + (1 - part) + ", getComputedStyle(path).fillRule); })"
+                + "([...document.querySelectorAll('path')].find(path => path.textContent === '" + name + "'))");
     }
 
     @Test
