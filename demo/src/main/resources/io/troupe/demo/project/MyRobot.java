@@ -15,7 +15,7 @@ import java.nio.file.Path;
 
 /** Drives the first robot of a world to where there is room. */
 public class MyRobot {
-    /** The robot: a Player program, which knows nothing of the world but a host and a port. Returns where it has come. */
+    /** The robot: a Player program, which knows only a host and a port. Returns where it has come. */
     static String drive(int port, int cycles) {
         PlayerClient robot = new PlayerClient("localhost", port);
         Position2DInterface wheels = robot.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
