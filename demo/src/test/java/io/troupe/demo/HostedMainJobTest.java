@@ -64,7 +64,9 @@ class HostedMainJobTest extends CommandLineBench {
     private Path arena() throws IOException {
         String arena = Files.readString(Path.of("worlds", "paper-arena.cfg"))
                 .replaceAll("\"(?=[a-z0-9]+:\\d+\")", "\"" + PORT + ":")
-                .replace("paper-arena.world", Path.of("worlds", "paper-arena.world").toAbsolutePath() + "");
+                .replace(
+                        "paper-arena.world",
+                        Path.of("worlds", "paper-arena.world").toAbsolutePath() + "");
         return file("arena.cfg", arena);
     }
 
