@@ -18,13 +18,13 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
     private static final Set<String> NO_LIBRARIES = Set.of(Contenders.LIMIT.label(), Contenders.FLOOR.label());
     private static final int COLUMNS = 2;
     private static final int MARGIN = 16;
-    private static final int LABEL_WIDTH = 92;
-    private static final int DECADE_WIDTH = 52;
+    private static final int LABEL_WIDTH = 108;
+    private static final int DECADE_WIDTH = 44;
     private static final int DECADES = 5;
-    private static final int VALUE_WIDTH = 110;
+    private static final int VALUE_WIDTH = 164;
     private static final int COLUMN_WIDTH = LABEL_WIDTH + DECADES * DECADE_WIDTH + VALUE_WIDTH;
-    private static final int HEAD_HEIGHT = 66;
-    private static final int BAR_HEIGHT = 16;
+    private static final int HEAD_HEIGHT = 86;
+    private static final int BAR_HEIGHT = 18;
     private static final int TITLE_HEIGHT = 20;
     private static final int PANEL_GAP = 22;
     private static final double LEAST_RATIO = 0.1;
@@ -63,13 +63,14 @@ record CompareDrawing(Map<Workload, Map<String, Bar>> bars) {
         String title = title();
         return CompareReport.format(
                         "<svg xmlns='http://www.w3.org/2000/svg' width='%1$d' height='%2$d' viewBox='0 0 %1$d %2$d' role='img'"
-                                + " aria-label='%3$s' font-family='sans-serif' font-size='11'>%n<title>%3$s</title>%n"
+                                + " aria-label='%3$s' font-family='sans-serif' font-size='13'>%n<title>%3$s</title>%n"
                                 + "<style>.t{font-weight:bold}.h{font-size:16px}.b{fill:#8fb3d9}.m{fill:#d9822b}.u{fill:#ccc}.q{stroke:#333}.l{stroke:#999}</style>%n"
                                 + "<rect width='100%%' height='100%%' fill='white'/>%n<text x='%4$d' y='26' class='h'>%3$s</text>%n",
                         width, top, title, MARGIN)
                 + CompareReport.format(
-                        "<text x='%d' y='46'>shorter is better; bar and ×: time per operation as a multiple of the limit's in the same round"
-                                + " (logarithmic), with ns per operation; thin line: quartiles; upright line: the limit</text>%n",
+                        "<text x='%1$d' y='48'>shorter is better; bar and ×: time per operation as a multiple of the limit's in the same round"
+                                + " (logarithmic);</text>%n"
+                                + "<text x='%1$d' y='66'>ns: time per operation; thin line: quartiles; upright line: the limit</text>%n",
                         MARGIN)
                 + panels
                 + CompareReport.format("</svg>%n");

@@ -66,7 +66,7 @@ class CompareReportTest {
         assertThat(drawing).contains("role='img' aria-label='" + title + "'", "<title>" + title + "</title>");
         assertThat(drawing).contains("shorter is better");
         assertThat(drawing.split("<text x='16' y='\\d+' class='t'>", -1)).hasSize(1 + 2);
-        assertThat(drawing.split("<text x='494' y='\\d+' class='t'>", -1)).hasSize(1 + 1);
+        assertThat(drawing.split("<text x='524' y='\\d+' class='t'>", -1)).hasSize(1 + 1);
     }
 
     @Test

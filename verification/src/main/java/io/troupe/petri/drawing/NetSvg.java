@@ -27,8 +27,10 @@ final class NetSvg {
     private static final int MOST_DOTS = 4;
     /** The most nodes of a net that is drawn as one long chain, which is the clearest layout for small nets. */
     private static final int FEW_NODES = 24;
-    /** Width over height of a large net, unless it is drawn in rows. */
-    private static final double MOST_SHAPE = 3;
+    /** Width over height of a net that is wider than a page, unless it is drawn in rows. */
+    private static final double MOST_SHAPE = 1.5;
+    /** A wider picture, scaled to 830 px, has letters below 9 px. */
+    private static final double WIDE_PX = 1100;
 
     private final PetriNet net;
     private final Marking marking;
@@ -61,14 +63,16 @@ final class NetSvg {
         page = new Page(size, net + " in " + marking, FONT_PX);
     }
 
-    /** Lays out a small net as one chain, and a large one breadth first or, if that is too long and flat, in rows. */
+    /** Lays out a small net as one chain, and a large one breadth first or, if that is too wide, in rows. */
     private Layout layout() {
         if (net.places().size() + net.transitions().size() <= FEW_NODES) {
             return Layout.of(layoutGraph(false, CycleBreakingStrategy.DEPTH_FIRST));
         }
         var compact = Layout.of(layoutGraph(false, CycleBreakingStrategy.BFS_NODE_ORDER));
         var canWrap = arcs.stream().allMatch(arc -> arc.weight() == 1);
-        return canWrap && compact.size().width() > MOST_SHAPE * compact.size().height()
+        return canWrap
+                        && compact.size().width()
+                                > Math.max(WIDE_PX, MOST_SHAPE * compact.size().height())
                 ? Layout.of(layoutGraph(true, CycleBreakingStrategy.DEPTH_FIRST))
                 : compact;
     }

@@ -96,6 +96,19 @@ class DrawingTest {
     }
 
     @Test
+    void netsOfThePaper_areInRows_soThatNamesCanBeReadOnAPage() {
+        for (var reading : Reading.values()) {
+            for (var net : List.of(PaperNets.uncorrected(reading), PaperNets.corrected(reading))) {
+                var svg = NetDrawing.of(net).tinting(PaperNets.components(net)).svg();
+                var wide = Double.parseDouble(svg.replaceFirst("(?s).*? width=\"([0-9.]+)\".*", "$1"));
+                assertThat(NetSvg.FONT_PX * 830 / wide)
+                        .as("px of a letter of " + net + " on a page of 830 px")
+                        .isGreaterThan(8.9);
+            }
+        }
+    }
+
+    @Test
     void svg_withTheTraceToADeadlock_coloursJustThat() {
         var dead = WHOLE.dead().getFirst();
         var trace = dead.shortestTrace();
@@ -198,10 +211,13 @@ class DrawingTest {
         refused(
                 () -> NetDrawing.of(PaperNets.robot()).tinting(PaperNets.components(net)),
                 "place R3'' of component robot is not of net robot");
-        // arcs are no longer than the picture is wide
-        assertThat(plain.viewBox().right()).isLessThan(1600);
-        assertThat(plain.viewBox().bottom()).isLessThan(800);
-        assertThat(plain.groups("arc")).allMatch(arc -> Picture.lengthOfFirstPath(arc) < 1000);
+        double wide = plain.viewBox().right();
+        double high = plain.viewBox().bottom();
+        assertThat(wide).isLessThan(1100);
+        assertThat(high).isLessThan(1300);
+        assertThat(plain.groups("arc"))
+                .as("no arc is longer than the way from corner to corner")
+                .allMatch(arc -> Picture.lengthOfFirstPath(arc) < wide + high);
     }
 
     @Test
