@@ -21,8 +21,8 @@ public final class Pictures {
     private Pictures() {}
 
     /**
-     * The arena, the path of each robot coloured by its service, and where the states changed. Older parts of a path are
-     * paler. In a crowd each robot has a colour of its own instead.
+     * The arena, the path of each robot coloured by its service, and where the states changed. Older parts of a path
+     * are paler. In a crowd each robot has a colour of its own instead.
      *
      * @param world the world of the run
      */
