@@ -22,7 +22,7 @@ public final class Pictures {
 
     /**
      * The arena, the path of each robot coloured by its service, and where the states changed. Older parts of a path
-     * are paler. In a crowd each robot has a colour of its own instead.
+     * are paler. In a crowd each robot has another colour instead.
      *
      * @param world the world of the run
      */

@@ -16,7 +16,7 @@ import java.util.stream.Stream;
 
 /**
  * Draws the arena, the paths, and the places of state changes. Older parts of a path are paler and thinner. Paths of a
- * few robots are coloured by service, with arrows and time marks; each robot of a crowd has a colour of its own.
+ * few robots are coloured by service, with arrows and time marks; each robot of a crowd has another colour.
  */
 final class TrajectorySvg {
     private static final double SCALE = 70; // pixels per metre, upper limit
