@@ -29,7 +29,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Role.</b> The benchmarks and the measuring classes of all three are those of this build.
  */
 final class BuildJvms implements AutoCloseable {
-    /** Longer than any limit in a JVM that measures, so that its error is told. */
+    /** Longer than any limit in a JVM that measures, so that its error is reported. */
     private static final Duration LIMIT = Duration.ofMinutes(5);
 
     /** Which of the three. */
