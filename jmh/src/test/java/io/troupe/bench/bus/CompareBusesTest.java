@@ -84,7 +84,8 @@ class CompareBusesTest {
     void memoryOfANode_withoutConnection_isMeasured() throws Exception {
         var cost = new BusProcess.Child(BusContender.TROUPE, "none").costOf(BusResults.Node.ALONE);
         assertThat(cost.heapBytes()).isPositive();
-        assertThat(cost.threads()).isZero();
+        // of a node; another thread of the JVM may end between the two counts
+        assertThat(cost.threads()).isBetween(-0.5, 0.5);
         assertThat(BusMemory.Cost.parse(cost.line())).isEqualTo(cost);
     }
 
