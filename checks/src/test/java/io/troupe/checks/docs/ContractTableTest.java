@@ -81,7 +81,8 @@ class ContractTableTest {
                 .dropWhile(line -> !line.matches("\\| `" + type + "\\b.*"))
                 .skip(2) // the type, and the rule below it
                 .takeWhile(line -> line.startsWith("|"))
-                .flatMap(row -> METHOD.matcher(row.substring(0, row.indexOf(" | "))).results())
+                .flatMap(row ->
+                        METHOD.matcher(row.substring(0, row.indexOf(" | "))).results())
                 .map(match -> match.group(1))
                 .collect(toSet());
     }
