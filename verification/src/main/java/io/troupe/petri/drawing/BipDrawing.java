@@ -10,6 +10,8 @@ import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
+import java.util.Set;
 import org.eclipse.elk.alg.layered.options.CycleBreakingStrategy;
 import org.jspecify.annotations.Nullable;
 
@@ -46,7 +48,8 @@ public final class BipDrawing {
     }
 
     /**
-     * A complete SVG file, laid out from left to right.
+     * A complete SVG file. The components are in two columns with the connectors between them, if each connector has
+     * its first port on one side and its others on the other side; otherwise they are laid out from left to right.
      *
      * @throws IllegalArgumentException if the model has more than {@link #MOST_SVG_PARTS} components and connectors
      */
@@ -61,12 +64,12 @@ public final class BipDrawing {
 
     /** Lays out and writes one model. */
     private static final class ModelSvg {
-        private static final double FONT_PX = 12;
-        private static final double SMALL_PX = 10;
+        private static final double FONT_PX = 13;
+        private static final double SMALL_PX = 12;
         private static final double PORT_PX = 8;
         private static final double PADDING_PX = 8;
-        private static final double TITLE_PX = 22;
-        private static final double ROW_PX = 15;
+        private static final double TITLE_PX = 24;
+        private static final double ROW_PX = 17;
         private static final double MARK_PX = 9;
         private static final double MARGIN_PX = 12;
 
@@ -75,6 +78,10 @@ public final class BipDrawing {
         private final Map<AtomType, AutomatonSvg> automata = new LinkedHashMap<>();
         private final Map<AtomType, String> tints = new HashMap<>();
         private final Map<String, Integer> ports = new LinkedHashMap<>();
+        /** The components on the left; empty if they cannot be divided. */
+        private final Optional<Set<String>> onTheLeft;
+
+        private final Map<String, Boolean> portsThatBegin;
         private final Layout layout;
         private final Page page;
 
@@ -85,6 +92,8 @@ public final class BipDrawing {
                 automata.put(type, new AutomatonSvg(type));
                 tints.put(type, Palette.TINTS.get(tints.size() % Palette.TINTS.size()));
             }
+            onTheLeft = dividedInTwo(model);
+            portsThatBegin = portsThatBegin();
             layout = Layout.of(layoutGraph());
             var below = model.priorities().isEmpty()
                     ? 0
@@ -95,6 +104,75 @@ public final class BipDrawing {
                             layout.size().height() + below),
                     model.toString(),
                     FONT_PX);
+        }
+
+        /**
+         * The components on the left if all can be divided so that each connector has its first end on one side and its
+         * others on the other: the first component is on the left, and whatever is joined with it follows.
+         */
+        private static Optional<Set<String>> dividedInTwo(BipModel model) {
+            var left = new HashMap<String, Boolean>();
+            for (var component : model.components().keySet()) {
+                if (left.putIfAbsent(component, true) == null && !follow(model, left)) {
+                    return Optional.empty();
+                }
+            }
+            left.values().removeIf(each -> !each);
+            return Optional.of(Set.copyOf(left.keySet()));
+        }
+
+        /** Gives a side to everything that is joined with what has one; false if something would have two. */
+        private static boolean follow(BipModel model, Map<String, Boolean> left) {
+            int known;
+            do {
+                known = left.size();
+                for (var connector : model.connectors()) {
+                    var ends = connector.ends();
+                    for (var i = 1; i < ends.size(); i++) {
+                        if (!areOpposite(
+                                ends.getFirst().component(), ends.get(i).component(), left)) {
+                            return false;
+                        }
+                    }
+                }
+            } while (left.size() > known);
+            return true;
+        }
+
+        /** Gives the other side to the one without a side; false if both have the same. */
+        private static boolean areOpposite(String first, String second, Map<String, Boolean> left) {
+            Boolean side = left.get(first);
+            if (side != null) {
+                Boolean other = left.putIfAbsent(second, !side);
+                return other == null || !other.equals(side);
+            }
+            Boolean other = left.get(second);
+            if (other != null) {
+                left.put(first, !other);
+            }
+            return true;
+        }
+
+        /**
+         * By the text of an end, whether its lines go from the port to the right, to connectors; each port has one way.
+         */
+        private Map<String, Boolean> portsThatBegin() {
+            var begin = new HashMap<String, Boolean>();
+            for (var connector : model.connectors()) {
+                for (var end : connector.ends()) {
+                    var isFirst = end.equals(connector.ends().getFirst());
+                    begin.putIfAbsent(
+                            end.toString(),
+                            onTheLeft
+                                    .map(left -> left.contains(end.component()))
+                                    .orElse(isFirst));
+                }
+            }
+            return begin;
+        }
+
+        private boolean beginsAtPort(Connector.End end) {
+            return requireNonNull(portsThatBegin.get(end.toString()));
         }
 
         private double widestPriority() {
@@ -114,13 +192,13 @@ public final class BipDrawing {
 
         private LayoutGraph layoutGraph() {
             var graph =
-                    new LayoutGraph(new LayoutGraph.Style(false, false, CycleBreakingStrategy.DEPTH_FIRST, 18, 26, 9));
+                    new LayoutGraph(new LayoutGraph.Style(false, false, CycleBreakingStrategy.DEPTH_FIRST, 14, 20, 7));
             for (var component : components) {
                 graph.node(size(component), null);
             }
             for (var component : components) {
                 for (var port : type(component).ports()) {
-                    ports.put(component + "." + port, graph.port(components.indexOf(component), PORT_PX, TITLE_PX));
+                    ports.put(component + "." + port, graph.port(components.indexOf(component), PORT_PX));
                 }
             }
             for (var connector : model.connectors()) {
@@ -128,7 +206,7 @@ public final class BipDrawing {
                 var node = graph.nodes.size() - 1;
                 for (var i = 0; i < connector.ends().size(); i++) {
                     var port = requireNonNull(ports.get(connector.ends().get(i).toString()));
-                    if (i == 0) {
+                    if (beginsAtPort(connector.ends().get(i))) {
                         graph.edgeFromPort(port, node);
                     } else {
                         graph.edgeToPort(node, port);
@@ -138,21 +216,28 @@ public final class BipDrawing {
             return graph;
         }
 
-        /** Room for the automaton between the names of the ports on both sides. */
+        /** Room for the title and the automaton, beside the names of the ports. */
         private Size size(String component) {
             var type = type(component);
             var automaton = automaton(component).size();
-            var names = type.ports().stream()
-                    .mapToDouble(port -> TextMetrics.width(port, SMALL_PX))
-                    .max()
-                    .orElse(0);
-            var title = TextMetrics.width(title(component), FONT_PX) + 2 * PADDING_PX;
-            var width = Math.max(title, automaton.width() + 2 * (names + PORT_PX + PADDING_PX));
+            var title = TextMetrics.width(title(component), FONT_PX);
             return new Size(
-                    width,
+                    room(component, true) + Math.max(title, automaton.width()) + room(component, false),
                     TITLE_PX
                             + Math.max(automaton.height(), ROW_PX * type.ports().size())
                             + PADDING_PX);
+        }
+
+        /** The width on one side of the automaton: for the names of the ports, if there may be any. */
+        private double room(String component, boolean left) {
+            if (onTheLeft.isPresent() && onTheLeft.get().contains(component) == left) {
+                return PADDING_PX;
+            }
+            var names = type(component).ports().stream()
+                    .mapToDouble(port -> TextMetrics.width(port, SMALL_PX))
+                    .max()
+                    .orElse(0);
+            return names + 2 * PADDING_PX; // the ports are outside of the box
         }
 
         private String title(String component) {
@@ -171,8 +256,8 @@ public final class BipDrawing {
             for (var i = 0; i < model.connectors().size(); i++) {
                 var connector = model.connectors().get(i);
                 page.group("connector", connector.toString());
-                for (var j = 0; j < connector.ends().size(); j++) {
-                    line(edge++, j == 0, connector.ends().get(j).trigger());
+                for (var end : connector.ends()) {
+                    line(edge++, beginsAtPort(end), end.trigger());
                 }
                 name(connector, layout.node(components.size() + i));
                 page.endGroup();
@@ -194,15 +279,12 @@ public final class BipDrawing {
                     size.height(),
                     requireNonNull(tints.get(type(component))),
                     Palette.LINE);
-            page.lines(
-                    List.of(title(component)),
-                    new PixelPoint(corner.x() + size.width() / 2, corner.y() + TITLE_PX / 2),
-                    FONT_PX,
-                    "black");
             var automaton = automaton(component);
+            var middle = corner.x() + (room(component, true) + size.width() - room(component, false)) / 2;
+            page.lines(List.of(title(component)), new PixelPoint(middle, corner.y() + TITLE_PX / 2), FONT_PX, "black");
             automaton.write(
                     page,
-                    corner.x() + (size.width() - automaton.size().width()) / 2,
+                    middle - automaton.size().width() / 2,
                     corner.y()
                             + TITLE_PX
                             + (size.height()
@@ -271,8 +353,10 @@ public final class BipDrawing {
 
     /** The automaton of a type: circles with the names of places, arrows with the names of ports. */
     private static final class AutomatonSvg {
-        private static final double FONT_PX = 9;
-        private static final double HEIGHT_PX = 16;
+        private static final double FONT_PX = 12;
+        private static final double HEIGHT_PX = 19;
+        /** What a layout leaves free on each side; the box around the automaton has its margin, too. */
+        private static final double MARGIN_PX = 12;
 
         /** All steps between two places. */
         private record Arrow(String from, String to, List<String> ports) {
@@ -299,8 +383,8 @@ public final class BipDrawing {
                         .add(step.port());
             }
             joined.forEach((ends, ports) -> arrows.add(new Arrow(ends.get(0), ends.get(1), ports)));
-            var graph = new LayoutGraph(
-                    new LayoutGraph.Style(true, false, CycleBreakingStrategy.BFS_NODE_ORDER, 10, 14, 6));
+            var graph =
+                    new LayoutGraph(new LayoutGraph.Style(true, false, CycleBreakingStrategy.BFS_NODE_ORDER, 6, 12, 5));
             type.places().forEach(place -> graph.node(size(place), null));
             for (var arrow : arrows) {
                 graph.edge(
@@ -312,15 +396,15 @@ public final class BipDrawing {
         }
 
         private static Size size(String place) {
-            return new Size(TextMetrics.width(place, FONT_PX) + 12, HEIGHT_PX);
+            return new Size(TextMetrics.width(place, FONT_PX) + 8, HEIGHT_PX);
         }
 
         Size size() {
-            return layout.size();
+            return new Size(layout.size().width() - 2 * MARGIN_PX, layout.size().height() - 2 * MARGIN_PX);
         }
 
         void write(Page page, double x, double y) {
-            page.add("<g class=\"automaton\" transform=\"translate(%s %s)\">", x, y);
+            page.add("<g class=\"automaton\" transform=\"translate(%s %s)\">", x - MARGIN_PX, y - MARGIN_PX);
             for (var i = 0; i < arrows.size(); i++) {
                 page.arrow(layout.route(i), Palette.LINE, 0.8, 5);
                 @Nullable PixelPoint label = layout.label(i);

@@ -9,7 +9,6 @@ import org.eclipse.elk.alg.layered.options.LayeredOptions;
 import org.eclipse.elk.alg.layered.options.NodePlacementStrategy;
 import org.eclipse.elk.alg.layered.options.WrappingStrategy;
 import org.eclipse.elk.core.data.LayoutMetaDataService;
-import org.eclipse.elk.core.math.ElkMargin;
 import org.eclipse.elk.core.math.ElkPadding;
 import org.eclipse.elk.core.options.Direction;
 import org.eclipse.elk.core.options.EdgeRouting;
@@ -113,7 +112,6 @@ final class Layout {
     private static ElkPort add(ElkNode node, LayoutGraph.Port sketched) {
         var port = ElkGraphUtil.createPort(node);
         port.setDimensions(sketched.sidePx(), sketched.sidePx());
-        node.setProperty(LayeredOptions.SPACING_PORTS_SURROUNDING, new ElkMargin(sketched.topPx(), 0, 0, 0));
         return port;
     }
 

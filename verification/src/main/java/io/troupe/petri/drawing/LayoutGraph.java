@@ -21,8 +21,11 @@ final class LayoutGraph {
             @Nullable Integer fromPort,
             @Nullable Integer toPort) {}
 
-    /** A square on the left or right border of a node, at least {@code topPx} below its corner; edges end at it. */
-    record Port(int node, double sidePx, double topPx) {}
+    /**
+     * A square on the left or right border of a node. Edges begin at it, or edges end at it: ELK fails at some ports
+     * with both.
+     */
+    record Port(int node, double sidePx) {}
 
     /**
      * The settings that differ between the drawings; spacings in pixels.
@@ -60,8 +63,8 @@ final class LayoutGraph {
     }
 
     /** Adds a port to a node, and returns its number. */
-    int port(int node, double sidePx, double topPx) {
-        ports.add(new Port(node, sidePx, topPx));
+    int port(int node, double sidePx) {
+        ports.add(new Port(node, sidePx));
         return ports.size() - 1;
     }
 

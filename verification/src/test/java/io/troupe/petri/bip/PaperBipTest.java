@@ -2,13 +2,18 @@ package io.troupe.petri.bip;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.petri.drawing.BipDrawing;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.util.ArrayList;
+import java.util.Collections;
 import java.util.List;
+import java.util.Random;
 import java.util.regex.Pattern;
+import java.util.stream.DoubleStream;
 import java.util.stream.Stream;
 import javax.xml.parsers.DocumentBuilderFactory;
 import org.junit.jupiter.api.Test;
@@ -202,6 +207,79 @@ class PaperBipTest {
         assertThat(count(svg, "class=\"priority\""))
                 .isEqualTo(model.priorities().size());
         assertThat(svg).isEqualTo(BipDrawing.of(model).svg());
+    }
+
+    /** On a page of 830 px. */
+    @Test
+    void drawing_ofThePapersRobots_hasLettersThatCanBeRead() {
+        var svg = BipDrawing.of(PaperBip.waiting()).svg();
+        var smallest = numbers(svg, "font-size=\"([0-9.]+)\"").min().orElseThrow();
+        var width = numbers(svg, "<svg [^>]*width=\"([0-9.]+)\"").findFirst().orElseThrow();
+        assertThat(smallest * 830 / width).isGreaterThan(8.5);
+    }
+
+    @Test
+    void drawing_hasTwoColumns_ifTheConnectorsJoinTwoSides() {
+        var type = AtomType.starting("Lamp", "off").on("press", "off", "off");
+        var chain = BipModel.named("chain")
+                .component("a", type)
+                .component("b", type)
+                .component("c", type)
+                .connector("ab", "a.press", "b.press")
+                .connector("bc", "b.press", "c.press");
+        var two = columns(chain.build());
+        assertThat(List.of(two.get(0), two.get(2)))
+                .as("a and c are on the left of b")
+                .allMatch(x -> x < two.get(1));
+
+        var ring = chain.connector("ca", "c.press", "a.press").build();
+        assertThat(columns(ring))
+                .as("three in a ring have no two sides, and are drawn")
+                .hasSize(3);
+    }
+
+    @Test
+    void drawing_ofAnyModel_hasAllItsComponents() {
+        for (var seed = 0; seed < Thorough.times(50, 2_000); seed++) {
+            var model = randomModel(new Random(seed));
+            assertThat(columns(model))
+                    .as("seed " + seed)
+                    .hasSameSizeAs(model.components().keySet());
+        }
+    }
+
+    private static BipModel randomModel(Random random) {
+        var ports = List.of("press", "hold", "free");
+        var type = AtomType.starting("Lamp", "off")
+                .on("press", "off", "off")
+                .on("hold", "off", "lit")
+                .on("free", "lit", "off");
+        var model = BipModel.named("any");
+        List<String> names =
+                new ArrayList<>(List.of("a", "b", "c", "d", "e", "f").subList(0, 2 + random.nextInt(5)));
+        for (var name : names) {
+            model.component(name, type);
+        }
+        for (var i = random.nextInt(8); i >= 0; i--) {
+            Collections.shuffle(names, random);
+            var ends = names.stream()
+                    .limit(1 + random.nextInt(3))
+                    .map(name -> name + "." + ports.get(random.nextInt(3)))
+                    .toArray(String[]::new);
+            model.connector("x" + i, ends);
+        }
+        return model.build();
+    }
+
+    /** Where the boxes of the components begin, from left to right, in the order of the components. */
+    private static List<Double> columns(BipModel model) {
+        return numbers(BipDrawing.of(model).svg(), "class=\"component\"[^\\n]*\\n<rect x=\"([0-9.]+)\"")
+                .boxed()
+                .toList();
+    }
+
+    private static DoubleStream numbers(String svg, String pattern) {
+        return Pattern.compile(pattern).matcher(svg).results().mapToDouble(found -> Double.parseDouble(found.group(1)));
     }
 
     @Test

@@ -22,11 +22,13 @@ import io.troupe.actor.kotlin.spawn
 import io.troupe.actor.promise.Promise
 import io.troupe.actor.testkit.TestSpace
 import java.io.ByteArrayOutputStream
+import java.io.IOException
 import java.io.PrintStream
 import java.time.Duration
 import java.util.concurrent.TimeoutException
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.Duration.Companion.seconds
+import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.async
 import kotlinx.coroutines.delay
@@ -258,6 +260,29 @@ class GuideTest : InTestSpace() {
         advance(2_000)
         assertThat(test.error(late)).isInstanceOf(TimeoutException::class.java)
         assertThat(log).containsExactly("red ends", "blue ends", "red ends", "green ends")
+    }
+
+    // ---- a stand-in, of the page on testing
+
+    class CameraOfTheTest : Camera {
+        val picture = CompletableDeferred<Set<String>>()
+
+        override suspend fun shoot() = picture.await()
+    }
+
+    @Test
+    fun cameras_whoseAnswerTheTestCompletes() {
+        val left = CameraOfTheTest()
+        val right = CameraOfTheTest()
+        val lookout = test.spawn<Camera> { Lookout(left, right) }
+
+        val seen = test.space().scope.promise { lookout.shoot() }
+        left.picture.complete(setOf("red"))
+        test.runQueued()
+        assertThat(seen.isDone).isFalse() // it waits for the other camera
+
+        right.picture.completeExceptionally(IOException("no light"))
+        assertThat(test.error(seen)).hasMessage("no light")
     }
 
     interface Sensor {
