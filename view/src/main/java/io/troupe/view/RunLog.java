@@ -53,12 +53,7 @@ public final class RunLog implements AutoCloseable {
      * @param settings of the run, as far as they hold for it
      */
     public void begin(WorldSpec world, RecordedRun.Settings settings) {
-        write(Json.line(0, "header")
-                .put("format", FORMAT)
-                .put("version", VERSION)
-                .put("program", PROGRAM)
-                .put("world", world.name())
-                .put("robots", world.robots().size())
+        write(header(world)
                 .put("seed", settings.seed())
                 .put("mode", settings.mode())
                 .put("reconnect", settings.reconnects())
@@ -66,14 +61,18 @@ public final class RunLog implements AutoCloseable {
                 .put("interval", new Json.Fragment(Json.seconds(world.intervalMillis() * 1000L))));
     }
 
-    /** The same for a run without a table of services, which has no mode. */
-    public void begin(WorldSpec world, double seconds) {
-        write(Json.line(0, "header")
+    private static Json header(WorldSpec world) {
+        return Json.line(0, "header")
                 .put("format", FORMAT)
                 .put("version", VERSION)
                 .put("program", PROGRAM)
                 .put("world", world.name())
-                .put("robots", world.robots().size())
+                .put("robots", world.robots().size());
+    }
+
+    /** The same for a run without a table of services, which has no mode. */
+    public void begin(WorldSpec world, double seconds) {
+        write(header(world)
                 .put("seconds", new Json.Fragment(Json.seconds(StrictMath.round(seconds * 1e6))))
                 .put("interval", new Json.Fragment(Json.seconds(world.intervalMillis() * 1000L))));
     }
