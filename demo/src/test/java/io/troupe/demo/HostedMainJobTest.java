@@ -202,10 +202,10 @@ class HostedMainJobTest extends CommandLineBench {
     void providerThatIsKilled_isReplaced_andItsRobotsStandMeanwhile(String mode) throws Exception {
         startServers();
         var first = new Offer("--name host-a");
-        var second = new Offer("--name host-b --rank 1");
         var ended = startRun("--seconds 20 --mode " + mode);
         first.await("robot 1: wallFollower starts");
         first.await("robot 2: spaceWanderer starts");
+        var second = new Offer("--name host-b");
         awaitMicros(2_000_000);
         first.kill();
         long killedMicros = awaitMicros(0);

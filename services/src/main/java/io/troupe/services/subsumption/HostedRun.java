@@ -3,7 +3,6 @@ package io.troupe.services.subsumption;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.CallObserver;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.broker.ActorConnection;
 import io.troupe.broker.ConnectionSettings;
@@ -39,7 +38,7 @@ import org.jspecify.annotations.Nullable;
  * one is called 2.3 s after the start of this run at the earliest: then the leases of an earlier run are over.
  *
  * <p><b>Errors.</b> {@link #start} and {@link #check} throw a {@link MissingServiceException} if a service of the table
- * has no provider: within 2 s at the start, for 5 s later. Any other error of a service ends the run as it does in one
+ * has no provider: after 2 s at the start, for 5 s later. Any other error of a service ends the run as it does in one
  * process. If this process is killed, frozen or cut off, the robots stop within 2.5 s.
  */
 public final class HostedRun implements AutoCloseable {
@@ -62,10 +61,8 @@ public final class HostedRun implements AutoCloseable {
 
     private static final System.Logger LOG = System.getLogger(HostedRun.class.getName());
 
-    /** How long providers may take to answer the request for their offers. */
+    /** How long providers may take to answer the request for their offers; shorter than the wait for leases. */
     private static final Duration DISCOVERY = Duration.ofSeconds(2);
-
-    private static final Duration ASK_EVERY = Duration.ofMillis(100);
     /** A provider may take its time to start. */
     private static final Duration START_LIMIT = Duration.ofMinutes(2);
 
@@ -119,25 +116,12 @@ public final class HostedRun implements AutoCloseable {
         }
     }
 
+    /** The choice among providers is made when all of them have had time to answer, not by who was the first. */
     private void findProviders() throws InterruptedException {
+        await(space.delay(DISCOVERY), START_LIMIT);
         for (Service service : table.services()) {
-            var found = new Deferred<@Nullable Void>(null);
-            space.execute(() -> find(service.name(), space.clock().nanos(), found));
-            await(found, START_LIMIT);
+            await(node.broker().require(Need.ofCapability(SubsumptionRun.CALLER, service.name())), START_LIMIT);
         }
-    }
-
-    private void find(String service, long sinceNanos, Deferred<@Nullable Void> found) {
-        node.broker().require(Need.ofCapability(SubsumptionRun.CALLER, service)).handle((provider, error) -> {
-            if (error == null) {
-                found.resolve(null);
-            } else if (space.clock().nanos() - sinceNanos < DISCOVERY.toNanos()) {
-                space.delay(ASK_EVERY).thenRun(() -> find(service, sinceNanos, found));
-            } else {
-                found.reject(error);
-            }
-            return null;
-        });
     }
 
     private void startArbitrator(Mode mode, Listener listener) throws InterruptedException {

@@ -24,6 +24,8 @@ import org.junit.jupiter.api.Timeout;
 /** The samples of the Javadoc about the main job over hosts, with provider and arbitrator in one process. */
 @Timeout(300)
 class HostedSamplesTest {
+    private static final Duration A_MOMENT = Duration.ofMillis(100);
+
     private final ActorSpace space = ActorSpace.create(SpaceSettings.named("broker"));
     private final ActorSpace driving = ActorSpace.create(SpaceSettings.named("robots"));
     private final Bus bus = Bus.inProcess("host", BusSettings.on(space));
@@ -32,7 +34,6 @@ class HostedSamplesTest {
     private final int port = FakeRobots.PORT;
     private final CountDownLatch driven = new CountDownLatch(2);
     private final List<String> states = Collections.synchronizedList(new ArrayList<>());
-
     private final AtomicLong stateNanos = new AtomicLong();
 
     private final HostedRun.Listener listener = new HostedRun.Listener() {
@@ -83,6 +84,36 @@ class HostedSamplesTest {
         assertThat(states).startsWith("state 1").contains("host 0 wallFollower", "host 1 spaceWanderer");
         offer.withdraw().get(Duration.ofMinutes(1));
         node.close();
+    }
+
+    /** Its node answers when the other one has been known for long. */
+    @Test
+    void providerWithTheLeastRank_isChosen_howeverLateItIsHeardOf() throws Exception {
+        var hosts = new HostsPipe(space);
+        var settings = BusSettings.on(space).withObserver(loss -> {});
+        List<String> both = List.of("wallFollower", "spaceWanderer");
+        var robots = RobotServicesActor.Settings.ofThePaper().withPort(port);
+        try (var arbitrator = hosts.open("arbitrator", settings);
+                var early = hosts.open("a", settings);
+                var late = hosts.open("b", settings);
+                var second = RobotNode.open(early, space, BrokerObserver.logging(), 1);
+                var first = RobotNode.open(late, space, BrokerObserver.logging(), 0)) {
+            second.offer(driving, robots, both).published().get(Duration.ofMinutes(1));
+            first.offer(driving, robots, both).published().get(Duration.ofMinutes(1));
+            hosts.lose("b");
+            try (var node = RobotNode.open(arbitrator, space, BrokerObserver.logging(), 0)) {
+                while (node.actors().offers(A_MOMENT).get(Duration.ofMinutes(1)).isEmpty()) {
+                    // asks again
+                }
+                hosts.loseNoMore("b"); // it publishes its offers each second
+                try (var run = HostedRun.start(node, Mode.PROMISE, SubsumptionTable.ofThePaper(), listener)) {
+                    while (goesOn()) {
+                        run.check();
+                    }
+                }
+            }
+        }
+        assertThat(states).contains("b 0 wallFollower", "b 1 spaceWanderer");
     }
 
     @Test
