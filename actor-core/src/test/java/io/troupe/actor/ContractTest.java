@@ -22,8 +22,10 @@ import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** Points of the contract that have no other test; {@code docs/contract-actor-core.md} lists them all. */
+@Isolated("looks at all threads")
 class ContractTest extends InTestSpace {
     /** Does not know this library. */
     interface Door {

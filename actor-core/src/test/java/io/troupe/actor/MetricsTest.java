@@ -30,8 +30,10 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** The figures, events and log lines of a space; and a space without the classes that only monitor it. */
+@Isolated("reads the log")
 class MetricsTest extends InTestSpace {
     private static final int LOOKS_UNTIL_COMPILED = 200_000;
     private static final Runnable NOTHING = () -> {};

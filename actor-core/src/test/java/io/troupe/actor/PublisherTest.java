@@ -17,12 +17,15 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.reactivestreams.tck.TestEnvironment;
 import org.reactivestreams.tck.flow.FlowPublisherVerification;
 import org.testng.TestListenerAdapter;
 import org.testng.TestNG;
 
 /** Topics and callbacks as publishers of reactive streams; and the kit that these publish for such publishers. */
+@Execution(ExecutionMode.CONCURRENT)
 class PublisherTest extends InTestSpace {
     private final Topic<Integer> topic = Topic.of(test.space(), "range");
 

@@ -16,8 +16,10 @@ import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Isolated;
 
 /** The services of a space: delays, retries, loops, blocking work, sequential bodies, time limits set outside. */
+@Isolated("looks at all threads")
 class SpaceServicesTest extends InTestSpace {
     private static final Duration SECOND = Duration.ofSeconds(1);
     private static final Duration SOON = Duration.ofMillis(10);

@@ -10,6 +10,7 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -21,6 +22,7 @@ import org.junit.jupiter.api.io.TempDir;
  */
 public abstract class CommandLineBench {
     protected static final String ARENA = "--world worlds/paper-arena.world ";
+    private static final AtomicInteger NEXT_PORT = new AtomicInteger(7_665);
     private static final Pattern FILE = Pattern.compile("DIR/?([\\w./-]*\\w)?");
 
     protected final StringWriter out = new StringWriter();
@@ -47,6 +49,17 @@ public abstract class CommandLineBench {
         Path file = directory.resolve(name);
         Files.createDirectories(file.getParent());
         return Files.writeString(file, text);
+    }
+
+    /** Writes the arena as DIR/arena.cfg, at a port that no other world in this JVM has; returns the port. */
+    protected final int arenaAtOwnPort() throws IOException {
+        int port = NEXT_PORT.getAndIncrement();
+        Path worlds = Path.of("worlds").toAbsolutePath();
+        String arena = Files.readString(worlds.resolve("paper-arena.cfg"))
+                .replaceAll("\"(?=[a-z0-9]+:\\d+\")", "\"" + port + ":")
+                .replace("paper-arena.world", worlds.resolve("paper-arena.world") + "");
+        file("arena.cfg", arena);
+        return port;
     }
 
     protected final String written(String name) throws IOException {

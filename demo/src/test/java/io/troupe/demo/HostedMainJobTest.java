@@ -22,8 +22,6 @@ import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
-import java.nio.file.Files;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -48,7 +46,6 @@ import org.junit.jupiter.params.provider.ValueSource;
 class HostedMainJobTest extends CommandLineBench {
     private static final int MISSING_SERVICE = 3;
     private static final int ROBOTS = 2;
-    private static final int PORT = 7665;
     private static final long HALF_A_SECOND_MICROS = 500_000;
     private static final long INTERVAL_MICROS = 100_000;
     /** 5 s are promised, and about 2.5 s are usual; the rest is for a busy machine. */
@@ -60,26 +57,17 @@ class HostedMainJobTest extends CommandLineBench {
     private String robots = "";
     private volatile @Nullable FutureTask<Integer> run;
 
-    /** The arena at a port that no other world in this JVM has. */
-    private Path arena() throws IOException {
-        String arena = Files.readString(Path.of("worlds", "paper-arena.cfg"))
-                .replaceAll("\"(?=[a-z0-9]+:\\d+\")", "\"" + PORT + ":")
-                .replace(
-                        "paper-arena.world",
-                        Path.of("worlds", "paper-arena.world").toAbsolutePath() + "");
-        return file("arena.cfg", arena);
-    }
-
     private void startServers() throws IOException {
         assumeTrue(NatsServerProcess.isInstalled(), NatsServerProcess.HOW_TO_GET + "; not tested");
         var server = NatsServerProcess.start();
         open.add(server);
         bus = server.address();
-        var simulation = Simulation.open(ScenarioReader.read(arena()), WorldSettings.DEFAULT);
+        int port = arenaAtOwnPort();
+        var simulation = Simulation.open(ScenarioReader.read(directory.resolve("arena.cfg")), WorldSettings.DEFAULT);
         open.add(simulation);
         simulation.lockStep(false);
         simulation.disconnectSilentClients(true);
-        var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0);
+        var tcp = TcpServer.open(PlayerPorts.find(port).orElseThrow(), 0);
         open.add(tcp);
         robots = "127.0.0.1:" + tcp.port();
         open.add(SimulationRunner.start(simulation, 1, this::observe, new Pace.RealTime(1)));

@@ -24,6 +24,8 @@ import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.condition.DisabledOnOs;
 import org.junit.jupiter.api.condition.OS;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /**
  * Commands in a separate JVM that are interrupted, commands whose output goes to {@code /dev/full}, and the start
@@ -31,6 +33,7 @@ import org.junit.jupiter.api.condition.OS;
  */
 @Timeout(300)
 @DisabledOnOs(OS.WINDOWS)
+@Execution(ExecutionMode.CONCURRENT)
 class MainProcessTest extends CommandLineBench {
     private static final int TERMINATED = 128 + 15;
     private static final String CUT_SHORT = ",\"cutShort\":\"interrupted\"}\n";
@@ -149,16 +152,6 @@ class MainProcessTest extends CommandLineBench {
     }
 
     // ---- on a full disk
-
-    @Test
-    @Timeout(120)
-    void log_thatCannotBeWritten_isNamed_andTheSummaryIsKept() throws Exception {
-        assumeThat(FULL).exists();
-        Files.createSymbolicLink(directory.resolve("run.jsonl"), FULL);
-        assertThat(troupe("run " + ARENA + "--seconds 20 --out DIR")).isEqualTo(Main.FAILED);
-        assertThat(err.toString().lines()).containsExactly(local("troupe: DIR/run.jsonl: No space left on device"));
-        assertThat(out.toString()).contains("20.0 s simulated", "distance driven");
-    }
 
     @Test
     @Timeout(120)

@@ -529,4 +529,14 @@ class MainTest extends CommandLineBench {
         assertThat(svg).containsSubsequence("stroke-opacity=\"0.10\"", "stroke-opacity=\"0.85\"");
         assertThat(svg.indexOf("stroke-opacity=\"0.10\"")).isLessThan(svg.indexOf("stroke-opacity=\"0.85\""));
     }
+
+    @Test
+    void log_thatCannotBeWritten_isNamed_andTheSummaryIsKept() throws Exception {
+        Path full = Path.of("/dev/full");
+        assumeTrue(Files.exists(full), "a device that is always full");
+        Files.createSymbolicLink(directory.resolve("run.jsonl"), full);
+        assertThat(troupe("run " + ARENA + "--seconds 20 --out DIR")).isEqualTo(Main.FAILED);
+        assertThat(err.toString().lines()).containsExactly(local("troupe: DIR/run.jsonl: No space left on device"));
+        assertThat(out.toString()).contains("20.0 s simulated", "distance driven");
+    }
 }

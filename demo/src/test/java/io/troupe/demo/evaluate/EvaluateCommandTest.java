@@ -11,13 +11,9 @@ import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
-import io.troupe.sim.Simulation;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;
 import java.io.PrintStream;
-import java.net.InetAddress;
-import java.net.Socket;
-import java.nio.ByteBuffer;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -25,11 +21,11 @@ import java.time.Duration;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Set;
-import java.util.concurrent.CountDownLatch;
-import java.util.concurrent.TimeUnit;
-import java.util.stream.IntStream;
+import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
 
@@ -38,9 +34,10 @@ import org.junit.jupiter.params.provider.ValueSource;
  * progress.
  */
 @Timeout(300)
+@Execution(ExecutionMode.CONCURRENT)
 class EvaluateCommandTest extends CommandLineBench {
     private static final Path PAPER_ARENA = Path.of("worlds", "paper-arena.cfg");
-    private static final String EVALUATE = "evaluate --world worlds/paper-arena.cfg ";
+    private static final String EVALUATE = "evaluate --world DIR/arena.cfg ";
     /** Quantities that depend on the machine; all others depend only on the seed. */
     private static final Set<String> COMPUTED =
             Set.of("cycle", "cycle_p99", "turn", "processor", "delay", "delay_p99", "switch");
@@ -64,6 +61,11 @@ class EvaluateCommandTest extends CommandLineBench {
     private String small(String folder) {
         return printed(EVALUATE + "--loops 20 --cores 2 --repetitions 2 --warm-up 0 --seconds 40 --reconnect --out DIR/"
                 + folder);
+    }
+
+    @BeforeEach
+    void writeArena() throws IOException {
+        arenaAtOwnPort();
     }
 
     @Test
@@ -186,64 +188,6 @@ class EvaluateCommandTest extends CommandLineBench {
                     .isInstanceOf(IOException.class)
                     .hasMessageContaining("the JVM that measures (told 2 cores) has ended: exit status 1, see "
                             + directory.resolve("log"));
-        }
-    }
-
-    // ---- their world
-
-    private static final PaperWorld WORLD = PaperWorld.read(PAPER_ARENA);
-    private static final double WORLD_SECONDS = 0.5;
-    private static final int HEADER_BYTES = 40;
-    private static final int ACCESS = 3;
-    private static final int NEXT_DATA = 4;
-    private static final int DATA_MODE = 5;
-    private static final int PULL = 2;
-
-    private static String robots(long seed) {
-        try (var simulation = Simulation.open(WORLD.scenario(), PaperWorld.settings(seed))) {
-            return simulation.tick().robots().toString();
-        }
-    }
-
-    @Test
-    void seed_movesTheStartPoses() {
-        assertThat(robots(1)).isEqualTo(robots(1)).isNotEqualTo(robots(2));
-    }
-
-    /** A request to the Player device, encoded as in Player's clients. */
-    private static byte[] request(int subtype, int... payload) {
-        int bytes = Integer.BYTES * payload.length;
-        // host, robot, interface, index, message type, subtype, time (two words), sequence number, length
-        var header = IntStream.of(0, 0, 1, 0, 3, subtype, 0, 0, 0, bytes);
-        var request = ByteBuffer.allocate(HEADER_BYTES + bytes);
-        IntStream.concat(header, IntStream.of(payload)).forEach(request::putInt);
-        return request.array();
-    }
-
-    @Test
-    @Timeout(60)
-    void clientThatNeverAnswers_isGreetedAsByPlayer_andTheWorldGoesOnInRealTime() throws Exception {
-        var passed = new CountDownLatch(1);
-        try (var server = WORLD.serve(1, seconds -> {
-                    if (seconds >= WORLD_SECONDS) {
-                        passed.countDown();
-                    }
-                });
-                var client = new Socket(InetAddress.getLoopbackAddress(), server.port())) {
-            client.setSoTimeout(30_000);
-            String banner = new String(client.getInputStream().readNBytes(32), StandardCharsets.US_ASCII);
-            assertThat(banner).hasSize(32).startsWith("Player v.").endsWith("\0");
-            long beganNanos = System.nanoTime();
-            var out = client.getOutputStream();
-            out.write(request(DATA_MODE, PULL)); // in lock step the world would wait for such a client
-            out.write(request(ACCESS, 0, 0, 4, 0, 1, 0, 0)); // opens position2d:0
-            out.write(request(NEXT_DATA)); // only once
-            assertThat(passed.await(40, TimeUnit.SECONDS))
-                    .as("the world has gone on to %s s without an answer", WORLD_SECONDS)
-                    .isTrue();
-            assertThat((System.nanoTime() - beganNanos) / 1e9)
-                    .as("seconds on the wall, not fewer than in the world")
-                    .isGreaterThanOrEqualTo(WORLD_SECONDS);
         }
     }
 

@@ -15,8 +15,11 @@ import java.nio.file.Path;
 import java.util.List;
 import java.util.Map;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 
 /** {@code troupe verify --bip}: the paper's robots, and models that are derived from applications. */
+@Execution(ExecutionMode.CONCURRENT)
 class BipCommandTest extends CommandLineBench {
     private static final String SMALL = """
             application small

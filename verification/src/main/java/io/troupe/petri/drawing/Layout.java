@@ -36,6 +36,9 @@ final class Layout {
      */
     private static final int MOST_EXACT_NODES = 90;
 
+    /** The most nodes for ELK's usual number of passes; more passes over larger graphs look the same. */
+    private static final int MOST_NODES_FOR_ALL_PASSES = 500;
+
     /** Any text: it has no effect here, but ELK ignores empty labels. */
     private static final String TEXT = "label";
 
@@ -89,6 +92,9 @@ final class Layout {
         boolean large = style.wrapped() || style.order() == CycleBreakingStrategy.BFS_NODE_ORDER;
         if (!large || nodes <= MOST_EXACT_NODES) {
             graph.setProperty(LayeredOptions.NODE_PLACEMENT_STRATEGY, NodePlacementStrategy.NETWORK_SIMPLEX);
+        }
+        if (nodes > MOST_NODES_FOR_ALL_PASSES) {
+            graph.setProperty(LayeredOptions.THOROUGHNESS, 1);
         }
         if (style.wrapped()) {
             graph.setProperty(LayeredOptions.WRAPPING_STRATEGY, WrappingStrategy.MULTI_EDGE);
