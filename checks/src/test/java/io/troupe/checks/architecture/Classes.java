@@ -1,5 +1,7 @@
 package io.troupe.checks.architecture;
 
+import static com.tngtech.archunit.base.DescribedPredicate.describe;
+
 import com.tngtech.archunit.core.domain.JavaClasses;
 import com.tngtech.archunit.core.importer.ClassFileImporter;
 import io.troupe.checks.Repository;
@@ -14,23 +16,33 @@ import java.util.stream.Stream;
  * on the class path of {@code checks} is included too.
  */
 final class Classes {
+    private static final boolean COMPILED_BY_MAVEN = Classes.class
+            .getProtectionDomain()
+            .getCodeSource()
+            .getLocation()
+            .getPath()
+            .matches(".*/target/test-classes/?");
+
     /** Every module but {@code stress}, whose tests are in the packages that they test. */
     static final JavaClasses MAIN = read(module -> !module.equals("stress"));
 
-    static final JavaClasses STRESS = of("stress");
+    static final JavaClasses STRESS = read("stress"::equals);
 
     private Classes() {}
 
     static JavaClasses of(String module) {
-        return read(module::equals);
+        String folder = "/" + module + (COMPILED_BY_MAVEN ? "/target/" : "/build/");
+        return (module.equals("stress") ? STRESS : MAIN)
+                .that(describe(
+                        "are in " + module,
+                        each -> each.getSource().stream()
+                                .anyMatch(source -> source.getUri().getPath().contains(folder))));
     }
 
     private static JavaClasses read(Predicate<String> wanted) {
-        var here = Classes.class.getProtectionDomain().getCodeSource().getLocation();
-        var compiledByMaven = here.getPath().replaceAll("/$", "").endsWith("/target/test-classes");
         var folders = Repository.modules().stream()
                 .filter(module -> wanted.test(module.getFileName().toString()))
-                .flatMap(module -> compiledByMaven
+                .flatMap(module -> COMPILED_BY_MAVEN
                         ? Stream.of(module.resolve("target/classes"))
                         : Stream.of("java", "kotlin").map(each -> module.resolve("build/classes/" + each + "/main")))
                 .filter(Files::isDirectory)
