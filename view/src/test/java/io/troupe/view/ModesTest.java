@@ -3,6 +3,7 @@ package io.troupe.view;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.common.measure.Thorough;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
@@ -15,7 +16,6 @@ import io.troupe.services.subsumption.SubsumptionTableReader;
 import io.troupe.services.subsumption.SynchronousRound;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
-import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
@@ -34,12 +34,9 @@ import java.util.Random;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.ConcurrentLinkedQueue;
-import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
-import org.junit.jupiter.api.parallel.Execution;
-import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -49,15 +46,13 @@ import org.junit.jupiter.params.provider.ValueSource;
  * and crowds, which have several colour finders per state, holds and priorities.
  */
 @Timeout(300)
-@Execution(ExecutionMode.CONCURRENT)
 class ModesTest {
     private static final Path WORLD = Path.of("..", "demo", "worlds", "paper-arena.world");
-    private static final AtomicInteger NEXT_PORT = new AtomicInteger(7_665);
     private static final double SECONDS = 140; // long enough for all three states
 
     private static final double RANDOM_SECONDS = 40;
-    private static final int LEAST_SWITCHES = 20;
-    private static final int SEEDS = 6;
+    private static final int SEEDS = Thorough.times(3, 6);
+    private static final int LEAST_SWITCHES = Thorough.times(3, 20);
     private static final List<Service> SERVICES = List.of(
             Service.SPACE_WANDERER,
             Service.wallFollower(CornerStyle.FORWARD),
@@ -72,23 +67,9 @@ class ModesTest {
         return SubsumptionTableReader.service(declaration, ServiceCatalogue.standard());
     }
 
-    private static Scenario arena() {
-        return atOwnPort(ScenarioReader.read(WORLD));
-    }
-
-    /** At a port that no other world in this JVM has. */
-    private static Scenario atOwnPort(Scenario scenario) {
-        int port = NEXT_PORT.getAndIncrement();
-        var devices = scenario.devices().stream()
-                .map(each -> new DeviceBinding(
-                        port, each.interfaceName(), each.index(), each.model(), each.ranger(), each.where()))
-                .toList();
-        return new Scenario(scenario.world(), devices);
-    }
-
     private RunResult run(Settings settings, long seed, String name) throws Exception {
         return new RecordedRun(
-                        arena(),
+                        ScenarioReader.read(WORLD),
                         SubsumptionTable.ofThePaper(),
                         settings.withSeed(seed).withSeconds(SECONDS))
                 .run(out.resolve(name));
@@ -130,7 +111,7 @@ class ModesTest {
 
     @Test
     void comparison_isMadeInAFewLines() throws Exception {
-        var scenario = arena();
+        var scenario = ScenarioReader.read(WORLD);
         var table = SubsumptionTable.ofThePaper();
         var settings = Settings.DEFAULT.withSeconds(60);
         Path folder = out;
@@ -233,12 +214,10 @@ class ModesTest {
                     called.add(method.getName());
                     return null;
                 });
-        Scenario arena = arena();
-        int port = arena.robotPort().orElseThrow();
-        try (var simulation = Simulation.open(arena, WorldSettings.DEFAULT.withSeed(1))) {
+        try (var simulation = Simulation.open(ScenarioReader.read(WORLD), WorldSettings.DEFAULT.withSeed(1))) {
             var table = SubsumptionTable.ofThePaper();
             var settings = new SubsumptionRun.Settings(
-                    mode, "localhost", port, table, simulation.clock(), callbacks, callbacks);
+                    mode, "localhost", 6665, table, simulation.clock(), callbacks, callbacks);
             try (var run = SubsumptionRun.start(settings)) {
                 while (Collections.frequency(called, "stateStarted") < 3 && simulation.timeMicros() < SECONDS * 1e6) {
                     simulation.tick();
@@ -272,7 +251,7 @@ class ModesTest {
                     table.priority(colour, random.nextInt(5) - 2);
                 }
             }
-            return new Team(atOwnPort(CrowdWorld.scenario(robots, colours)), table.build());
+            return new Team(CrowdWorld.scenario(robots, colours), table.build());
         }
     }
 
