@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
@@ -32,6 +33,7 @@ final class ActorCell extends Recipient {
     private static final long LONGEST_PAUSE_NANOS = 10_000_000_000L;
     private static final int FRAMES_FOR_QUEUEING = 48;
     private static final int COUNTED = 1_000; // bounds the cost of a time-out behind a long queue
+    static final String NOT_ANSWERED = "begun and not answered";
 
     private final SpaceHome space;
     private final Class<?> type;
@@ -105,7 +107,8 @@ final class ActorCell extends Recipient {
         if (observer != null) {
             ObservedCalls.called(observer, this, call);
         }
-        Node entry = context == null ? call : new CarriedCall(this, call, context);
+        int handlers = HandlerTurn.ofSender(space);
+        Node entry = context == null && handlers == 0 ? call : new CarriedCall(this, call, context, handlers);
         if (mailbox != null) {
             sendBounded(entry, mailbox);
         } else {
@@ -280,9 +283,6 @@ final class ActorCell extends Recipient {
         if (stopped) {
             return;
         }
-        if (exceptional != null && exceptional.restartTimer != null) {
-            exceptional.restartTimer.cancel();
-        }
         space.actors().remove(this);
         Deferred<ActorEnd> watched;
         synchronized (this) {
@@ -290,16 +290,48 @@ final class ActorCell extends Recipient {
             watched = ended;
         }
         endLife(false);
-        if (exceptional != null && exceptional.held != null) {
-            exceptional.held.forEach(space::enqueueMessage); // to be rejected like all others
-            exceptional.held = null;
-        }
-        Share share = share();
-        if (share != null) {
-            share.queueAll();
+        try {
+            queueWhatWaits();
+        } catch (Throwable noMemory) {
+            space.reports().error(Trouble.STOPPED, this, noMemory);
         }
         if (watched != null) {
+            resolve(watched);
+        }
+    }
+
+    /** Queues the calls that were held back, to be rejected like all others. */
+    private void queueWhatWaits() {
+        Exceptional state = exceptional;
+        if (state == null) {
+            return;
+        }
+        if (state.restartTimer != null) {
+            state.restartTimer.cancel();
+        }
+        if (state.held != null) {
+            queueAll(state.held);
+            state.held = null;
+        }
+        if (state.share != null) {
+            queueAll(state.share.waiting);
+            state.share.due.clear();
+        }
+    }
+
+    private void queueAll(ArrayDeque<Node> calls) {
+        for (Node call = calls.peek(); call != null; call = calls.peek()) {
+            space.enqueueMessage(call);
+            calls.remove();
+        }
+    }
+
+    private void resolve(Deferred<ActorEnd> watched) {
+        try {
             watched.resolve(ActorEnd.of(endedBy()));
+        } catch (Throwable broken) { // no memory, or a dependent of a future
+            watched.reject(broken);
+            space.reports().error(Trouble.STOPPED, this, broken);
         }
     }
 
@@ -310,14 +342,14 @@ final class ActorCell extends Recipient {
         }
     }
 
-    /** Ends the current instance. */
+    /** Ends the current instance; throws nothing. */
     private void endLife(boolean restarted) {
         if (instance instanceof Actor actor) {
             space.begin(life);
             try {
                 actor.stopped();
             } catch (Throwable thrown) { // reported, and not counted as a failure of the next instance
-                space.reports().error("stopped() of", this, thrown, settings.onError());
+                space.reports().report(Trouble.STOPPED, this, thrown, settings.onError());
             }
         }
         implementation = null;
@@ -325,9 +357,7 @@ final class ActorCell extends Recipient {
         if (exceptional != null) {
             exceptional.byActor = false;
         }
-        life.end();
-        life.rejectOpenRequests(() -> restarted ? "the actor " + this + " was restarted" : whyStopped(), endedBy());
-        life.endAttachment();
+        life.endAll(restarted, endedBy());
     }
 
     /** The failure that led to the end of the last instance, or null. */
@@ -345,6 +375,16 @@ final class ActorCell extends Recipient {
             exceptional = new Exceptional();
         }
         return exceptional;
+    }
+
+    /** The error of a request that was begun and not answered; never fails. */
+    Throwable stoppedError(Request<?> request, boolean restarted, @Nullable Throwable cause) {
+        try {
+            String why = restarted ? "the actor " + this + " was restarted" : whyStopped();
+            return new ActorStoppedException(request.name() + " was begun and not answered: " + why, cause, true);
+        } catch (Throwable noMemory) {
+            return ActorStoppedException.withoutMemory(true);
+        }
     }
 
     private String whyStopped() {
@@ -414,7 +454,13 @@ final class ActorCell extends Recipient {
     void drop(Node entry, String reason) {
         Node call = CarriedCall.callIn(entry);
         noteDropped(call);
-        space.reports().rejectCall(call, this, reason, new MailboxFullException(call + " was not begun: " + reason));
+        Throwable error;
+        try {
+            error = new MailboxFullException(nameOf(call) + " was not begun: " + reason);
+        } catch (Throwable noMemory) {
+            error = noMemory;
+        }
+        space.reports().rejectCall(call, this, reason, error);
     }
 
     @Override
@@ -450,6 +496,10 @@ final class ActorCell extends Recipient {
 
     /** The slow path: the actor is not running, its mailbox is bounded, or the request is cancelled. */
     void deliverNext(Node ticket) {
+        if (space.isStopping()) {
+            deliver(ticket); // to be rejected
+            return;
+        }
         start();
         Share share = share();
         if (share != null && !stopped && !share.admits(ticket)) {
@@ -473,7 +523,7 @@ final class ActorCell extends Recipient {
     }
 
     private void deliverCall(Node call) {
-        Object target = instance;
+        Object target = space.isStopping() ? null : instance; // no actor runs any more, whatever the end has left out
         if (call instanceof Request<?> request && (request.isDone() || request.shed())) {
             noteDropped(call);
             space.reports().skip(request); // cancelled or given up while queued
@@ -549,9 +599,19 @@ final class ActorCell extends Recipient {
     }
 
     private void reject(Node call) {
-        String reason = whyStopped();
-        var error = new ActorStoppedException(call + " was not begun: " + reason, endedBy(), false);
+        String reason = "";
+        Throwable error;
+        try {
+            reason = whyStopped();
+            error = new ActorStoppedException(nameOf(call) + " was not begun: " + reason, endedBy(), false);
+        } catch (Throwable noMemory) {
+            error = ActorStoppedException.withoutMemory(false);
+        }
         space.reports().rejectCall(call, this, reason, error);
+    }
+
+    private static Object nameOf(Node call) {
+        return call instanceof Request<?> request ? request.name() : call;
     }
 
     /** Sets a timer that ends with the current instance. */
@@ -560,7 +620,7 @@ final class ActorCell extends Recipient {
     }
 
     /** Runs an action on behalf of this actor; an exception is a failure of the actor. */
-    void guard(String what, Runnable action) {
+    void guard(Object what, Runnable action) {
         space.begin(life);
         CallObserver.Turn turn = beginTurn();
         try {
@@ -579,16 +639,27 @@ final class ActorCell extends Recipient {
      * before anything else.
      */
     @Override
-    protected void failed(String what, Throwable thrown) {
-        space.reports().error(what + " of", this, thrown, settings.onError());
+    protected void failed(Object what, Throwable thrown) {
+        space.reports().failed(what, this, thrown, settings.onError());
         if (stopped) {
             return;
         }
+        Supervision supervision = settings.supervision().forError(thrown);
+        try {
+            supervise(supervision, thrown);
+        } catch (Throwable noMemory) {
+            space.reports().error(Trouble.THE_SUPERVISION, this, noMemory);
+            if (supervision.directive() != Supervision.Directive.RESUME) {
+                stop(); // at the end of the failing turn
+            }
+        }
+    }
+
+    private void supervise(Supervision supervision, Throwable thrown) {
         Exceptional had = exceptional();
         if (starting) {
             had.starts++;
         }
-        Supervision supervision = settings.supervision().forError(thrown);
         Supervision.Directive directive =
                 had.note(supervision, space.settings.clock().nanos(), starting);
         if (starting && directive != Supervision.Directive.RESUME) {
@@ -605,12 +676,17 @@ final class ActorCell extends Recipient {
     }
 
     @Override
-    protected void requestFailed(String method, Throwable thrown, boolean isReported) {
+    protected void requestFailed(Request<?> request, Throwable thrown, boolean isReported) {
         if (countsRequests(thrown)) {
-            failed(method, thrown);
+            failed(request, thrown);
         } else if (isReported) {
-            space.reports().error(method + " of", this, thrown, null);
+            space.reports().failed(request, this, thrown, null);
         }
+    }
+
+    @Override
+    protected void timedOut(Request<?> request) {
+        space.reports().logArgumentsOfLate(request);
     }
 
     /** True if an exception of a request or of a listener is a failure of the actor. */
@@ -705,13 +781,6 @@ final class ActorCell extends Recipient {
                 }
                 cell.space.enqueueMessage(ticket);
             }
-        }
-
-        /** Called when the actor has stopped: queues what waits, to be rejected like all other calls. */
-        void queueAll() {
-            waiting.forEach(cell.space::enqueueMessage);
-            waiting.clear();
-            due.clear();
         }
     }
 

@@ -20,4 +20,9 @@ public class ActorException extends RuntimeException {
     public ActorException(String message, @Nullable Throwable cause) {
         super(message, cause);
     }
+
+    ActorException(
+            String message, @Nullable Throwable cause, boolean enableSuppression, boolean writableStackTrace) {
+        super(message, cause, enableSuppression, writableStackTrace);
+    }
 }

@@ -179,7 +179,13 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     public void execute(Runnable task) {
         Objects.requireNonNull(task, "task");
         checkOpen("execute", "..");
-        home.enqueueMessage(new Entry(() -> home.runGuarded(task)));
+        int handlers = HandlerTurn.ofSender(home);
+        home.enqueueMessage(
+                handlers == 0
+                        ? new Entry(() -> home.runGuarded(task))
+                        : new Entry(
+                                () -> HandlerTurn.run(handlers, () -> home.runGuarded(task)),
+                                () -> HandlerTurn.run(handlers, home.closing::rejectTask)));
     }
 
     /**
@@ -384,7 +390,8 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
      * Processes what was queued before, stops every actor, turns the remaining messages into dead letters, and ends the
      * thread. Waits for that, up to ten seconds. On the thread of a space, this one or another, it does not wait, since
      * two spaces that close each other would deadlock; use {@link #whenClosed()} there. Later calls of its actors
-     * become dead letters or are rejected.
+     * become dead letters or are rejected. In a shutdown hook, it does not wait for an actor of this space that has
+     * called {@link System#exit}: that waits for the hook.
      *
      * @throws IllegalStateException if this is the {@link #global()} space
      * @throws ActorException if the thread is busy for all that time; it ends when it has finished that work
@@ -417,7 +424,9 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
                     + " while it waits: call close(), and whenClosed() to learn of the end");
         }
         beginClosing();
-        awaitEnd(patience);
+        if (!awaitEnd(patience)) {
+            throw new ActorException("space " + this + " does not end: an actor of it has called System.exit");
+        }
         return home.closing.leftovers();
     }
 
@@ -429,12 +438,12 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
         home.closing.begin(home.loop::stop);
     }
 
-    private void awaitEnd(Duration patience) {
+    private boolean awaitEnd(Duration patience) {
         if (home.isThreadless()) {
             runQueued();
-        } else {
-            home.closing.await(patience);
+            return true;
         }
+        return home.closing.await(patience);
     }
 
     @Override

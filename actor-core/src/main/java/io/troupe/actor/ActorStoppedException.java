@@ -29,6 +29,24 @@ public final class ActorStoppedException extends ActorException {
         this.begun = begun;
     }
 
+    /** For all requests of one kind: without a stack trace, a cause and suppressed exceptions. */
+    private ActorStoppedException(String message, boolean begun) {
+        super(message, null, false, false);
+        this.begun = begun;
+    }
+
+    /** The error of a request for which no error of its own can be made because memory is short. */
+    static ActorStoppedException withoutMemory(boolean begun) {
+        return begun ? WithoutMemory.BEGUN : WithoutMemory.NOT_BEGUN;
+    }
+
+    private static final class WithoutMemory {
+        static final ActorStoppedException BEGUN = new ActorStoppedException(
+                "a request was begun and not answered, and there is no memory to say more", true);
+        static final ActorStoppedException NOT_BEGUN = new ActorStoppedException(
+                "a request was not begun, and there is no memory to say more", false);
+    }
+
     /**
      * True if the actor had begun the request, so that part of the work may have been done. If false, the request can
      * be repeated elsewhere.

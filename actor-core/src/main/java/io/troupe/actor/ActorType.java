@@ -52,9 +52,11 @@ abstract class ActorType {
 
     /**
      * Classes can be defined only once: the first thread generates them, other threads wait, and a failure is
-     * permanent.
+     * permanent, unless memory or stack was short.
      */
     private static final class Once {
+        private static final int FRAMES_FOR_GENERATING = 1_000;
+
         private final Generator generator;
         private @Nullable ActorType made;
         private @Nullable ActorTypeException failure;
@@ -69,13 +71,29 @@ abstract class ActorType {
             }
             if (made == null) {
                 try {
+                    checkStack(FRAMES_FOR_GENERATING); // a class whose first use fails there is broken for good
                     made = generate(type, generator);
                 } catch (ActorTypeException e) {
-                    failure = e;
+                    failure = isTransient(e) ? null : e;
                     throw e;
                 }
             }
             return made;
+        }
+
+        /** Throws a StackOverflowError if the caller's stack has fewer frames left. */
+        private static int checkStack(int frames) {
+            return frames == 0 ? 0 : 1 + checkStack(frames - 1);
+        }
+
+        /** True if there was not enough memory or stack: the next try may succeed. */
+        private static boolean isTransient(Throwable failure) {
+            for (Throwable cause = failure.getCause(); cause != null; cause = cause.getCause()) {
+                if (cause instanceof VirtualMachineError) {
+                    return true;
+                }
+            }
+            return false;
         }
     }
 

@@ -4,16 +4,21 @@ import io.troupe.actor.internal.loop.Node;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
-/** A call with the context of its caller: the entry of the queues, in spaces that carry contexts. */
+/**
+ * A call with the context of its caller, in spaces that carry contexts, and with the handlers that have sent it: the
+ * entry of the queues.
+ */
 final class CarriedCall extends Node {
     private final ActorCell cell;
     private final Node call;
-    private final Supplier<Runnable> context;
+    private final @Nullable Supplier<Runnable> context;
+    private final int handlers; // see HandlerTurn
 
-    CarriedCall(ActorCell cell, Node call, Supplier<Runnable> context) {
+    CarriedCall(ActorCell cell, Node call, @Nullable Supplier<Runnable> context, int handlers) {
         this.cell = cell;
         this.call = call;
         this.context = context;
+        this.handlers = handlers;
     }
 
     /** The call behind an entry. */
@@ -25,8 +30,20 @@ final class CarriedCall extends Node {
         return cell;
     }
 
-    /** Runs a turn in the context; throws nothing itself. */
+    /** Runs a turn in the context, and as that of the handlers; throws nothing itself. */
     void run(Runnable turn) {
+        if (handlers == 0) {
+            runInContext(turn);
+        } else {
+            HandlerTurn.run(handlers, () -> runInContext(turn));
+        }
+    }
+
+    private void runInContext(Runnable turn) {
+        if (context == null) {
+            turn.run();
+            return;
+        }
         Runnable end = context.get();
         try {
             turn.run();

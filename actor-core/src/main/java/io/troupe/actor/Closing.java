@@ -1,6 +1,8 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
@@ -13,7 +15,7 @@ import java.lang.invoke.VarHandle;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.Objects;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
@@ -27,6 +29,7 @@ import org.jspecify.annotations.Nullable;
  */
 final class Closing {
     private static final int FRAMES_FOR_REJECTING = 128;
+    private static final long LOOK_NANOS = 200_000_000;
     private static final VarHandle REJECTING;
 
     static {
@@ -120,7 +123,8 @@ final class Closing {
 
     /** What was not done; available after the end. */
     Leftovers leftovers() {
-        return Objects.requireNonNull(leftovers);
+        Leftovers counted = leftovers;
+        return counted != null ? counted : last.leftovers(bodies); // there was no memory for it at the end
     }
 
     /** Carries out the shutdown. If one step throws, the others are still done, and the space is closed afterwards. */
@@ -132,7 +136,7 @@ final class Closing {
                 try {
                     steps.get(step).run();
                 } catch (Throwable broken) {
-                    space.reports().error("the end of space", space, broken, null);
+                    space.reports().error(Trouble.A_STEP_OF_THE_END, space, broken);
                 }
             }
         } finally {
@@ -144,8 +148,23 @@ final class Closing {
         rejectLeftovers();
     }
 
+    /** Stops the actors one by one, in the order of their start: a list would need memory. */
     private void stopActors() {
-        space.actors().all().forEach(ActorCell::stop);
+        var actors = space.actors();
+        for (ActorCell first = actors.first(); first != null; first = actors.first()) {
+            try {
+                first.stop();
+            } catch (Throwable broken) { // the others are stopped all the same
+                space.reports().error(Trouble.STOPPED, first, broken);
+            } finally {
+                actors.remove(first);
+            }
+        }
+    }
+
+    /** Counts a task that was not run. */
+    void rejectTask() {
+        space.reports().deadLetter(new DeadLetter(space.toString(), "a task", List.of(), "space " + space + " is closed"));
     }
 
     private void stopBodies() {
@@ -212,12 +231,26 @@ final class Closing {
         }
     }
 
-    void await(Duration patience) {
+    /**
+     * Waits for the end.
+     *
+     * @return false if the space will not end, because its thread is in {@link System#exit}, which waits in turn for
+     *     the shutdown hook that calls this
+     */
+    boolean await(Duration patience) {
+        long left = Home.nanosOf(patience);
         try {
-            if (!ended.await(Home.nanosOf(patience), TimeUnit.NANOSECONDS)) {
-                throw new ActorException(
-                        "space " + space + " did not end within " + patience + ": its thread is busy" + whatItDoes());
+            while (!ended.await(Math.min(left, LOOK_NANOS), TimeUnit.NANOSECONDS)) {
+                if (exits(space.servingThread())) {
+                    return false;
+                }
+                left -= LOOK_NANOS;
+                if (left <= 0) {
+                    throw new ActorException("space " + space + " did not end within " + patience
+                            + ": its thread is busy" + whatItDoes());
+                }
             }
+            return true;
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             if (!isOver()) {
@@ -225,7 +258,20 @@ final class Closing {
                         "interrupted while waiting for the end of space " + space + ": it ends when its thread is free",
                         interrupted);
             }
+            return true;
         }
+    }
+
+    private static boolean exits(@Nullable Thread busy) {
+        if (busy != null) {
+            for (StackTraceElement frame : busy.getStackTrace()) {
+                if (frame.getClassName().equals("java.lang.Runtime")
+                        && frame.getMethodName().equals("exit")) {
+                    return true;
+                }
+            }
+        }
+        return false;
     }
 
     private String whatItDoes() {
@@ -236,6 +282,8 @@ final class Closing {
 
     /** Rejects and counts what is left in the queues of a closed space. On the thread that acts for the space. */
     private static final class Drain {
+        private static final int MOST_FOLLOWING = 1_000_000;
+
         private final SpaceHome space;
         private final Dispatcher dispatcher;
         private final List<String> examples = new ArrayList<>();
@@ -262,46 +310,84 @@ final class Closing {
         void dropIdleActions() {
             for (int count = dispatcher.takeIdleActions().size(); count > 0; count--) {
                 tasks++;
-                rejectTask();
+                space.closing.rejectTask();
             }
         }
 
-        private void rejectTask() {
-            space.reports().deadLetter(new DeadLetter(space.toString(), "a task", "space " + space + " is closed"));
-        }
-
-        /** Rejects entries until the queues are empty; rejecting one may queue others. */
+        /**
+         * Rejects entries until the queues are empty. Rejecting one may queue others, and handlers and listeners may go
+         * on like that without end. So after {@value #MOST_FOLLOWING} that were queued meanwhile no further listener
+         * runs and no handler is told, and after as many again the rest stays behind.
+         */
         void rejectAll() {
-            for (Node node = dispatcher.pollLeftover(); node != null; node = dispatcher.pollLeftover()) {
-                try {
-                    reject(node);
-                } catch (Throwable broken) { // for example no memory: the entries behind it are still rejected
-                    space.reports().error("turning away what waited in space", space, broken, null);
+            long left = MOST_FOLLOWING + dispatcher.waiting();
+            if (rejectUntilEmpty(left, false)) {
+                return;
+            }
+            int handlers = HandlerTurn.now();
+            HandlerTurn.set(HandlerTurn.ALL);
+            try {
+                rejectUntilEmpty(MOST_FOLLOWING + dispatcher.waiting(), true);
+            } finally {
+                HandlerTurn.set(handlers);
+            }
+            space.reports().error(Trouble.TURNING_AWAY, space, endless());
+        }
+
+        private static Throwable endless() {
+            return new ActorException("what the handlers and listeners of a closed space queue comes to no end: after "
+                    + MOST_FOLLOWING + " entries no further listener is run");
+        }
+
+        private boolean rejectUntilEmpty(long most, boolean cancelsListeners) {
+            for (long left = most; left > 0; left--) {
+                Node node = dispatcher.pollLeftover();
+                if (node == null) {
+                    return true;
                 }
+                try {
+                    reject(node, cancelsListeners);
+                } catch (Throwable broken) { // for example no memory: the entries behind it are still rejected
+                    space.reports().error(Trouble.TURNING_AWAY, space, broken);
+                }
+            }
+            return false;
+        }
+
+        private void reject(Node node, boolean cancelsListeners) {
+            // no switch over types: linking it needs memory
+            if (node instanceof Message ticket) {
+                reject((ActorCell) ticket.receiver(), ticket);
+            } else if (node instanceof Request<?> ticket) {
+                reject((ActorCell) ticket.receiver(), ticket);
+            } else if (node instanceof CarriedCall ticket) {
+                reject(ticket.cell(), ticket);
+            } else if (node instanceof Entry entry) {
+                reject(entry);
+            } else if (cancelsListeners && node instanceof Promise<?>) {
+                Nodes.threw(node, new CancellationException("space " + space + " is closed"));
+            } else {
+                dispatcher.serveDirect(node);
             }
         }
 
-        private void reject(Node node) {
-            switch (node) {
-                case Message ticket -> count(((ActorCell) ticket.receiver()).callOf(ticket));
-                case Request<?> ticket -> count(((ActorCell) ticket.receiver()).callOf(ticket));
-                case CarriedCall ticket -> count(ticket.cell().callOf(ticket));
-                case Entry entry -> {
-                    reject(entry);
-                    return;
-                }
-                default -> {}
+        private void reject(ActorCell cell, Node ticket) {
+            try {
+                count(cell.callOf(ticket));
+            } catch (Throwable noMemory) { // for an example
+                space.reports().error(Trouble.TURNING_AWAY, space, noMemory);
             }
-            dispatcher.serveDirect(node); // its actor has stopped and rejects the call
+            space.beginForItself();
+            cell.deliverNext(ticket); // which rejects it: the space has ended
         }
 
         private void count(Node call) {
             if (call instanceof Message message) {
                 messages++;
-                note(message + " to " + message.receiver());
+                note(message, message.receiver());
             } else if (call instanceof Request<?> request && !request.isDone()) {
                 requests++;
-                note(request.name());
+                note(request, request.receiver());
             }
         }
 
@@ -313,7 +399,13 @@ final class Closing {
             if (ifClosed != null) {
                 space.runGuarded(ifClosed);
             } else {
-                rejectTask();
+                space.closing.rejectTask();
+            }
+        }
+
+        private void note(Node call, Recipient receiver) {
+            if (examples.size() < Leftovers.EXAMPLES) {
+                examples.add(call instanceof Request<?> request ? request.name() : call + " to " + receiver);
             }
         }
 

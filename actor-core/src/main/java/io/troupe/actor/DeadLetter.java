@@ -1,5 +1,8 @@
 package io.troupe.actor;
 
+import java.util.List;
+import org.jspecify.annotations.Nullable;
+
 /**
  * A message that was not delivered.
  *
@@ -13,10 +16,12 @@ package io.troupe.actor;
  * }
  *
  * @param actor the name of the receiver
- * @param message the method with its arguments
+ * @param message the method with its parameter types
+ * @param arguments the arguments themselves. Texts of a dead letter do not show them: they may be secret
  * @param reason why it was not delivered
  */
-public record DeadLetter(String actor, String message, String reason) {
+public record DeadLetter(String actor, String message, List<@Nullable Object> arguments, String reason) {
+    /** The actor, the message and the reason. */
     @Override
     public String toString() {
         return message + " to " + actor + ": " + reason;

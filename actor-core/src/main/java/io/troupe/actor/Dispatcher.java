@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
 import io.troupe.actor.internal.loop.Nodes;
@@ -257,7 +258,7 @@ final class Dispatcher {
         try {
             Nodes.threw(node, thrown);
         } catch (Throwable again) {
-            space.reports().error("an entry of space", space, again, null);
+            space.reports().error(Trouble.AN_ENTRY, space, again);
         }
     }
 
@@ -352,9 +353,9 @@ final class Dispatcher {
                     break; // a callback has halted this dispatcher
                 }
                 boolean behind = !callbacks.isEmpty() || !messages.isEmpty();
-                if (behind) {
-                    messages.makeRoom(); // before the message is taken: it must not be lost if memory is short
-                    precedence.note(messages.added(), callbacksBefore, messages.taken());
+                // before the message is taken: it must not be lost if memory is short
+                if (behind && !hasRoomBehind(callbacksBefore)) {
+                    break; // those in the rings run first, which makes room
                 }
                 last = inbox.takeAfter(last);
                 worked = true;
@@ -377,6 +378,17 @@ final class Dispatcher {
         return worked;
     }
 
+    /** Makes room for a message behind those in the ring; false if there is no memory for it. */
+    private boolean hasRoomBehind(long callbacksBefore) {
+        try {
+            messages.makeRoom();
+            precedence.note(messages.added(), callbacksBefore, messages.taken());
+            return true;
+        } catch (OutOfMemoryError full) {
+            return false;
+        }
+    }
+
     /** Moves the callbacks that have arrived so far into their ring; false if there were none. Also within a turn. */
     boolean takeCallbacks() {
         Node last = callbackInbox.newest();
@@ -384,7 +396,9 @@ final class Dispatcher {
             return false;
         }
         for (Node node = null; node != last; ) {
-            callbacks.makeRoom();
+            if (!callbacks.hasRoom()) {
+                return true; // those in the ring run first, which makes room
+            }
             node = nextArrival();
             callbacks.add(node);
         }

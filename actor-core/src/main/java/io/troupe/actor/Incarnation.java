@@ -1,12 +1,13 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.SuspendingRequest;
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.time.Timer;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -36,30 +37,46 @@ final class Incarnation extends Owner {
         timers.add(timer);
     }
 
-    @Override
-    protected void end() {
-        super.end();
-        if (timers != null) {
-            timers.waiting.forEach(Timer::cancel);
-            timers = null;
+    /** Ends everything of this incarnation, whatever a part of it throws. */
+    void endAll(boolean restarted, @Nullable Throwable cause) {
+        end();
+        SpaceHome space = cell.space();
+        try {
+            if (timers != null) {
+                timers.cancelAll();
+                timers = null;
+            }
+            space.sequences().cancelThoseOf(this);
+        } catch (Throwable noMemory) {
+            space.reports().error(Trouble.STOPPED, cell, noMemory);
         }
-        cell.space().sequences().cancelThoseOf(this);
+        // one by one: a list would need memory, which may be what the actor has used up
+        for (Node open = takeOpenRequest(); open != null; open = takeOpenRequest()) {
+            rejectOpen((Request<?>) open, restarted, cause);
+        }
+        try {
+            endAttachment();
+        } catch (Throwable broken) { // a coroutine that was cancelled
+            space.reports().error(Trouble.STOPPED, cell, broken);
+        }
     }
 
-    /** Rejects the requests that this incarnation has begun and not answered. */
-    void rejectOpenRequests(Supplier<String> reason, @Nullable Throwable cause) {
+    /** Rejects a request that this incarnation has begun and not answered; throws nothing. */
+    private void rejectOpen(Request<?> request, boolean restarted, @Nullable Throwable cause) {
         SpaceHome space = cell.space();
-        for (var open : takeOpenRequests()) {
-            var request = (Request<?>) open;
-            String message = request.name() + " was begun and not answered: " + reason.get();
-            var error = new ActorStoppedException(message, cause, true);
-            if (request.reject(error) && space.isStopping()) {
+        Throwable error = cell.stoppedError(request, restarted, cause);
+        boolean wasOpen = space.reports().reject(request, error);
+        try {
+            if (wasOpen && space.isStopping()) {
                 space.closing.noteOpenRequest(request);
             }
             if (request instanceof SuspendingRequest<?> suspended) {
                 suspended.cancelCoroutine();
             }
+        } catch (Throwable broken) {
+            space.reports().error(Trouble.STOPPED, cell, broken);
         }
+        space.reports().logArguments(request, ActorCell.NOT_ANSWERED);
     }
 
     /** A failure of a coroutine of this actor is a failure of the actor. */
@@ -106,6 +123,12 @@ final class Incarnation extends Owner {
                 sweepAt = Math.max(FEW, 2 * waiting.size());
             }
             waiting.add(timer);
+        }
+
+        void cancelAll() {
+            for (int index = 0; index < waiting.size(); index++) {
+                waiting.get(index).cancel();
+            }
         }
     }
 }

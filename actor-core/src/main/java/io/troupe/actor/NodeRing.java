@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.Node;
+import io.troupe.actor.internal.loop.NodeQueue;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Objects;
@@ -19,20 +20,60 @@ final class NodeRing {
         }
     }
 
+    private final @Nullable NodeQueue overflow;
     private @Nullable Node[] entries = new Node[SMALL];
     private long head; // both only increase; the low bits are the index
     private long tail;
     private long end;
     private long limit = SMALL - 1; // the tail from which on there may be no room; less than the head and the length
 
+    /** A ring that throws an {@link OutOfMemoryError} where there is no memory to grow: nothing was added. */
+    NodeRing() {
+        this(null);
+    }
+
+    /**
+     * A ring that grows on demand.
+     *
+     * @param overflow gets the nodes for which there is no memory to grow; read by the same thread, which adds to the
+     *     ring what it finds there
+     */
+    NodeRing(@Nullable NodeQueue overflow) {
+        this.overflow = overflow;
+    }
+
     void add(Node node) {
         long place = tail;
-        if (place >= limit) {
-            makeRoom();
+        if (place >= limit && !makesRoomFor(node)) {
+            return;
         }
         @Nullable Node[] places = entries;
         places[indexOf(place, places)] = node;
         tail = place + 1;
+    }
+
+    /** Makes room for a node; if there is no memory for that, the node goes to where it needs none, or this throws. */
+    private boolean makesRoomFor(Node node) {
+        try {
+            makeRoom();
+            return true;
+        } catch (OutOfMemoryError full) {
+            if (overflow == null) {
+                throw full;
+            }
+            overflow.offer(node);
+            return false;
+        }
+    }
+
+    /** Like {@link #makeRoom}; false if there is no memory for it. */
+    boolean hasRoom() {
+        try {
+            makeRoom();
+            return true;
+        } catch (OutOfMemoryError full) {
+            return false;
+        }
     }
 
     /** Ensures that the next {@link #add} does not allocate. */

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
@@ -72,25 +73,36 @@ final class ObservedCalls {
     }
 
     static CallObserver.Turn turnBegun(CallObserver observer, SpaceHome space, Owner owner) {
+        int handlers = HandlerTurn.now();
+        if ((handlers & HandlerTurn.OBSERVER) != 0) {
+            return CallObserver.Turn.NONE;
+        }
         try {
+            HandlerTurn.set(handlers | HandlerTurn.OBSERVER);
             CallObserver.Turn turn = observer.turnBegun(party(owner), space.settings.stallLimit());
             return turn == CallObserver.Turn.NONE ? turn : () -> guard(space, turn::end);
         } catch (Throwable thrown) {
-            report(space, thrown);
+            space.reports().error(Trouble.THE_OBSERVER, space, thrown);
             return CallObserver.Turn.NONE;
+        } finally {
+            HandlerTurn.set(handlers);
         }
     }
 
+    /** Notifies the observer; not of what it has sent itself, which would be without end. */
     private static void guard(SpaceHome space, Runnable event) {
+        int handlers = HandlerTurn.now();
+        if ((handlers & HandlerTurn.OBSERVER) != 0) {
+            return;
+        }
         try {
+            HandlerTurn.set(handlers | HandlerTurn.OBSERVER);
             event.run();
         } catch (Throwable thrown) {
-            report(space, thrown);
+            space.reports().error(Trouble.THE_OBSERVER, space, thrown);
+        } finally {
+            HandlerTurn.set(handlers);
         }
-    }
-
-    private static void report(SpaceHome space, Throwable thrown) {
-        space.reports().error("the call observer of", space, thrown, null);
     }
 
     /** See {@link CallObserver#and}. Each is notified whatever the other one throws. */

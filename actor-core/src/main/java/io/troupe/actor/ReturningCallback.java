@@ -69,7 +69,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
 
     /** Reports an error of the reader that occurred on the sender's side. */
     void report(String what, Object whose, Throwable error) {
-        home.reports().error(what, whose, error, null);
+        home.reports().error(what, whose, error);
     }
 
     @Override

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.promise.Deferred;
@@ -96,9 +97,14 @@ final class SequentialBodies {
 
     /** Called when the space is closed: cancels all waiting bodies. */
     void cancelAll() {
-        for (var sequence : List.copyOf(waiting)) {
-            sequence.cancel(closed());
-            resume(sequence);
+        while (!waiting.isEmpty()) { // one by one: a copy would need memory
+            Body<?> sequence = waiting.iterator().next();
+            try {
+                sequence.cancel(closed());
+                resume(sequence);
+            } finally {
+                waiting.remove(sequence);
+            }
         }
     }
 
@@ -222,7 +228,7 @@ final class SequentialBodies {
                 space.takeThread();
                 space.runOnLoan(this::runBody);
             } catch (Throwable broken) {
-                space.reports().error("a sequential body", space, broken, null);
+                space.reports().error(Trouble.A_SEQUENTIAL_BODY, space, broken);
             } finally {
                 over = true;
                 // this thread may run a body of another space before the other thread wakes up

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
@@ -8,8 +9,6 @@ import io.troupe.actor.internal.loop.Nodes;
 import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.internal.loop.TimerWheel;
 import io.troupe.actor.promise.Promise;
-import java.util.ArrayList;
-import java.util.List;
 import java.util.Objects;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -23,7 +22,7 @@ final class SpaceHome extends Home {
     // fields of the space itself, because every call from another thread and every answer reads them
     private final NodeQueue inbox = new NodeQueue();
     private final NodeQueue callbackInbox = new NodeQueue();
-    private final NodeRing callbacks = new NodeRing();
+    private final NodeRing callbacks = new NodeRing(callbackInbox);
     private final NodeRing messages = new NodeRing();
     private final IdleStrategy idle = new IdleStrategy();
     private @Nullable Thread thread; // the thread that has control now; only that thread finds itself here
@@ -32,6 +31,8 @@ final class SpaceHome extends Home {
 
     @Nullable
     ActorSpace facade; // set once, by its constructor
+
+    int handlers; // those that run for this space on other threads than its own: see HandlerTurn
 
     final SpaceSettings settings;
     final Dispatcher dispatcher;
@@ -148,6 +149,14 @@ final class SpaceHome extends Home {
     @Override
     public void rejected(Node node, Throwable error) {
         var promise = (Promise<?>) node;
+        try {
+            noteRejected(promise, error);
+        } catch (Throwable noMemory) { // the promise is settled: its listeners come first
+            reports.rejected(promise, error);
+        }
+    }
+
+    private void noteRejected(Promise<?> promise, Throwable error) {
         if (idle.isClosed() && (Request.isMadeOutside(promise) || error instanceof ActorStoppedException)) {
             return; // a late caller gets the rejection, and the other requests are counted
         }
@@ -155,6 +164,8 @@ final class SpaceHome extends Home {
             enqueueMessage(new Entry(() -> rejected(promise, error), () -> rejected(promise, error)));
         } else if (isStopping() && error instanceof ActorStoppedException) {
             return; // counted among the leftovers
+        } else if ((HandlerTurn.now() & HandlerTurn.ERROR) != 0) {
+            reports.rejected(promise, error); // the error handler has sent it, and is not told
         } else if (Request.isMadeOutside(promise)) {
             rejections.hold(promise, error);
         } else {
@@ -221,7 +232,7 @@ final class SpaceHome extends Home {
     void setLimit(@Nullable TimeLimit next) {
         limit = next;
         if (ownThread != null) {
-            ownThread.setDirect(next == null);
+            ownThread.setHasLimit(next != null);
         }
     }
 
@@ -304,7 +315,7 @@ final class SpaceHome extends Home {
         try {
             task.run();
         } catch (Throwable thrown) {
-            reports.error("a task of space", this, thrown, null);
+            reports.error(Trouble.A_TASK, this, thrown);
         }
     }
 
@@ -412,7 +423,7 @@ final class SpaceHome extends Home {
         }
 
         private void report(String step, Throwable thrown) {
-            reports.error(step + " of", hook, thrown, null);
+            reports.error(step.concat(" of"), hook, thrown);
         }
     }
 
@@ -467,12 +478,10 @@ final class SpaceHome extends Home {
             return cell.before != null || first == cell;
         }
 
-        List<ActorCell> all() {
-            var cells = new ArrayList<ActorCell>(size);
-            for (ActorCell cell = first; cell != null; cell = cell.after) {
-                cells.add(cell);
-            }
-            return cells;
+        /** The actor that has started first, or null. */
+        @Nullable
+        ActorCell first() {
+            return first;
         }
     }
 }

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.loop.Home;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
@@ -46,6 +47,8 @@ final class SpaceLoop {
             while (!stopping) {
                 passAndSleep();
             }
+        } catch (Throwable broken) { // for example no memory for the first step
+            space.reports().error(Trouble.THE_LOOP_WHICH_ENDS, space, broken);
         } finally {
             shut();
             if (watch != null) {
@@ -60,7 +63,7 @@ final class SpaceLoop {
         try {
             return Watchdog.watch(space, settings, idle, dispatcher);
         } catch (Throwable noThread) {
-            space.reports().error("the watchdog of space", space, noThread, null);
+            space.reports().error(Trouble.THE_WATCHDOG, space, noThread);
             return null;
         }
     }
@@ -80,7 +83,7 @@ final class SpaceLoop {
             pauseNanos = 0;
         } catch (Throwable broken) {
             if (pauseNanos == 0) { // else it is the same problem
-                space.reports().error("the loop of space", space, broken, null);
+                space.reports().error(Trouble.THE_LOOP, space, broken);
             }
             pauseNanos = Math.min(LONGEST_PAUSE_NANOS, Math.max(SHORTEST_PAUSE_NANOS, 2 * pauseNanos));
             LockSupport.parkNanos(this, pauseNanos);

@@ -12,7 +12,9 @@ import org.jspecify.annotations.Nullable;
  */
 final class SpaceThread extends Thread implements DetachedNodes.Keeper {
     private final @Nullable SpaceHome space; // null if every call needs a context
-    private @Nullable SpaceHome direct; // null if calls need a context now
+    private @Nullable SpaceHome direct; // null if calls need a context or a mark now
+    private boolean hasLimit;
+    private int handlers; // see HandlerTurn
     private final NodeRing callbacks;
     private final NodeRing messages;
     private final SpaceLoop loop;
@@ -38,14 +40,26 @@ final class SpaceThread extends Thread implements DetachedNodes.Keeper {
         return direct == which;
     }
 
-    /** True if no call of this thread needs a context now. */
+    /** True if no call of this thread needs a context or a mark now. */
     boolean isDirect() {
         return direct != null;
     }
 
-    /** Sets whether calls go straight into the rings, unless every call needs a context; while its turn is running. */
-    void setDirect(boolean is) {
-        direct = is ? space : null;
+    /** Sets whether the current turn has a time limit, which its calls carry. */
+    void setHasLimit(boolean has) {
+        hasLimit = has;
+        direct = has || handlers != 0 ? null : space;
+    }
+
+    /** The handlers that run on this thread; see {@link HandlerTurn}. */
+    int handlers() {
+        return handlers;
+    }
+
+    /** Sets the handlers that run on this thread, with which its calls are marked. */
+    void setHandlers(int now) {
+        handlers = now;
+        direct = hasLimit || now != 0 ? null : space;
     }
 
     NodeRing callbacks() {

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.TimerWheel;
 import io.troupe.actor.time.Clock;
@@ -13,7 +14,6 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.Future;
 import java.util.concurrent.RejectedExecutionException;
-import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import org.jspecify.annotations.Nullable;
 
@@ -104,19 +104,16 @@ final class SpaceTimers {
 
     /**
      * The delays that threads other than the space's own have set, so that they expire in time even if the space is
-     * stalled. They run on one daemon thread per space. It is started on demand and ends {@value #IDLE_SECONDS} seconds
-     * after the last delay, or with the space.
+     * stalled. They run on one {@link TimerThread} per space, which ends with the space.
      *
      * <p><b>Threads.</b> Any thread. A continuation of {@code toCompletableFuture()} runs on the timer thread: one that
      * blocks delays the others of its space. <b>Cost.</b> Setting and cancelling take time logarithmic in the number of
      * delays.
      */
     private static final class Outside {
-        private static final long IDLE_SECONDS = 10;
-
         private final SpaceHome space;
         private final Set<Delay> pending = ConcurrentHashMap.newKeySet(); // the thread that removes a delay runs it
-        private @Nullable ScheduledThreadPoolExecutor executor; // guarded by this
+        private @Nullable TimerThread executor; // guarded by this
         private volatile boolean closed;
 
         Outside(SpaceHome space) {
@@ -144,21 +141,12 @@ final class SpaceTimers {
             }
         }
 
-        private synchronized ScheduledThreadPoolExecutor executor() {
+        private synchronized TimerThread executor() {
             if (closed) {
                 throw new RejectedExecutionException("space " + space + " is closed");
             }
             if (executor == null) {
-                executor = new ScheduledThreadPoolExecutor(
-                        1,
-                        Thread.ofPlatform()
-                                .daemon()
-                                .inheritInheritableThreadLocals(false)
-                                .name(space + "-timers")
-                                .factory());
-                executor.setRemoveOnCancelPolicy(true); // a settled promise must not be retained here
-                executor.setKeepAliveTime(IDLE_SECONDS, TimeUnit.SECONDS);
-                executor.allowCoreThreadTimeOut(true);
+                executor = new TimerThread(space + "-timers");
             }
             return executor;
         }
@@ -210,7 +198,7 @@ final class SpaceTimers {
                 try {
                     task.run();
                 } catch (Throwable thrown) {
-                    space.reports().error("a delay that was asked of space", space, thrown, null);
+                    space.reports().error(Trouble.A_DELAY, space, thrown);
                 }
             }
         }

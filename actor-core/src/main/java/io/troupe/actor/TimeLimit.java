@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Owner;
@@ -27,8 +28,8 @@ final class TimeLimit {
     private final SpaceHome home; // by whose clock
     private final Duration limit;
     private final long deadlineNanos;
-    private final List<Deferred<?>> questions = new ArrayList<>(2);
-    private @Nullable Owner asker; // of the last question
+    private final List<Deferred<?>> questions = new ArrayList<>(2); // guarded by this
+    private @Nullable Owner asker; // of the last question; guarded by this
     private List<Asked> open = new ArrayList<>(1);
     private int sweepAt = FEW;
     private @Nullable Runnable withdraw; // of the timer, while it is set
@@ -136,40 +137,88 @@ final class TimeLimit {
             open = List.of();
         }
         Throwable first = null;
-        for (Asked each : expired) {
-            Throwable error = reject(each);
+        for (int index = 0; index < expired.size(); index++) {
+            Throwable error = reject(expired.get(index));
             first = first == null ? error : first;
         }
-        if (first == null && !questions.getLast().isDone()) {
-            home.limitExpired();
-            first = new TimeoutException("no answer to " + asker + " within " + limit
-                    + ": the promise of the function is still pending," + " and it waits for no request to an actor");
+        if (first == null && newestQuestion().isDone()) {
+            return;
         }
-        if (first != null) {
-            rejectQuestions(first);
+        if (first == null) {
+            home.limitExpired();
+            first = pendingError();
+        }
+        rejectQuestions(first);
+    }
+
+    private synchronized Deferred<?> newestQuestion() {
+        return questions.getLast();
+    }
+
+    private synchronized Throwable pendingError() {
+        try {
+            return new TimeoutException("no answer to " + asker + " within " + limit
+                    + ": the promise of the function is still pending, and it waits for no request to an actor");
+        } catch (Throwable noText) {
+            return noText;
         }
     }
 
+    /** Rejects the questions, the newest first: two if it was asked from outside, or one that is about to be asked. */
     private void rejectQuestions(Throwable why) {
-        questions.reversed().forEach(each -> each.reject(why)); // two if it was asked from outside
+        for (int index = 1; index >= 0; index--) {
+            Deferred<?> question = question(index);
+            try {
+                if (question != null) {
+                    question.reject(why);
+                }
+            } catch (Throwable broken) { // a dependent of a future: the other question is rejected all the same
+                home.reports().error(Trouble.THE_END_OF_A_REQUEST, home, broken);
+            }
+        }
+    }
+
+    private synchronized @Nullable Deferred<?> question(int index) {
+        return index < questions.size() ? questions.get(index) : null;
     }
 
     private void abandon() {
-        rejectQuestions(new CancellationException("space " + home + " was closed before the question was answered"));
+        rejectQuestions(closedError());
     }
 
-    /** Rejects a request; returns the error, or null if it was settled before. */
+    private Throwable closedError() {
+        try {
+            return new CancellationException("space " + home + " was closed before the question was answered");
+        } catch (Throwable noText) {
+            return noText;
+        }
+    }
+
+    /**
+     * Rejects a request whatever its text is, and whatever its listeners throw; returns the error, or null if it was
+     * settled before.
+     */
     private @Nullable Throwable reject(Asked asked) {
         Request<?> request = asked.request;
         if (request.isDone()) {
             return null;
         }
-        var error = new TimeoutException("no answer to " + asked.caller + " within " + limit + " from " + request.name()
-                + request.progressNow());
-        if (!request.reject(error)) {
+        Throwable error = lateError(asked);
+        if (!home.reports().reject(request, error)) {
             return null;
         }
         home.limitExpired();
+        home.reports().logArgumentsOfLate(request);
         return error;
+    }
+
+    private Throwable lateError(Asked asked) {
+        Request<?> request = asked.request;
+        try {
+            return new TimeoutException("no answer to " + asked.caller + " within " + limit + " from " + request.name()
+                    + request.progressNow());
+        } catch (Throwable noText) {
+            return noText;
+        }
     }
 }

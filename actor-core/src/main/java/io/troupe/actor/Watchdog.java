@@ -6,7 +6,6 @@ import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.ScheduledThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
@@ -19,10 +18,9 @@ import org.jspecify.annotations.Nullable;
  */
 final class Watchdog {
     private static final int LOOKS_PER_LIMIT = 4;
-    private static final long IDLE_SECONDS = 10;
 
     private static final System.Logger LOG = System.getLogger(Watchdog.class.getName());
-    private static final ScheduledThreadPoolExecutor LOOKS = looks();
+    private static final TimerThread LOOKS = new TimerThread("troupe-watchdog");
     private static final boolean CAN_RECORD = loadEvents();
 
     private final SpaceHome space;
@@ -44,20 +42,6 @@ final class Watchdog {
         this.dispatcher = dispatcher;
         this.limitNanos = Home.nanosOf(limit);
         this.listener = listener;
-    }
-
-    private static ScheduledThreadPoolExecutor looks() {
-        var looks = new ScheduledThreadPoolExecutor(
-                1,
-                Thread.ofPlatform()
-                        .daemon()
-                        .inheritInheritableThreadLocals(false)
-                        .name("troupe-watchdog")
-                        .factory());
-        looks.setRemoveOnCancelPolicy(true);
-        looks.setKeepAliveTime(IDLE_SECONDS, TimeUnit.SECONDS);
-        looks.allowCoreThreadTimeOut(true); // not while a check is scheduled
-        return looks;
     }
 
     /** Loads the event classes before the first check, not when memory is short. */
@@ -103,15 +87,32 @@ final class Watchdog {
         } catch (Throwable broken) { // for example no memory: the next check may succeed
             if (!failed) {
                 failed = true;
-                log("the watchdog of space " + space + " failed", broken);
+                log(Words.FAILED, broken);
             }
         }
-        startRecording();
+        if (recording) {
+            startRecording();
+        }
     }
 
-    private static void log(String what, Throwable broken) {
+    /** What is logged, as objects that exist when memory is short; the name of the space stands between the words. */
+    private enum Words {
+        FAILED("the watchdog of space ", " failed"),
+        LISTENER_FAILED("the stall listener of space ", " threw"),
+        NOT_RECORDED("space ", " records no more figures and stalls");
+
+        private final String before;
+        private final String behind;
+
+        Words(String before, String behind) {
+            this.before = before;
+            this.behind = behind;
+        }
+    }
+
+    private void log(Words words, Throwable broken) {
         try {
-            LOG.log(System.Logger.Level.ERROR, what, broken);
+            LOG.log(System.Logger.Level.ERROR, words.before + space + words.behind, broken);
         } catch (Throwable again) {
             // the log fails too, or there is no memory
         }
@@ -134,12 +135,16 @@ final class Watchdog {
 
     private void notifyListener(Stall stall) {
         if (recording) {
-            record(() -> new StallEvent(stall).commit());
+            try {
+                new StallEvent(stall).commit();
+            } catch (Throwable broken) {
+                recorderFailed(broken);
+            }
         }
         try {
             listener.accept(stall);
         } catch (Throwable broken) {
-            log("the stall listener of space " + space + " threw", broken);
+            log(Words.LISTENER_FAILED, broken);
         }
     }
 
@@ -159,31 +164,33 @@ final class Watchdog {
 
     /** Records the metrics if the flight recorder is on. */
     private void startRecording() {
-        if (recording) {
-            record(() -> {
-                if (new SpaceFiguresEvent().isEnabled()) {
-                    HelperThreads.run(space + "-figures", () -> record(this::recordFigures));
-                }
-            });
+        try {
+            if (new SpaceFiguresEvent().isEnabled()) {
+                HelperThreads.run(space + "-figures", this::recordFigures);
+            }
+        } catch (Throwable broken) {
+            recorderFailed(broken);
         }
     }
 
     private void recordFigures() {
-        var event = new SpaceFiguresEvent();
-        event.fill(space);
-        event.commit();
+        try {
+            var event = new SpaceFiguresEvent();
+            event.fill(space);
+            event.commit();
+        } catch (Throwable broken) {
+            recorderFailed(broken);
+        }
     }
 
     /**
-     * Runs a recording step. The watch does not depend on the recorder: after an error nothing more is recorded for
-     * this space.
+     * The watch does not depend on the recorder: after an error nothing more is recorded for this space, unless only
+     * the memory was short.
      */
-    private void record(Runnable step) {
-        try {
-            step.run();
-        } catch (Throwable broken) {
+    private void recorderFailed(Throwable broken) {
+        if (!(broken instanceof OutOfMemoryError)) {
             recording = false;
-            log("space " + space + " records no more figures and stalls", broken);
+            log(Words.NOT_RECORDED, broken);
         }
     }
 }

@@ -27,7 +27,7 @@ class ActorQuotaTest {
         return ActorSpace.create(SpaceSettings.named("fair")
                 .withoutThread()
                 .withOnError((where, error) -> errors.add(error))
-                .withOnDeadLetter(letter -> log.add("dead " + letter.message()))
+                .withOnDeadLetter(letter -> log.add("dead " + letter.arguments()))
                 .withActorQuota(quota));
     }
 
@@ -134,7 +134,7 @@ class ActorQuotaTest {
         space.runQueued();
         assertThat(log)
                 .isEqualTo(IntStream.rangeClosed(0, 100)
-                        .mapToObj(number -> number < 100 ? "hot" + number : "dead Noter.note(100)")
+                        .mapToObj(number -> number < 100 ? "hot" + number : "dead [100]")
                         .toList());
     }
 

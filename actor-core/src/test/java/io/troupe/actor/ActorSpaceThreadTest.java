@@ -128,7 +128,7 @@ class ActorSpaceThreadTest {
             Silent silent = space.spawn(Silent.class, () -> what -> new Deferred<>());
             assertThatThrownBy(() -> silent.ask("why").get(Duration.ofMillis(1)))
                     .isInstanceOf(TimeoutException.class)
-                    .hasMessageContaining("Silent.ask(why) of Silent#1");
+                    .hasMessageContaining("Silent.ask(String) of Silent#1");
         }
     }
 
@@ -168,7 +168,7 @@ class ActorSpaceThreadTest {
                 .isInstanceOf(ActorStoppedException.class)
                 .hasMessageContaining("space brief is closed");
         sink.take(2);
-        assertThat(letters).containsExactly(new DeadLetter("Sink#1", "Sink.take(2)", "space brief is closed"));
+        assertThat(letters).containsExactly(new DeadLetter("Sink#1", "Sink.take(int)", List.of(2), "space brief is closed"));
         assertThatThrownBy(() -> space.spawn(Doer.class, Doer::new)).isInstanceOf(ActorStoppedException.class);
     }
 

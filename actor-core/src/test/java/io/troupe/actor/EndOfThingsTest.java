@@ -218,19 +218,29 @@ class EndOfThingsTest extends InTestSpace {
         assertThat(letters).hasSize(2);
     }
 
+    static class Counter extends Actor {
+        public Promise<String> old() {
+            return Promise.of("old");
+        }
+
+        public Promise<String> newest() {
+            return Promise.of("newest");
+        }
+    }
+
     @Test
     void close_droppedCallsTicket_leftoversNameTheCallThatWaits() {
         var one = ActorSettings.DEFAULT.withMailbox(1, Overflow.DROP_OLDEST);
-        Desk desk = space.spawn(Desk.class, () -> what -> new Deferred<>(), one);
+        Counter counter = space.spawn(Counter.class, Counter::new, one);
         space.runQueued();
         runIn(space, () -> {
             space.close();
-            desk.ask("old").exceptionally(error -> "");
-            desk.ask("new").exceptionally(error -> "");
+            counter.old().exceptionally(error -> "");
+            counter.newest().exceptionally(error -> "");
         });
         Leftovers left = space.close(SECOND);
         assertThat(left.requests()).isEqualTo(1);
-        assertThat(left.examples()).singleElement().asString().contains("new");
+        assertThat(left.examples()).containsExactly("Counter.newest() of Counter#2");
     }
 
     interface Source {
@@ -253,7 +263,7 @@ class EndOfThingsTest extends InTestSpace {
         assertThat(leftovers.requests()).isEqualTo(1);
         assertThat(leftovers.examples())
                 .satisfiesExactly(
-                        first -> assertThat(first).isEqualTo("Sink.take(" + "x".repeat(77) + "...) to sink"),
+                        first -> assertThat(first).isEqualTo("Sink.take(Object) to sink"),
                         second ->
                                 assertThat(second).startsWith("Source.stream(").endsWith(" of source"));
         assertThat(letters).hasSize(1);

@@ -92,7 +92,7 @@ class FailedCallTest extends InTestSpace {
     @Test
     void rejection_withoutAListener_isReported_fromOutsideAfterAMoment() {
         test.run(() -> counter.failing("unheard"));
-        assertReported("a rejected promise without a listener: Counter.failing(unheard) of Counter#1", "unheard");
+        assertReported("a rejected promise without a listener: Counter.failing(String) of Counter#1", "unheard");
         counter.failing("unheard");
         test.runQueued();
         assertThat(test.takeProblems()).isEmpty();
@@ -114,12 +114,16 @@ class FailedCallTest extends InTestSpace {
         test.space().stop(counter);
         assertThat(test.error(counter.add(1)))
                 .isInstanceOf(ActorStoppedException.class)
-                .hasMessage("Counter.add(1) of Counter#1 was not begun: the actor Counter#1 has stopped");
+                .hasMessage("Counter.add(int) of Counter#1 was not begun: the actor Counter#1 has stopped");
         counter.fail("into the void");
         test.runQueued();
         assertThat(test.takeDeadLetters())
                 .containsExactly(
-                        new DeadLetter("Counter#1", "Counter.fail(into the void)", "the actor Counter#1 has stopped"));
+                        new DeadLetter(
+                                "Counter#1",
+                                "Counter.fail(String)",
+                                List.of("into the void"),
+                                "the actor Counter#1 has stopped"));
     }
 
     @Test
@@ -131,7 +135,7 @@ class FailedCallTest extends InTestSpace {
         assertThat(cancelled.isCancelled()).isTrue();
         assertThat(test.error(cancelled))
                 .isInstanceOf(CancellationException.class)
-                .hasMessageContaining("Counter.add(10)");
+                .hasMessageContaining("Counter.add(int) of Counter#1 was cancelled");
     }
 
     // ---- time limits
@@ -186,7 +190,7 @@ class FailedCallTest extends InTestSpace {
         });
         assertThat(log).hasSize(3);
         assertThat(log.subList(0, 2)).allMatch(line -> line.startsWith("no answer to"));
-        assertThat(log.get(2)).startsWith("callback: ").contains("Switch.press(1", "was cancelled or given up");
+        assertThat(log.get(2)).startsWith("callback: ").contains("Switch.press(int, Callback)", "was cancelled or given up");
     }
 
     @Test
@@ -224,7 +228,7 @@ class FailedCallTest extends InTestSpace {
             }
             logTimeout(worker.ask(1));
         });
-        String end = "from Worker.ask(1) of Worker#2, where more than 1000 calls wait";
+        String end = "from Worker.ask(Object) of Worker#2, where more than 1000 calls wait";
         assertThat(log).singleElement().asString().endsWith(end);
     }
 

@@ -12,6 +12,7 @@ import java.util.List;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
+import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -43,8 +44,10 @@ class MailboxBoundTest extends InTestSpace {
         }
     }
 
-    private List<String> lost() {
-        return test.takeDeadLetters().stream().map(DeadLetter::message).toList();
+    private List<@Nullable Object> lost() {
+        return test.takeDeadLetters().stream()
+                .map(letter -> letter.arguments().getFirst())
+                .toList();
     }
 
     @Test
@@ -55,7 +58,7 @@ class MailboxBoundTest extends InTestSpace {
                 .isInstanceOf(MailboxFullException.class)
                 .hasMessage("Sink.taken() of sink was not begun: its mailbox is full (3 calls, REJECT)");
         assertThat(test.get(sink.taken())).containsExactly(1, 2, 3);
-        assertThat(lost()).containsExactly("Sink.take(4)", "Sink.take(5)");
+        assertThat(lost()).containsExactly(4, 5);
     }
 
     @Test
@@ -63,7 +66,7 @@ class MailboxBoundTest extends InTestSpace {
         Sink sink = spawn(Overflow.DROP_OLDEST);
         takeFive(sink);
         assertThat(test.get(sink.taken())).containsExactly(4, 5);
-        assertThat(lost()).containsExactly("Sink.take(1)", "Sink.take(2)", "Sink.take(3)");
+        assertThat(lost()).containsExactly(1, 2, 3);
     }
 
     @Test
@@ -73,7 +76,7 @@ class MailboxBoundTest extends InTestSpace {
         takeFive(sink); // from outside, where it would wait for ever
         test.runQueued();
         assertThat(test.get(sink.taken())).containsExactly(1, 2, 3, 1, 2, 3);
-        assertThat(lost()).containsExactly("Sink.take(4)", "Sink.take(5)", "Sink.take(4)", "Sink.take(5)");
+        assertThat(lost()).containsExactly(4, 5, 4, 5);
     }
 
     @Test
@@ -141,7 +144,7 @@ class MailboxBoundTest extends InTestSpace {
                             + " for room");
             gate.countDown();
             assertThat(sink.taken().get(Duration.ofSeconds(30))).containsExactly(1, 2, 3);
-            assertThat(letters.take().message()).isEqualTo("Sink.take(5)");
+            assertThat(letters.take().arguments()).containsExactly(5);
         }
     }
 }

@@ -90,7 +90,7 @@ class OpenRequestsTest extends InTestSpace {
         Desk desk = spawn("desk", Supervision.restart(3, Duration.ofSeconds(1)));
         Promise<String> answer = desk.later("a");
         desk.fail();
-        assertBegun(test.error(answer), "Desk.later(a) of desk", "the actor desk was restarted");
+        assertBegun(test.error(answer), "Desk.later(String) of desk", "the actor desk was restarted");
         assertThat(answer.error()).hasRootCauseMessage("no paper");
         Promise<String> ofTheFreshInstance = desk.later("b");
         test.runQueued();
@@ -150,7 +150,7 @@ class OpenRequestsTest extends InTestSpace {
         drivers.getFirst().resolve("from the back");
         assertThat(test.get(answered)).isEqualTo("from the back");
         back.end();
-        assertBegun(test.error(abandoned), "Desk.later(forwarded) of back", "the actor back has stopped");
+        assertBegun(test.error(abandoned), "Desk.later(String) of back", "the actor back has stopped");
     }
 
     @Test
@@ -180,9 +180,9 @@ class OpenRequestsTest extends InTestSpace {
         drivers.get(1).resolve("in time");
         cancelled.cancel();
         Leftovers left = space.close(Duration.ofSeconds(1));
-        assertBegun(asked.error(), "Desk.later(a) of desk", "space short-lived is closed");
+        assertBegun(asked.error(), "Desk.later(String) of desk", "space short-lived is closed");
         assertThat(answered.getNow()).isEqualTo("in time");
-        assertThat(left).isEqualTo(new Leftovers(0, 0, 1, 0, 0, 0, List.of("Desk.later(a) of desk")));
+        assertThat(left).isEqualTo(new Leftovers(0, 0, 1, 0, 0, 0, List.of("Desk.later(String) of desk")));
         assertThat(left.isEmpty()).isFalse();
         assertThat(left.toString()).contains("0 requests, 1 open requests");
         assertThat(log).as("no problem").containsExactly("stopped");
@@ -198,7 +198,7 @@ class OpenRequestsTest extends InTestSpace {
             desk.work().thenAccept(one -> begun.resolve("stopped"));
             assertThat(begun.get(Duration.ofSeconds(60))).isEqualTo("stopped");
             Throwable error = answer.handle((value, rejection) -> rejection).get(Duration.ofSeconds(60));
-            assertBegun(error, "Desk.later(a) of desk", "the actor desk has stopped");
+            assertBegun(error, "Desk.later(String) of desk", "the actor desk has stopped");
         }
     }
 

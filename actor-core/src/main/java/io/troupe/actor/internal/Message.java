@@ -52,7 +52,7 @@ public abstract class Message extends Node {
 
     @Override
     protected final void threw(Throwable thrown) {
-        receiver.failed(method(), thrown);
+        receiver.failed(this, thrown);
     }
 
     @Override
@@ -86,23 +86,19 @@ public abstract class Message extends Node {
         return method.substring(0, method.indexOf('('));
     }
 
+    /** The method, without the values of the arguments: these may be secret, and their texts are the user's code. */
     @Override
     public final String toString() {
-        return describe(method(), arguments());
+        return method();
     }
 
-    static String describe(String method, Object[] arguments) {
-        return nameOf(method) + Arrays.stream(arguments).map(Message::show).collect(Collectors.joining(", ", "(", ")"));
+    /** The method and parameter types of a call; the text of anything else. */
+    public static String methodOrWords(Object what) {
+        return what instanceof Request<?> request ? request.method() : what.toString();
     }
 
-    private static String show(Object argument) {
-        String text;
-        try {
-            text = String.valueOf(argument);
-        } catch (Throwable broken) { // for example a list that contains itself, which overflows the stack
-            return argument.getClass().getName() + " whose toString throws "
-                    + broken.getClass().getName();
-        }
-        return text.length() <= 80 ? text : text.substring(0, 77) + "...";
+    /** The values of the arguments, abbreviated: only for those who have asked for them. */
+    public static String argumentsInWords(Node call) {
+        return Arrays.stream(argumentsOf(call)).map(PlainText::of).collect(Collectors.joining(", "));
     }
 }

@@ -47,15 +47,22 @@ public abstract class Recipient {
     /** The incarnation that owns the requests that begin now. */
     protected abstract Owner life();
 
-    /** Reports a failure of a one-way message and applies supervision. */
-    protected abstract void failed(String method, Throwable thrown);
+    /**
+     * Reports a failure and applies supervision.
+     *
+     * @param what the one-way message that failed, or what else did, in words
+     */
+    protected abstract void failed(Object what, Throwable thrown);
 
     /**
      * Called when an exception of a request has rejected it: applies supervision if that counts such exceptions.
      *
      * @param isReported true if it is reported in any case
      */
-    protected abstract void requestFailed(String method, Throwable thrown, boolean isReported);
+    protected abstract void requestFailed(Request<?> request, Throwable thrown, boolean isReported);
+
+    /** Called when a time limit on a request has passed; by any thread. */
+    protected abstract void timedOut(Request<?> request);
 
     /** The error of a request whose method returned null. */
     protected abstract RuntimeException answeredNull(String method);

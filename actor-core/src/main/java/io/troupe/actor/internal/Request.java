@@ -61,7 +61,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     @Override
     protected final void threw(Throwable thrown) {
         reject(thrown);
-        receiver.requestFailed(method(), thrown, isOfTheMachine(thrown));
+        receiver.requestFailed(this, thrown, isOfTheMachine(thrown));
     }
 
     @Override
@@ -82,6 +82,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     @Override
     protected final void timedOut() {
         timedOut = true;
+        receiver.timedOut(this);
     }
 
     /** True if this request may have been given up: {@link #shed} decides. */
@@ -155,10 +156,10 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return settleError(error);
     }
 
-    /** The call and its actor. */
+    /** The method with its parameter types, and the actor; not the values of the arguments. */
     @Override
     public final String name() {
-        return Message.describe(method(), arguments()) + " of " + receiver;
+        return method() + " of " + receiver;
     }
 
     /** The name, and the outcome if it is settled. */

@@ -107,13 +107,13 @@ final class Listeners {
             if (Home.current() != null) {
                 throw new IllegalStateException(
                         "get() would stop the whole space, and with it the code that could settle "
-                                + promise
+                                + promise.name()
                                 + ": register what comes next with then(..), return thenCompose(..), or write await() in the body of sequential(..)");
             }
             if (DETACHED.get() != null) {
                 throw new IllegalStateException(
                         "get() in a listener would keep the other listeners of this thread from running, and with them the code that could settle "
-                                + promise + ": register what comes next with then(..)");
+                                + promise.name() + ": register what comes next with then(..)");
             }
             if (promise.isDone()) {
                 promise.markHandled();
@@ -123,7 +123,7 @@ final class Listeners {
             promise.register(waiter);
             try {
                 if (!waiter.settled.await(Home.nanosOf(timeout), TimeUnit.NANOSECONDS)) {
-                    throw new TimeoutException("no answer within " + timeout + " from " + promise);
+                    throw new TimeoutException("no answer within " + timeout + " from " + promise.name());
                 }
             } finally {
                 waiter.gone = true;
@@ -318,13 +318,13 @@ final class Listeners {
         }
 
         @Override
-        public synchronized List<Promise<?>> takeAll() {
-            var requests = new ArrayList<Promise<?>>(size);
-            while (oldest != null) {
-                requests.add((Promise<?>) oldest.promise);
-                unlink(oldest);
+        public synchronized @Nullable Node takeOldest() {
+            OpenRequest first = oldest;
+            if (first == null) {
+                return null;
             }
-            return requests;
+            unlink(first);
+            return first.promise;
         }
 
         private static final class OpenRequest extends Follower {

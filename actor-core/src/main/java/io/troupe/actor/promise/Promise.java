@@ -361,12 +361,12 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     /**
-     * What this promise is called in messages.
+     * What this promise is called in messages: without its value, which may be secret.
      *
      * @hidden
      */
     protected String name() {
-        return toString();
+        return PromiseText.describe(this);
     }
 
     /** @hidden */

@@ -1,6 +1,6 @@
 package io.troupe.actor.promise;
 
-import org.jspecify.annotations.Nullable;
+import io.troupe.actor.internal.PlainText;
 
 /**
  * Describes a promise in messages. Iterative, because a chain of promises may have any length; bounded, because a
@@ -9,7 +9,6 @@ import org.jspecify.annotations.Nullable;
 final class PromiseText {
     private static final int SPELLED_OUT = 8;
     private static final int COUNTED = 100;
-    private static final int LONGEST_OUTCOME = 80;
 
     private PromiseText() {}
 
@@ -73,17 +72,8 @@ final class PromiseText {
             return name;
         }
         return promise.error() instanceof Throwable error
-                ? name + ", rejected with " + text(error)
-                : name + ", fulfilled with " + text(promise.getNow());
+                ? name + ", rejected with " + PlainText.of(error)
+                : name + ", fulfilled with " + PlainText.of(promise.getNow());
     }
 
-    private static String text(@Nullable Object what) {
-        String text;
-        try {
-            text = String.valueOf(what);
-        } catch (RuntimeException | StackOverflowError broken) { // from the user's toString
-            text = "what cannot be printed: " + broken.getClass().getName();
-        }
-        return text.length() <= LONGEST_OUTCOME ? text : text.substring(0, LONGEST_OUTCOME - 3) + "...";
-    }
 }

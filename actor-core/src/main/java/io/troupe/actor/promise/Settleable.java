@@ -33,6 +33,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      *                          mistaken for one of the above)
      */
     private static final Object NULL = new Object();
+    private static final Rejection WITHOUT_MEMORY =
+            new Rejection(new OutOfMemoryError("there is no memory for the error of this promise"));
     private static final VarHandle STATE;
 
     static {
@@ -188,6 +190,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     // ---- settling
 
+    /** A rejection; if there is no memory for it, one that all such promises share. */
+    private static Rejection rejection(Throwable error) {
+        try {
+            return new Rejection(Objects.requireNonNull(error, "error"));
+        } catch (OutOfMemoryError full) {
+            return WITHOUT_MEMORY;
+        }
+    }
+
     /** Fulfils this promise, like {@link #settleValue}; on its home's thread, or if it has no home. */
     final boolean settleValueAtHome(T value) {
         return settleAtHome(asOutcome(value));
@@ -195,7 +206,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
 
     /** Rejects this promise, like {@link #settleError}; on its home's thread, or if it has no home. */
     final boolean settleErrorAtHome(Throwable error) {
-        return settleAtHome(new Rejection(Objects.requireNonNull(error, "error")));
+        return settleAtHome(rejection(error));
     }
 
     /**
@@ -263,7 +274,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * @hidden
      */
     protected final boolean settleError(Throwable error) {
-        return settle(new Rejection(Objects.requireNonNull(error, "error")));
+        return settle(rejection(error));
     }
 
     /**
@@ -291,7 +302,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     private static Object handedOn(Object outcome) {
         if (outcome instanceof Rejection rejection) {
             rejection.markHandled();
-            return new Rejection(rejection.error());
+            return rejection(rejection.error());
         }
         return outcome;
     }
@@ -390,10 +401,16 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
+    /** The notification that keeps late listeners behind the earlier ones; null if there is no memory for it. */
     private static @Nullable PendingNotification notificationFor(Object outcome, @Nullable Node listeners) {
-        return listeners != null && PendingNotification.isNeeded(listeners)
-                ? new PendingNotification(outcome, listeners)
-                : null;
+        if (listeners == null || !PendingNotification.isNeeded(listeners)) {
+            return null;
+        }
+        try {
+            return new PendingNotification(outcome, listeners);
+        } catch (OutOfMemoryError full) { // the outcome is more important than the order
+            return null;
+        }
     }
 
     private @Nullable Node claimed(
@@ -403,7 +420,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
         return notification == null || listeners == null
                 ? listeners
-                : new PendingNotification.End(notification, listeners);
+                : notification.end(listeners);
     }
 
     private void noteRejection(Rejection rejection, @Nullable Node listeners) {
@@ -438,6 +455,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             return;
         }
         Node waiting = reverse(newest, null);
+        Throwable first = null;
         while (waiting != null) {
             Node listener = waiting;
             waiting = Nodes.next(listener);
@@ -449,8 +467,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
             } else if (listener instanceof PendingNotification.End end) {
                 waiting = reverse(end.closeOrTakeLate(), waiting);
             } else {
-                dispatch(listener);
+                try {
+                    dispatch(listener);
+                } catch (Throwable broken) { // the others are notified all the same
+                    first = first == null ? broken : first;
+                }
             }
+        }
+        if (first != null) {
+            throw Nodes.rethrow(first);
         }
     }
 

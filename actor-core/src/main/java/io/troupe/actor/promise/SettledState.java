@@ -53,6 +53,7 @@ abstract class SettledState {
         private final Object outcome;
         private final AtomicReference<@Nullable Node> late = new AtomicReference<>();
         private final AtomicInteger onTheirWay = new AtomicInteger();
+        private final End end = new End(this); // made in advance, so that nothing is missing once it is settled
 
         PendingNotification(Object outcome, Node listeners) {
             this.outcome = outcome;
@@ -61,6 +62,12 @@ abstract class SettledState {
                     onTheirWay.incrementAndGet();
                 }
             }
+        }
+
+        /** The listeners, newest first, with the end in front of them. */
+        Node end(Node listeners) {
+            Nodes.link(end, listeners);
+            return end;
         }
 
         /** Counts a listener that has not run yet; true if there are others. */
@@ -105,9 +112,8 @@ abstract class SettledState {
         static final class End extends Node {
             private final PendingNotification notification;
 
-            End(PendingNotification notification, Node listeners) {
+            private End(PendingNotification notification) {
                 this.notification = notification;
-                Nodes.link(this, listeners);
             }
 
             /**

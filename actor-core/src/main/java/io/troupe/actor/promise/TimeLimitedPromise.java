@@ -62,14 +62,27 @@ final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
         }
     }
 
-    private TimeoutException timedOutError() {
-        return new TimeoutException("no answer to " + caller + " within " + timeout + " from " + source.name()
-                + PromiseText.progress(source));
+    /** The error of the time-out; what makes it impossible is the error instead: the outcome must not depend on it. */
+    private Throwable timedOutError() {
+        try {
+            return new TimeoutException("no answer to " + caller + " within " + timeout + " from " + source.name()
+                    + PromiseText.progress(source));
+        } catch (Throwable noText) {
+            return noText;
+        }
     }
 
     private void abandon() {
-        settleError(
-                new CancellationException("space " + home + " was closed before " + source.name() + " was settled"));
+        settleError(closedError());
+    }
+
+    private Throwable closedError() {
+        try {
+            return new CancellationException(
+                    "space " + home + " was closed before " + source.name() + " was settled");
+        } catch (Throwable noText) {
+            return noText;
+        }
     }
 
     @Override

@@ -253,7 +253,7 @@ class ActorsGuideTest extends InTestSpace {
         test.runQueued();
         assertThat(log)
                 .containsExactly(
-                        "no answer to Robot#2 within PT1S from Greeter.greet(x) of Greeter#1, which has not begun it: 3 calls come first");
+                        "no answer to Robot#2 within PT1S from Greeter.greet(String) of Greeter#1, which has not begun it: 3 calls come first");
     }
 
     // ---- sequential and await

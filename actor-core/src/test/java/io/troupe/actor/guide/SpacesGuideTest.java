@@ -234,10 +234,10 @@ class SpacesGuideTest extends InTestSpace {
             show(left);
         }
         assertThat(never.isRejected()).isTrue();
-        assertThat(next()).hasToString("Thermostat.set(18.0) to Thermostat#1: space short-lived is closed");
+        assertThat(next()).hasToString("Thermostat.set(double) to Thermostat#1: space short-lived is closed");
         assertThat(next())
                 .hasToString(
-                        "1 messages, 1 requests, 0 open requests, 0 tasks, 1 timers and 0 sequential bodies, the first: [Thermostat.set(18.0) to Thermostat#1, Thermostat.read() of Thermostat#1]");
+                        "1 messages, 1 requests, 0 open requests, 0 tasks, 1 timers and 0 sequential bodies, the first: [Thermostat.set(double) to Thermostat#1, Thermostat.read() of Thermostat#1]");
         assertThat(List.copyOf(shown)).isEmpty();
     }
 }

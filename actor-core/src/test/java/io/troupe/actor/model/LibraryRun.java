@@ -57,7 +57,9 @@ final class LibraryRun {
     private void died(DeadLetter letter) {
         String reason = letter.reason();
         String why = reason.contains("full") ? "full" : reason.contains("closed") ? "closed" : "stopped";
-        String id = letter.message().replaceAll("[^0-9]*([0-9]+).*", "$1");
+        String id = letter.arguments().isEmpty()
+                ? letter.message()
+                : String.valueOf(letter.arguments().getFirst());
         history.add("dead letter " + id + " to " + letter.actor() + ": " + why);
     }
 

@@ -104,7 +104,7 @@ class PromiseHomeTest extends InTestSpace {
         test.run(
                 () -> slow.read(1).thenApply(text -> text).orTimeout(SECOND).handle((text, error) -> first.add(error)));
         test.advance(SECOND);
-        String progress = "promise after Slow.read(1) of Slow#1, which has begun it";
+        String progress = "promise after Slow.read(int) of Slow#1, which has begun it";
         assertThat(first.getFirst()).hasMessage("no answer to test-space within PT1S from " + progress);
         source.resolve(1);
         test.runQueued();

@@ -57,16 +57,16 @@ class PromiseTest extends InTestSpace {
         Promise<String> request = echo.say("hello");
         Promise<String> failing = echo.say("");
         failing.exceptionally(error -> "");
-        assertThat(request).hasToString("Echo.say(hello) of Echo#1");
+        assertThat(request).hasToString("Echo.say(String) of Echo#1");
         test.runQueued();
-        assertThat(request).hasToString("Echo.say(hello) of Echo#1, fulfilled with hello");
-        assertThat(failing).hasToString("Echo.say() of Echo#1, rejected with java.io.IOException: no word");
+        assertThat(request).hasToString("Echo.say(String) of Echo#1, fulfilled with hello");
+        assertThat(failing).hasToString("Echo.say(String) of Echo#1, rejected with java.io.IOException: no word");
         Promise<String> cancelled = echo.say("late");
         cancelled.cancel();
         test.runQueued();
         assertThat(cancelled)
                 .asString()
-                .startsWith("Echo.say(late) of Echo#1, rejected with java.util.concurrent.CancellationException: ");
+                .startsWith("Echo.say(String) of Echo#1, rejected with java.util.concurrent.CancellationException: ");
         var stream = new Callback.Stream<String>(Backlog.NEWEST, value -> {}, end -> {});
         assertThat(stream).hasToString("stream");
         Topic<String> topic = Topic.of(test.space(), "words");

@@ -68,7 +68,7 @@ final class Round implements AutoCloseable {
     private ActorSpace open(SpaceSettings settings, Consumer<String> onDeadLetter) {
         var space = ActorSpace.create(settings.withOnStall(Duration.ZERO, stall -> {})
                 .withOnError((where, error) -> errors.add(error))
-                .withOnDeadLetter(letter -> onDeadLetter.accept(letter.message())));
+                .withOnDeadLetter(letter -> onDeadLetter.accept(letter.message() + letter.arguments())));
         spaces.add(space);
         return space;
     }

@@ -1,6 +1,5 @@
 package io.troupe.actor.internal.loop;
 
-import java.util.List;
 import java.util.function.Function;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -53,13 +52,13 @@ public class Owner {
         return known == null ? openRequests = create.get() : known;
     }
 
-    /** Removes and returns the requests that have begun and are not settled, in the order in which they began. */
-    protected final List<? extends Node> takeOpenRequests() {
+    /** Removes and returns the request that has begun first of those that are not settled, or null. */
+    protected final @Nullable Node takeOpenRequest() {
         OpenRequests known;
         synchronized (this) {
             known = openRequests;
         }
-        return known == null ? List.of() : known.takeAll();
+        return known == null ? null : known.takeOldest();
     }
 
     /**
@@ -117,7 +116,8 @@ public class Owner {
 
     /** Requests that have begun and are not settled; the promises keep this list. */
     public interface OpenRequests {
-        /** Removes and returns the requests, in the order in which they began. */
-        List<? extends Node> takeAll();
+        /** Removes and returns the request that has begun first, or null. */
+        @Nullable
+        Node takeOldest();
     }
 }

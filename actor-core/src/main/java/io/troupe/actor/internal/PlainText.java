@@ -1,0 +1,24 @@
+package io.troupe.actor.internal;
+
+import org.jspecify.annotations.Nullable;
+
+/** Texts of users' objects. */
+public final class PlainText {
+    private static final int LONGEST = 80;
+
+    private PlainText() {}
+
+    /**
+     * The text of an object, abbreviated; what there is to say instead if its {@code toString} throws, overflows the
+     * stack, needs too much memory or returns null.
+     */
+    public static String of(@Nullable Object what) {
+        String text;
+        try {
+            text = String.valueOf((Object) String.valueOf(what)); // twice: toString may return null
+        } catch (Throwable broken) {
+            return "what cannot be printed: " + broken.getClass().getName();
+        }
+        return text.length() <= LONGEST ? text : text.substring(0, LONGEST - 3) + "...";
+    }
+}
