@@ -51,10 +51,18 @@ final class SpaceLoop {
             space.reports().error(Trouble.THE_LOOP_WHICH_ENDS, space, broken);
         } finally {
             shut();
+            endWatch(watch);
+            Home.leaveThread(before);
+        }
+    }
+
+    private void endWatch(@Nullable Runnable watch) {
+        try {
             if (watch != null) {
                 watch.run();
             }
-            Home.leaveThread(before);
+        } catch (Throwable noMemory) { // it ends by itself
+            space.reports().error(Trouble.THE_WATCHDOG, space, noMemory);
         }
     }
 

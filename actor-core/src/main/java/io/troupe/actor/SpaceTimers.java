@@ -112,6 +112,7 @@ final class SpaceTimers {
      */
     private static final class Outside {
         private final SpaceHome space;
+        private final Clock realTime = Clock.system(); // that of the executor
         private final Set<Delay> pending = ConcurrentHashMap.newKeySet(); // the thread that removes a delay runs it
         private @Nullable TimerThread executor; // guarded by this
         private volatile boolean closed;
@@ -126,7 +127,7 @@ final class SpaceTimers {
          * @return cancels it
          */
         Runnable schedule(long delayNanos, Expiry expiry) {
-            var delay = new Delay(expiry);
+            var delay = new Delay(expiry, realTime.nanos() + delayNanos);
             pending.add(delay);
             try {
                 Future<?> future = executor().schedule(delay, delayNanos, TimeUnit.NANOSECONDS);
@@ -146,9 +147,19 @@ final class SpaceTimers {
                 throw new RejectedExecutionException("space " + space + " is closed");
             }
             if (executor == null) {
-                executor = new TimerThread(space + "-timers");
+                executor = new TimerThread(space + "-timers", this::runOverdue);
             }
             return executor;
+        }
+
+        /** Runs the delays that are over and were not run; see {@link TimerThread}. */
+        private void runOverdue() {
+            long now = realTime.nanos();
+            for (Delay delay : pending) {
+                if (delay.deadlineNanos - now <= 0) {
+                    delay.run();
+                }
+            }
         }
 
         int size() {
@@ -173,9 +184,11 @@ final class SpaceTimers {
         /** One delay, compared by identity. */
         private final class Delay implements Runnable {
             private final Expiry expiry;
+            private final long deadlineNanos;
 
-            Delay(Expiry expiry) {
+            Delay(Expiry expiry, long deadlineNanos) {
                 this.expiry = expiry;
+                this.deadlineNanos = deadlineNanos;
             }
 
             @Override

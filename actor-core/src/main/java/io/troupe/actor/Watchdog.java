@@ -6,7 +6,7 @@ import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
+import java.util.concurrent.locks.LockSupport;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
@@ -20,7 +20,7 @@ final class Watchdog {
     private static final int LOOKS_PER_LIMIT = 4;
 
     private static final System.Logger LOG = System.getLogger(Watchdog.class.getName());
-    private static final TimerThread LOOKS = new TimerThread("troupe-watchdog");
+    private static final Looks LOOKS = new Looks();
     private static final boolean CAN_RECORD = loadEvents();
 
     private final SpaceHome space;
@@ -34,6 +34,10 @@ final class Watchdog {
     private boolean reported;
     private boolean failed;
     private volatile boolean recording = CAN_RECORD;
+    private volatile boolean over;
+    private final long periodNanos;
+    private long nextLookNanos; // on the thread of the looks
+    private volatile @Nullable Watchdog next; // in the list of the looks
 
     private Watchdog(
             SpaceHome space, IdleStrategy idle, Dispatcher dispatcher, Duration limit, Consumer<Stall> listener) {
@@ -41,6 +45,8 @@ final class Watchdog {
         this.idle = idle;
         this.dispatcher = dispatcher;
         this.limitNanos = Home.nanosOf(limit);
+        this.periodNanos = Math.max(1, limitNanos / LOOKS_PER_LIMIT);
+        this.nextLookNanos = since + periodNanos;
         this.listener = listener;
     }
 
@@ -66,13 +72,98 @@ final class Watchdog {
             return null;
         }
         var watchdog = new Watchdog(space, idle, dispatcher, settings.stallLimit(), settings.onStall());
-        long period = Math.max(1, watchdog.limitNanos / LOOKS_PER_LIMIT);
-        var looks = LOOKS.scheduleWithFixedDelay(watchdog::look, period, period, TimeUnit.NANOSECONDS);
-        return () -> looks.cancel(false);
+        LOOKS.add(watchdog);
+        return () -> LOOKS.end(watchdog);
     }
 
-    /** Checks the space; throws nothing, because that would end the schedule. */
+    /**
+     * Looks at all watched spaces, on one thread, which starts with the first of them and ends {@value #IDLE_SECONDS}
+     * seconds after the last. Not an executor of the JDK: a full heap could end its thread, or lose a periodic task.
+     * Here nothing allocates between two looks.
+     */
+    private static final class Looks implements Runnable {
+        private static final long IDLE_SECONDS = 10;
+        private static final long IDLE_NANOS = IDLE_SECONDS * 1_000_000_000;
+
+        private final Clock clock = Clock.system();
+        private volatile @Nullable Watchdog first; // written under this
+        private @Nullable Thread thread; // guarded by this
+
+        synchronized void add(Watchdog watchdog) {
+            Thread own = thread;
+            if (own == null) {
+                own = Thread.ofPlatform()
+                        .daemon()
+                        .inheritInheritableThreadLocals(false)
+                        .name("troupe-watchdog")
+                        .unstarted(this);
+                own.start(); // if there is no thread, nothing is watched
+                thread = own;
+            }
+            watchdog.next = first;
+            first = watchdog;
+            LockSupport.unpark(own); // its next look may be the first one
+        }
+
+        /** Ends a watch, which keeps nothing of its space. */
+        synchronized void end(Watchdog watchdog) {
+            watchdog.over = true;
+            Watchdog before = null;
+            for (Watchdog each = first; each != null; each = each.next) {
+                if (each == watchdog && before == null) {
+                    first = each.next;
+                } else if (each == watchdog) {
+                    before.next = each.next; // its own link stays, for a look that has come to it
+                } else {
+                    before = each;
+                }
+            }
+        }
+
+        @Override
+        public void run() {
+            long idleSince = clock.nanos();
+            while (true) {
+                try {
+                    long now = clock.nanos();
+                    long pause = lookAtAll(now);
+                    idleSince = first != null ? now : idleSince;
+                    if (now - idleSince >= IDLE_NANOS && hasEnded()) {
+                        return;
+                    }
+                    LockSupport.parkNanos(this, pause);
+                } catch (Throwable broken) { // of the JDK's own code: nothing here throws
+                    LockSupport.parkNanos(this, IDLE_NANOS);
+                }
+            }
+        }
+
+        /** Looks at those whose turn it is; returns the time until the next one. */
+        private long lookAtAll(long now) {
+            long pause = IDLE_NANOS;
+            for (Watchdog each = first; each != null; each = each.next) {
+                if (each.nextLookNanos - now <= 0) {
+                    each.look();
+                    each.nextLookNanos = clock.nanos() + each.periodNanos;
+                }
+                pause = Math.min(pause, each.nextLookNanos - now);
+            }
+            return pause;
+        }
+
+        private synchronized boolean hasEnded() {
+            if (first == null) {
+                thread = null;
+            }
+            return first == null;
+        }
+    }
+
+    /** Checks the space; throws nothing, because other spaces are watched by the same thread. */
     private void look() {
+        if (over) {
+            return;
+        }
         try {
             long served = dispatcher.served();
             long now = clock.nanos();
