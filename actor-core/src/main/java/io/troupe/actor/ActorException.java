@@ -21,8 +21,7 @@ public class ActorException extends RuntimeException {
         super(message, cause);
     }
 
-    ActorException(
-            String message, @Nullable Throwable cause, boolean enableSuppression, boolean writableStackTrace) {
+    ActorException(String message, @Nullable Throwable cause, boolean enableSuppression, boolean writableStackTrace) {
         super(message, cause, enableSuppression, writableStackTrace);
     }
 }

@@ -46,9 +46,11 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Errors.</b> See {@link SpaceSettings}: nothing is swallowed. No error ends a space: everything that an actor, a
  * listener or a handler throws is reported, even an {@link OutOfMemoryError} or an {@link InternalError}, and the space
- * goes on. If there is not enough memory for the report, the error is only counted. If the caller's stack overflows
- * within a call, the caller either gets a {@link StackOverflowError}, or the call is queued and handled within a
- * second.
+ * goes on. If there is not enough memory for the report, the error is only counted; a promise whose error cannot be
+ * made is rejected with the {@link OutOfMemoryError} instead. Texts of errors and dead letters name methods and
+ * parameter types, not the values of arguments, which may be secret: those are logged at the level {@code DEBUG} only,
+ * by the logger of this class, after the promise has been rejected. If the caller's stack overflows within a call, the
+ * caller either gets a {@link StackOverflowError}, or the call is queued and handled within a second.
  *
  * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single
  * thread.

@@ -43,8 +43,8 @@ public final class ActorStoppedException extends ActorException {
     private static final class WithoutMemory {
         static final ActorStoppedException BEGUN = new ActorStoppedException(
                 "a request was begun and not answered, and there is no memory to say more", true);
-        static final ActorStoppedException NOT_BEGUN = new ActorStoppedException(
-                "a request was not begun, and there is no memory to say more", false);
+        static final ActorStoppedException NOT_BEGUN =
+                new ActorStoppedException("a request was not begun, and there is no memory to say more", false);
     }
 
     /**

@@ -164,7 +164,8 @@ final class Closing {
 
     /** Counts a task that was not run. */
     void rejectTask() {
-        space.reports().deadLetter(new DeadLetter(space.toString(), "a task", List.of(), "space " + space + " is closed"));
+        space.reports()
+                .deadLetter(new DeadLetter(space.toString(), "a task", List.of(), "space " + space + " is closed"));
     }
 
     private void stopBodies() {

@@ -168,7 +168,8 @@ class ActorSpaceThreadTest {
                 .isInstanceOf(ActorStoppedException.class)
                 .hasMessageContaining("space brief is closed");
         sink.take(2);
-        assertThat(letters).containsExactly(new DeadLetter("Sink#1", "Sink.take(int)", List.of(2), "space brief is closed"));
+        assertThat(letters)
+                .containsExactly(new DeadLetter("Sink#1", "Sink.take(int)", List.of(2), "space brief is closed"));
         assertThatThrownBy(() -> space.spawn(Doer.class, Doer::new)).isInstanceOf(ActorStoppedException.class);
     }
 

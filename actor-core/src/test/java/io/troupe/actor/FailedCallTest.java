@@ -118,12 +118,11 @@ class FailedCallTest extends InTestSpace {
         counter.fail("into the void");
         test.runQueued();
         assertThat(test.takeDeadLetters())
-                .containsExactly(
-                        new DeadLetter(
-                                "Counter#1",
-                                "Counter.fail(String)",
-                                List.of("into the void"),
-                                "the actor Counter#1 has stopped"));
+                .containsExactly(new DeadLetter(
+                        "Counter#1",
+                        "Counter.fail(String)",
+                        List.of("into the void"),
+                        "the actor Counter#1 has stopped"));
     }
 
     @Test
@@ -190,7 +189,9 @@ class FailedCallTest extends InTestSpace {
         });
         assertThat(log).hasSize(3);
         assertThat(log.subList(0, 2)).allMatch(line -> line.startsWith("no answer to"));
-        assertThat(log.get(2)).startsWith("callback: ").contains("Switch.press(int, Callback)", "was cancelled or given up");
+        assertThat(log.get(2))
+                .startsWith("callback: ")
+                .contains("Switch.press(int, Callback)", "was cancelled or given up");
     }
 
     @Test

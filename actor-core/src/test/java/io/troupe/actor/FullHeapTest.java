@@ -306,8 +306,10 @@ class FullHeapTest {
             });
             awaitEnd(gate, closed, spaceThread);
             say("closed");
-            say("open requests settled: " + open.stream().filter(Promise::isRejected).count() + " of " + OPEN);
-            say("queued requests settled: " + queued.stream().filter(Promise::isRejected).count() + " of " + OPEN);
+            say("open requests settled: "
+                    + open.stream().filter(Promise::isRejected).count() + " of " + OPEN);
+            say("queued requests settled: "
+                    + queued.stream().filter(Promise::isRejected).count() + " of " + OPEN);
             say("callbacks ended: " + ended + " of " + OPEN);
             say("whenStopped " + (stopped.isDone() ? "settled" : "PENDING") + ", whenClosed "
                     + (closed.isDone() ? "settled" : "PENDING"));

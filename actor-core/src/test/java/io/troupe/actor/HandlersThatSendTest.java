@@ -87,7 +87,8 @@ class HandlersThatSendTest {
         var space = open(settings().withOnDeadLetter(this::tell));
         Worker worker = stopped(space);
         times(MANY, worker::work);
-        Promise<Integer> noted = space.spawn(Doer.class, Doer::new).ask(me -> monitor.get().count());
+        Promise<Integer> noted =
+                space.spawn(Doer.class, Doer::new).ask(me -> monitor.get().count());
         space.runQueued();
         assertThat(noted.getNow()).isEqualTo(MANY);
         assertThat(told).hasValue(MANY);
@@ -133,7 +134,8 @@ class HandlersThatSendTest {
     void deadLetters_ofTwoSpacesThatTellEachOther_end() {
         var first = new AtomicReference<Worker>();
         var second = new AtomicReference<Worker>();
-        var one = ActorSpace.create(settings().withOnDeadLetter(letter -> second.get().work()));
+        var one = ActorSpace.create(
+                settings().withOnDeadLetter(letter -> second.get().work()));
         var other = ActorSpace.create(settings().withOnDeadLetter(letter -> {
             told.incrementAndGet();
             first.get().work();
@@ -160,7 +162,8 @@ class HandlersThatSendTest {
             told.incrementAndGet();
             first.get().work();
         }));
-        try (one; other) {
+        try (one;
+                other) {
             first.set(stopped(one));
             second.set(stopped(other));
             one.whenStopped(first.get()).get(LONG);
@@ -178,8 +181,7 @@ class HandlersThatSendTest {
     @Test
     void fullMailboxOfAMonitor_isToldOnce() {
         var space = ActorSpace.create(settings().withOnDeadLetter(this::tell));
-        monitor.set(space.spawn(
-                Monitor.class, Counting::new, ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT)));
+        monitor.set(space.spawn(Monitor.class, Counting::new, ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT)));
         monitor.get().note("1");
         monitor.get().note("2");
         assertThat(told).hasValue(1);

@@ -205,7 +205,9 @@ class UnprintableTest {
         });
         space.runQueued();
         advance();
-        assertThat(asked).hasSize(2).allSatisfy(each -> assertThat(each.isRejected()).isTrue());
+        assertThat(asked)
+                .hasSize(2)
+                .allSatisfy(each -> assertThat(each.isRejected()).isTrue());
         assertThat(whole.error()).isInstanceOf(TimeoutException.class);
     }
 
@@ -227,9 +229,11 @@ class UnprintableTest {
                 .allSatisfy(each -> assertThat(each.error()).isInstanceOf(ActorStoppedException.class));
         assertThat(stopped.isDone()).isTrue();
         assertThat(ends).singleElement().isInstanceOf(ActorStoppedException.class);
-        assertThat(letters).singleElement().satisfies(letter -> assertThat(letter.arguments())
-                .startsWith(order));
-        assertThat(letters.getFirst()).hasToString("Shop.watch(Object, Callback) to Shop#1: the actor Shop#1 has stopped");
+        assertThat(letters)
+                .singleElement()
+                .satisfies(letter -> assertThat(letter.arguments()).startsWith(order));
+        assertThat(letters.getFirst())
+                .hasToString("Shop.watch(Object, Callback) to Shop#1: the actor Shop#1 has stopped");
         assertThat(order.asked).hasValue(0);
     }
 
@@ -303,7 +307,8 @@ class UnprintableTest {
         var value = new Order(kind);
         var error = new Failure(new Order(kind));
         assertThat(Promise.of(value).toString()).startsWith("promise, fulfilled with ");
-        assertThat(new Deferred<Order>(space).thenApply(same -> same).toString()).isEqualTo("promise after promise");
+        assertThat(new Deferred<Order>(space).thenApply(same -> same).toString())
+                .isEqualTo("promise after promise");
         new Deferred<Order>(space).reject(error);
         space.execute(() -> {
             throw error;

@@ -98,6 +98,11 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
+    protected String name() {
+        return PromiseText.describe(this);
+    }
+
+    @Override
     public String toString() {
         return PromiseText.withOutcome("promise", this);
     }

@@ -366,7 +366,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      * @hidden
      */
     protected String name() {
-        return PromiseText.describe(this);
+        return toString();
     }
 
     /** @hidden */

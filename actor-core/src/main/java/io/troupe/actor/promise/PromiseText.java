@@ -75,5 +75,4 @@ final class PromiseText {
                 ? name + ", rejected with " + PlainText.of(error)
                 : name + ", fulfilled with " + PlainText.of(promise.getNow());
     }
-
 }

@@ -418,9 +418,7 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         if (outcome instanceof Rejection rejection) {
             noteRejection(rejection, listeners);
         }
-        return notification == null || listeners == null
-                ? listeners
-                : notification.end(listeners);
+        return notification == null || listeners == null ? listeners : notification.end(listeners);
     }
 
     private void noteRejection(Rejection rejection, @Nullable Node listeners) {

@@ -221,6 +221,11 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     }
 
     @Override
+    protected final String name() {
+        return PromiseText.describe(this);
+    }
+
+    @Override
     public String toString() {
         return PromiseText.withOutcome(PromiseText.describe(this), this);
     }

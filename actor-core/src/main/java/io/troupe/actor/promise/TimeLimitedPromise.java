@@ -78,8 +78,7 @@ final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
 
     private Throwable closedError() {
         try {
-            return new CancellationException(
-                    "space " + home + " was closed before " + source.name() + " was settled");
+            return new CancellationException("space " + home + " was closed before " + source.name() + " was settled");
         } catch (Throwable noText) {
             return noText;
         }

@@ -1,0 +1,117 @@
+package io.troupe.actor;
+
+import static org.assertj.core.api.Assertions.assertThat;
+
+import io.troupe.actor.promise.Promise;
+import java.io.IOException;
+import java.nio.file.Path;
+import java.time.Duration;
+import java.util.List;
+import java.util.concurrent.TimeUnit;
+import org.junit.jupiter.api.Tag;
+import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+
+/** What only a JVM of its own shows: the first use of a class, and the exit of the program. */
+@Tag("threads")
+@Timeout(120)
+class FirstUseTest {
+    private record Result(List<String> lines, int exitCode) {}
+
+    private static Result outputOf(Class<?> program) throws IOException, InterruptedException {
+        var child = new ProcessBuilder(
+                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
+                        "-cp",
+                        System.getProperty("java.class.path"),
+                        program.getName())
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        try (var lines = child.inputReader()) {
+            var all = lines.lines().toList();
+            child.waitFor(1, TimeUnit.MINUTES);
+            return new Result(all, child.exitValue());
+        } finally {
+            child.destroyForcibly();
+        }
+    }
+
+    @Test
+    void proxies_firstMadeAtTheEndOfAStack_canBeMadeLater() throws Exception {
+        assertThat(outputOf(EndOfTheStack.class).lines())
+                .containsExactly("failed where the stack ends: true", "made later: hello");
+    }
+
+    @Test
+    void exit_calledByAnActor_doesNotWaitForAHookThatClosesItsSpace() throws Exception {
+        Result result = outputOf(Exiting.class);
+        assertThat(result.lines()).containsExactly("the hook has closed the space");
+        assertThat(result.exitCode()).isEqualTo(3);
+    }
+
+    public interface Greeter {
+        Promise<String> greet();
+
+        void exit();
+    }
+
+    private static final class Plain implements Greeter {
+        @Override
+        public Promise<String> greet() {
+            return Promise.of("hello");
+        }
+
+        @Override
+        public void exit() {
+            System.exit(3);
+        }
+    }
+
+    /** Uses a pool's proxy for the first time where a stack ends, and again further up until that succeeds. */
+    static final class EndOfTheStack {
+        private boolean failed;
+        private boolean made;
+
+        public static void main(String[] arguments) throws Exception {
+            try (var space = ActorSpace.create(SpaceSettings.named("members"))) {
+                space.spawn(Greeter.class, Plain::new); // other classes of the library have been used
+                var first = new EndOfTheStack();
+                var thread = new Thread(null, () -> first.recurse(space, 0), "deep", 300_000);
+                thread.start();
+                thread.join();
+                System.out.println("failed where the stack ends: " + first.failed);
+                System.out.println(
+                        "made later: " + pool(space).roundRobin().greet().get(Duration.ofSeconds(30)));
+            }
+        }
+
+        private static ActorPool<Greeter> pool(ActorSpace space) {
+            return ActorPool.on(List.of(space), Greeter.class, Plain::new, ActorSettings.DEFAULT);
+        }
+
+        private int recurse(ActorSpace space, int frame) {
+            try {
+                return 1 + recurse(space, frame + 1);
+            } catch (StackOverflowError end) {
+                if (!made) {
+                    failed = true;
+                    pool(space).roundRobin();
+                    made = true;
+                }
+                return 0;
+            }
+        }
+    }
+
+    /** An actor ends the program, whose shutdown hook closes the actor's space. */
+    static final class Exiting {
+        public static void main(String[] arguments) throws InterruptedException {
+            var space = ActorSpace.create(SpaceSettings.named("exiting"));
+            Runtime.getRuntime().addShutdownHook(new Thread(() -> {
+                space.close();
+                System.out.println("the hook has closed the space");
+            }));
+            space.spawn(Greeter.class, Plain::new).exit();
+            Thread.currentThread().join(); // for ever: the actor ends the program
+        }
+    }
+}
