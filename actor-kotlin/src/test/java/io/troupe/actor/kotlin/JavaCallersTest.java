@@ -23,7 +23,7 @@ class JavaCallersTest {
     void callOfASuspendFunction_isAPromise() {
         Promise<String> text = Promises.ask(continuation -> greeter.greet("Ada", continuation));
         assertThat(test.get(text)).isEqualTo("Hello, Ada");
-        assertThat(text).asString().startsWith("Greeter.greet(Ada) of Greeter#1");
+        assertThat(text).asString().startsWith("Greeter.greet(String) of Greeter#1");
     }
 
     @Test
