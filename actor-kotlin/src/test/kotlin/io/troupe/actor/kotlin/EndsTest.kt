@@ -250,7 +250,7 @@ class EndsTest : InTestSpace() {
         test.runQueued()
         assertThat(test.error(working))
             .isInstanceOf(ActorStoppedException::class.java)
-            .hasMessageContaining("work(100) of Worker#1 was begun and not answered: the actor Worker#1 has stopped")
+            .hasMessageContaining("work(long) of Worker#1 was begun and not answered: the actor Worker#1 has stopped")
         assertThat(log).containsExactlyInAnyOrder("stopped after 0", "background of 0 ended")
         assertThat(error { worker.work(1) }).isInstanceOf(ActorStoppedException::class.java)
     }
