@@ -35,7 +35,7 @@ public final class ActorStoppedException extends ActorException {
         this.begun = begun;
     }
 
-    /** The error of a request for which no error of its own can be made because memory is short. */
+    /** The shared error of requests, for which there is no memory to make separate ones. */
     static ActorStoppedException withoutMemory(boolean begun) {
         return begun ? WithoutMemory.BEGUN : WithoutMemory.NOT_BEGUN;
     }

@@ -318,7 +318,7 @@ final class Closing {
         /**
          * Rejects entries until the queues are empty. Rejecting one may queue others, and handlers and listeners may go
          * on like that without end. So after {@value #MOST_FOLLOWING} that were queued meanwhile no further listener
-         * runs and no handler is told, and after as many again the rest stays behind.
+         * runs and no handler is notified, and after as many again the rest stays behind.
          */
         void rejectAll() {
             long left = MOST_FOLLOWING + dispatcher.waiting();

@@ -5,8 +5,8 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * Which handlers of a space the calling thread is running: those of errors and dead letters, and the call observer. A
- * call that a handler sends is marked with them, and so is the turn in which it is handled. So a handler is not told of
- * what it has caused itself: a monitor that has stopped would otherwise be told for ever that it has stopped.
+ * call that a handler sends is marked with them, and so is the turn in which it is handled. So a handler does not
+ * receive what it has caused itself: a monitor that has stopped would otherwise be notified of that for ever.
  *
  * <p><b>Threads.</b> The thread of a space keeps its own set; a thread that only acts for a space uses that of the
  * space, so that senders find it without a thread-local; all others use a thread-local.

@@ -23,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  * Reports and counts a space's unhandled errors and dead letters. Any thread.
  *
  * <p>A promise is settled, and a callback ended, before anything is reported: a text that cannot be made loses no
- * outcome. What a handler sends is marked ({@link HandlerTurn}), so that no handler is told of what it has caused.
+ * outcome. What a handler sends is marked ({@link HandlerTurn}), so that no handler receives what it has caused.
  */
 final class Reports {
     /**

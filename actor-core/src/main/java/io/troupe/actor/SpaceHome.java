@@ -165,7 +165,7 @@ final class SpaceHome extends Home {
         } else if (isStopping() && error instanceof ActorStoppedException) {
             return; // counted among the leftovers
         } else if ((HandlerTurn.now() & HandlerTurn.ERROR) != 0) {
-            reports.rejected(promise, error); // the error handler has sent it, and is not told
+            reports.rejected(promise, error); // sent by the error handler
         } else if (Request.isMadeOutside(promise)) {
             rejections.hold(promise, error);
         } else {

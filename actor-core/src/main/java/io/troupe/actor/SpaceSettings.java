@@ -9,7 +9,7 @@ import org.jspecify.annotations.Nullable;
 /**
  * Settings of an actor space; immutable.
  *
- * <p>A handler may call actors of its own space. It is not told of what it has caused itself, which might be without
+ * <p>A handler may call actors of the same space. It does not receive what it has caused itself, which might be without
  * end: a dead letter in a turn that began with a call of the dead-letter handler is only counted, an error in one of
  * the error handler is logged, and the calls that an observer sends are not observed.
  *

@@ -12,7 +12,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** What only a JVM of its own shows: the first use of a class, and the exit of the program. */
+/** What only a separate JVM shows: the first use of a class, and the exit of the program. */
 @Tag("threads")
 @Timeout(120)
 class FirstUseTest {

@@ -21,8 +21,8 @@ import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.MethodSource;
 
 /**
- * A heap that is really full, in JVMs of their own: an actor keeps what it allocates until nothing is left. Nothing of
- * the library has failed there before, so everything that is needed for a failure is used for the first time.
+ * A heap that is really full, in separate JVMs: an actor keeps what it allocates until nothing is left. Nothing of the
+ * library has failed there before, so everything that is needed for a failure is used for the first time.
  */
 @Tag("threads")
 @Timeout(value = 10, unit = TimeUnit.MINUTES)

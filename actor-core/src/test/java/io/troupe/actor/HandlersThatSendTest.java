@@ -16,7 +16,7 @@ import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 
-/** A handler may send to the space that calls it: it is not told of what it has caused itself, so that this ends. */
+/** A handler may send to the space that calls it: it does not receive what it has caused itself, so that this ends. */
 @Timeout(60)
 class HandlersThatSendTest {
     private static final Duration SECOND = Duration.ofSeconds(1);

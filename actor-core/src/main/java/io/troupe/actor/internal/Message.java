@@ -2,6 +2,7 @@ package io.troupe.actor.internal;
 
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
+import io.troupe.actor.internal.loop.PlainText;
 import java.util.Arrays;
 import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;

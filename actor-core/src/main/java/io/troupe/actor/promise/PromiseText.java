@@ -1,6 +1,6 @@
 package io.troupe.actor.promise;
 
-import io.troupe.actor.internal.PlainText;
+import io.troupe.actor.internal.loop.PlainText;
 
 /**
  * Describes a promise in messages. Iterative, because a chain of promises may have any length; bounded, because a

@@ -1,4 +1,4 @@
-package io.troupe.actor.internal;
+package io.troupe.actor.internal.loop;
 
 import org.jspecify.annotations.Nullable;
 
@@ -9,8 +9,8 @@ public final class PlainText {
     private PlainText() {}
 
     /**
-     * The text of an object, abbreviated; what there is to say instead if its {@code toString} throws, overflows the
-     * stack, needs too much memory or returns null.
+     * The text of an object, abbreviated; another text if its {@code toString} throws, overflows the stack, needs too
+     * much memory or returns null.
      */
     public static String of(@Nullable Object what) {
         String text;
