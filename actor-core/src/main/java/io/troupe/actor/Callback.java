@@ -52,7 +52,10 @@ public interface Callback<T extends @Nullable Object> {
         accept(null, Objects.requireNonNull(error, "error"));
     }
 
-    /** True if results are no longer wanted, so that the actor may stop sending. */
+    /**
+     * True if results are no longer wanted, so that the actor may stop sending. An implementation runs only on the
+     * space of the reader, as {@link #accept} does: on other threads an actor sees what it answered last.
+     */
     default boolean isCancelled() {
         return false;
     }
@@ -65,8 +68,10 @@ public interface Callback<T extends @Nullable Object> {
         private final Backlog backlog;
         private final Consumer<? super T> onNext;
         private final Consumer<@Nullable Throwable> onEnd;
+        private final boolean tellsOfCancellation;
         private final AtomicBoolean over = new AtomicBoolean();
         private final AtomicLong skipped = new AtomicLong();
+        private volatile @Nullable ReturningCallback<?> receiver; // of the call or topic that got this stream last
 
         /**
          * Creates a stream that receives every result.
@@ -86,14 +91,43 @@ public interface Callback<T extends @Nullable Object> {
          * @param onEnd receives the end, once: null for success, a {@link CancellationException} after {@link #cancel}
          */
         public Stream(Backlog backlog, Consumer<? super T> onNext, Consumer<@Nullable Throwable> onEnd) {
+            this(backlog, onNext, onEnd, true);
+        }
+
+        Stream(
+                Backlog backlog,
+                Consumer<? super T> onNext,
+                Consumer<@Nullable Throwable> onEnd,
+                boolean tellsOfCancellation) {
+            this.tellsOfCancellation = tellsOfCancellation;
             this.backlog = Objects.requireNonNull(backlog, "backlog");
             this.onNext = Objects.requireNonNull(onNext, "onNext");
             this.onEnd = Objects.requireNonNull(onEnd, "onEnd");
         }
 
-        /** Cancels: no more results arrive, and the actor sees {@link #isCancelled}. */
+        /**
+         * Cancels: no more results arrive, and the actor sees {@link #isCancelled}. The reader is notified of the end
+         * on its space: at once if it cancels itself.
+         */
         public void cancel() {
-            end(new CancellationException("the reader has cancelled"));
+            if (over.compareAndSet(false, true) && tellsOfCancellation) {
+                var error = new CancellationException("the reader has cancelled");
+                ReturningCallback<?> knowsTheReader = receiver;
+                try {
+                    if (knowsTheReader == null) {
+                        onEnd.accept(error);
+                    } else {
+                        knowsTheReader.runAtReader(() -> onEnd.accept(error));
+                    }
+                } catch (StackOverflowError notQueued) {
+                    over.set(knowsTheReader == null); // the next call queues it
+                    throw notQueued;
+                }
+            }
+        }
+
+        void setReceiver(ReturningCallback<?> next) {
+            receiver = next;
         }
 
         /** The number of results that were replaced by newer ones before they were received; any thread. */

@@ -6,7 +6,11 @@ import java.util.ArrayDeque;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
-/** A callback argument as the actor sees it: what the actor sends becomes entries of the caller's callback queue. */
+/**
+ * A callback argument as the actor sees it: what the actor sends becomes entries of the caller's callback queue.
+ *
+ * <p><b>Threads.</b> Any thread. Code of the reader runs only on its space, and never under a lock.
+ */
 final class ReturningCallback<T extends @Nullable Object> implements Callback<T> {
     private enum Kind {
         VALUE,
@@ -16,22 +20,42 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         FAIL_EVEN_IF_CLOSED
     }
 
+    /** Whether a class of readers has an {@code isCancelled()} of its own; most are lambdas. */
+    private static final ClassValue<Boolean> OWN_IS_CANCELLED = new ClassValue<>() {
+        @Override
+        protected Boolean computeValue(Class<?> type) {
+            try {
+                return type.getMethod("isCancelled").getDeclaringClass() != Callback.class;
+            } catch (NoSuchMethodException | LinkageError | SecurityException unknown) {
+                return true;
+            }
+        }
+    };
+
     private final Callback<T> reader;
     private final SpaceHome home;
     private final @Nullable Incarnation owner;
+    private final @Nullable Stream<T> stream; // if the reader is one
+    private final boolean mayCancel; // the reader, by an isCancelled() of its class
     private final @Nullable NewestResults<T> newest; // only if the reader does not receive every result
     private volatile boolean usedByOtherThreads;
     private volatile boolean ended;
     private volatile boolean readerGone;
+    private volatile boolean asked; // the reader, on its space, whether it has cancelled
     private boolean isEndDelivered; // on the reader's space
 
     private ReturningCallback(Callback<T> reader, SpaceHome home, @Nullable Incarnation owner) {
         this.reader = reader;
         this.home = home;
         this.owner = owner;
-        this.newest = reader instanceof Stream<T> stream && stream.backlog().isBounded()
+        this.stream = reader instanceof Stream<T> receiving ? receiving : null;
+        this.mayCancel = stream == null && OWN_IS_CANCELLED.get(reader.getClass());
+        this.newest = stream != null && stream.backlog().isBounded()
                 ? new NewestResults<>(home, stream.backlog().most(), stream::noteSkipped)
                 : null;
+        if (stream != null) {
+            stream.setReceiver(this);
+        }
     }
 
     /** Wraps a callback argument; one that was wrapped before keeps its first reader. */
@@ -50,26 +74,49 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
                 : new ReturningCallback<>(reader, caller, caller.owner() instanceof Incarnation life ? life : null);
     }
 
-    /** True if no more results can arrive. */
+    /** True if no more results can arrive, as far as is known: this runs no code of the reader. */
     boolean isOver() {
-        return ended || isCancelled();
+        return ended || isKnownAsGone();
     }
 
-    /** Sends one result to a reader that was checked before. */
-    void sendTo(T result) {
-        queue(new Result(Kind.VALUE, result));
+    /**
+     * Sends one result to a reader that was checked before, for a caller that holds a lock.
+     *
+     * @return false if the caller has to call {@link #rejectLeftovers} when it has released the lock
+     */
+    boolean sendUnderLock(T result) {
+        return queue(new Result(Kind.VALUE, result));
     }
 
-    /** Ends the callback, unless it has ended. */
-    void endOnce(@Nullable Throwable error) {
-        if (end()) {
-            queue(new Result(error == null ? Kind.FINISH : Kind.FAIL, error));
+    /** Ends the callback, unless it has ended; for a caller that holds a lock, like {@link #sendUnderLock}. */
+    boolean endUnderLock(@Nullable Throwable error) {
+        return endBy(error == null ? Kind.FINISH : Kind.FAIL, error) != Ending.CLOSED;
+    }
+
+    /** Rejects what was sent to a closed space. */
+    void rejectLeftovers() {
+        home.rejectLeftovers();
+    }
+
+    boolean isObserved() {
+        return home.settings.callObserver() != null;
+    }
+
+    /** Notifies the observer of calls, if there is one, of a result; not under a lock. */
+    void noteReturned() {
+        CallObserver observer = home.settings.callObserver();
+        if (observer != null) {
+            ObservedCalls.returned(observer, home, owner == null ? home.itself() : owner);
         }
     }
 
-    /** Reports an error of the reader that occurred on the sender's side. */
-    void report(String what, Object whose, Throwable error) {
-        home.reports().error(what, whose, error);
+    /** Runs code of the reader on its space and on its behalf: at once if it is the caller. */
+    void runAtReader(Runnable code) {
+        if (home.isCurrent() && (owner == null || home.owner() == owner)) {
+            code.run();
+        } else if (!home.enqueueUnderLock(new AtReader(code))) {
+            rejectLeftovers();
+        }
     }
 
     @Override
@@ -78,32 +125,105 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             fail(error);
         } else {
             checkNotEnded();
-            send(Kind.VALUE, result);
+            if (!isCancelled()) {
+                noteReturned();
+                if (!queue(new Result(Kind.VALUE, result))) {
+                    rejectLeftovers();
+                }
+            }
         }
     }
 
     @Override
     public void finish() {
-        endOrThrow();
-        send(Kind.FINISH, null);
+        endOrThrow(Kind.FINISH, null);
     }
 
     @Override
     public void fail(Throwable error) {
-        endOrThrow();
-        send(Kind.FAIL, error);
+        endOrThrow(Kind.FAIL, error);
     }
 
     /** Ends the callback, unless it has ended, because no results will be sent. */
     void abandon(Throwable error) {
-        if (end()) {
-            send(Kind.FAIL_EVEN_IF_CLOSED, error);
+        if (endBy(Kind.FAIL_EVEN_IF_CLOSED, error) == Ending.CLOSED) {
+            rejectLeftovers();
+        }
+    }
+
+    private void endOrThrow(Kind kind, @Nullable Throwable error) {
+        Ending ending = endBy(kind, error);
+        if (ending == Ending.NOT_THE_FIRST) {
+            throw alreadyEnded();
+        }
+        if (ending == Ending.CLOSED) {
+            rejectLeftovers();
+        }
+    }
+
+    private enum Ending {
+        DONE,
+        /** The space is closed, so {@link #rejectLeftovers} has to be called, not under a lock. */
+        CLOSED,
+        NOT_THE_FIRST
+    }
+
+    /** Ends the callback, unless it has ended. If this throws, it has not. */
+    private Ending endBy(Kind kind, @Nullable Throwable error) {
+        synchronized (this) {
+            if (ended) {
+                return Ending.NOT_THE_FIRST;
+            }
+            ended = true;
+        }
+        try {
+            return isKnownAsGone() || queue(new Result(kind, error)) ? Ending.DONE : Ending.CLOSED;
+        } catch (Throwable notQueued) {
+            ended = false; // no call: the stack may be at its end
+            throw notQueued;
         }
     }
 
     @Override
     public boolean isCancelled() {
-        return readerGone || owner != null && owner.isOver() || reader.isCancelled();
+        if (isKnownAsGone()) {
+            return true;
+        }
+        if (mayCancel) {
+            askReader();
+        }
+        return readerGone;
+    }
+
+    private boolean isKnownAsGone() {
+        return readerGone || owner != null && owner.isOver() || stream != null && stream.isCancelled();
+    }
+
+    /** Makes the reader note on its space whether it has cancelled. */
+    private void askReader() {
+        if (!asked) {
+            asked = true;
+            try {
+                runAtReader(() -> {
+                    asked = false;
+                    if (!readerGone) {
+                        noteIfCancelled();
+                    }
+                });
+            } catch (Throwable notQueued) {
+                asked = false;
+                throw notQueued;
+            }
+        }
+    }
+
+    private void noteIfCancelled() {
+        try {
+            readerGone |= reader.isCancelled();
+        } catch (Throwable broken) {
+            readerGone = true;
+            throw broken;
+        }
     }
 
     private void checkNotEnded() {
@@ -112,46 +232,25 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
     }
 
-    private void endOrThrow() {
-        if (!end()) {
-            throw alreadyEnded();
-        }
-    }
-
-    /** Marks the callback as ended; false if it was ended before. */
-    private synchronized boolean end() {
-        boolean first = !ended;
-        ended = true;
-        return first;
-    }
-
     private static IllegalStateException alreadyEnded() {
         return new IllegalStateException("this callback has been finished or failed before: nothing can follow");
     }
 
-    private void send(Kind kind, @Nullable Object content) {
-        if (!isCancelled()) {
-            queue(new Result(kind, content));
-        }
-    }
-
-    private void queue(Result next) {
-        CallObserver observer = home.settings.callObserver();
-        if (observer != null && !next.isEnd()) {
-            ObservedCalls.returned(observer, home, owner == null ? home.itself() : owner);
-        }
+    /** Returns false if the space is closed, so that {@link #rejectLeftovers} has to be called, not under a lock. */
+    private boolean queue(Result next) {
         if (newest != null) {
-            newest.queue(next);
+            return newest.queue(next);
         } else if (!home.isCurrent()) {
             if (!usedByOtherThreads) {
                 usedByOtherThreads = true; // before the result is queued
             }
-            home.enqueueAsRemote(next);
+            return home.enqueueUnderLock(next);
         } else if (usedByOtherThreads) {
             home.enqueueBehindArrivals(next); // it must not overtake theirs
         } else {
             home.enqueue(next);
         }
+        return true;
     }
 
     /**
@@ -173,20 +272,22 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             this.noteSkipped = noteSkipped;
         }
 
-        synchronized void queue(ReturningCallback<T>.Result next) {
+        /** Returns false if the space is closed. */
+        synchronized boolean queue(ReturningCallback<T>.Result next) {
             var last = results.peekLast();
-            if (last != null && last.isEnd()) {
-                return; // its sender lost a race against the end
+            if (last == null || !last.isEnd()) { // else its sender lost a race against the end
+                if (!next.isEnd() && results.size() == most) {
+                    results.pollFirst();
+                    noteSkipped.run();
+                }
+                results.addLast(next);
             }
-            if (!next.isEnd() && results.size() == most) {
-                results.pollFirst();
-                noteSkipped.run();
-            }
-            results.addLast(next);
+            boolean isOpen = true;
             while (tickets < results.size()) {
-                home.enqueue(new Ticket()); // served now if the space is closed
+                isOpen &= home.enqueueUnderLock(new Ticket());
                 tickets++;
             }
+            return isOpen;
         }
 
         /** Takes the oldest result; null if a sender's stack overflowed after it had queued a ticket. */
@@ -201,6 +302,25 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
                 var result = next();
                 return result == null ? null : result.serve();
             }
+        }
+    }
+
+    /** Code of the reader, which runs on its space and on its behalf. */
+    private final class AtReader extends Node {
+        private final Runnable code;
+
+        AtReader(Runnable code) {
+            this.code = code;
+        }
+
+        @Override
+        protected @Nullable Node serve() {
+            if (owner == null) {
+                home.runGuarded(code);
+            } else if (!owner.run("a listener", code)) {
+                readerGone = true;
+            }
+            return null;
         }
     }
 
@@ -237,6 +357,14 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         @Override
         @SuppressWarnings({"unchecked", "NullAway"}) // the content of a value is null only if T allows it
         public void run() {
+            if (mayCancel) {
+                if (!readerGone) {
+                    noteIfCancelled();
+                }
+                if (readerGone) {
+                    return;
+                }
+            }
             switch (kind) {
                 case VALUE -> reader.accept((T) content, null);
                 case FINISH -> reader.finish();

@@ -94,6 +94,19 @@ final class SpaceHome extends Home {
         offer(node, callbackInbox);
     }
 
+    /**
+     * Queues a callback for a caller that may hold a lock, under which no code of a user may run.
+     *
+     * @return false if the space is closed: then the caller has to call {@link #rejectLeftovers}, not under the lock
+     */
+    boolean enqueueUnderLock(Node node) {
+        if (isCurrent()) {
+            enqueue(node);
+            return true;
+        }
+        return offerOnly(node, callbackInbox);
+    }
+
     @Override
     public void enqueueAtHome(Node node) {
         if (Thread.currentThread() instanceof SpaceThread own && own.serves(this)) {
@@ -125,17 +138,32 @@ final class SpaceHome extends Home {
 
     /** Queues a node of another thread; if this throws, nothing was queued. */
     private void offer(Node node, NodeQueue queue) {
+        if (!offerOnly(node, queue)) {
+            rejectLeftovers();
+        }
+    }
+
+    /**
+     * Like {@link #offer}, but leaves it to the caller to reject the node if the space is closed: this returns false.
+     */
+    private boolean offerOnly(Node node, NodeQueue queue) {
         if (idle.phase == IdleStrategy.CLOSED) {
             closing.checkStack(); // because this caller must reject the node itself
         }
         queue.offer(node);
         try {
-            if (!idle.wake()) {
-                closing.rejectLeftovers();
-            }
+            return idle.wake();
         } catch (StackOverflowError endOfTheCallersStack) {
-            // it is queued: the space checks its queues by itself within a second; if it is closed, the next caller
-            // does
+            return true; // it is queued: the space checks its queues by itself within a second
+        }
+    }
+
+    /** Rejects what this thread has queued in a closed space. */
+    void rejectLeftovers() {
+        try {
+            closing.rejectLeftovers();
+        } catch (StackOverflowError endOfTheCallersStack) {
+            // the next caller does
         }
     }
 

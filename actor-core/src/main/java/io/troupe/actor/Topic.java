@@ -3,7 +3,6 @@ package io.troupe.actor;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Objects;
-import java.util.concurrent.CancellationException;
 import java.util.function.Consumer;
 import org.jspecify.annotations.Nullable;
 
@@ -24,8 +23,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Every method from any thread. A subscriber's callback runs on the space that subscribed, as
  * entries of its callback queue, on behalf of the actor that subscribed. For a thread outside every space it runs on
  * the space of the topic. A callback that an actor received as an argument still runs for its first caller. Publishing
- * calls no code of a subscriber except {@link Callback#isCancelled}, so a slow or broken subscriber does not delay
- * others.
+ * calls no code of a subscriber, so a slow or broken subscriber does not delay others.
  *
  * <p><b>Order.</b> Values reach each subscriber in the order in which they were published; values of several publishers
  * reach all subscribers in the same order. No values arrive after the end, after a cancellation, or after the
@@ -78,6 +76,8 @@ public final class Topic<T> {
      */
     public int publish(T value) {
         Objects.requireNonNull(value, "value");
+        var after = new AfterLock();
+        int sent;
         synchronized (lock) {
             if (ended) {
                 return 0;
@@ -85,9 +85,11 @@ public final class Topic<T> {
             if (remembers) {
                 last = value;
             }
-            readers.removeIf(reader -> !reader.send(value));
-            return readers.size();
+            readers.removeIf(reader -> !reader.send(value, after));
+            sent = readers.size();
         }
+        after.run();
+        return sent;
     }
 
     /**
@@ -108,7 +110,7 @@ public final class Topic<T> {
      */
     public Callback.Stream<T> subscribe(Backlog backlog, Consumer<? super T> onValue) {
         Objects.requireNonNull(onValue, "onValue");
-        var stream = new Callback.Stream<T>(backlog, onValue, this::refuseFailure);
+        var stream = new Callback.Stream<T>(backlog, onValue, this::refuseFailure, false);
         addReader(ReturningCallback.to(stream, space.home));
         return stream;
     }
@@ -131,17 +133,19 @@ public final class Topic<T> {
     }
 
     private void addReader(ReturningCallback<? super T> callback) {
-        var reader = new Subscription<>(this, callback);
+        var reader = new Subscription<>(callback);
+        var after = new AfterLock();
         synchronized (lock) {
             if (ended) {
-                reader.end(failure);
-                return;
-            }
-            readers.removeIf(Subscription::isGone);
-            if (last == null ? !reader.isGone() : reader.send(last)) {
-                readers.add(reader);
+                reader.end(failure, after);
+            } else {
+                readers.removeIf(Subscription::isGone);
+                if (last == null ? !reader.isGone() : reader.send(last, after)) {
+                    readers.add(reader);
+                }
             }
         }
+        after.run();
     }
 
     /** The number of subscribers; a publisher may skip work if it is zero. */
@@ -175,26 +179,46 @@ public final class Topic<T> {
     }
 
     private boolean end(@Nullable Throwable error) {
+        var after = new AfterLock();
         synchronized (lock) {
             if (ended) {
                 return false;
             }
-            ended = true;
-            failure = error;
-            last = null;
             readers.removeIf(Subscription::isGone);
-            readers.forEach(reader -> reader.end(error));
+            readers.forEach(reader -> reader.end(error, after));
             readers.clear();
-            return true;
+            last = null;
+            failure = error;
+            ended = true; // now that all are notified
         }
+        after.run();
+        return true;
     }
 
     private void refuseFailure(@Nullable Throwable end) {
-        if (end != null && !(end instanceof CancellationException)) {
+        if (end != null) {
             throw new ActorException(
                     this + " has failed, and this subscriber takes values only:"
                             + " subscribe with a Callback.Stream to hear of the end",
                     end);
+        }
+    }
+
+    /** What is done for subscribers when the lock has been released, because it runs code of users. */
+    private static final class AfterLock {
+        private @Nullable List<Runnable> actions; // most calls have none
+
+        void add(Runnable action) {
+            if (actions == null) {
+                actions = new ArrayList<>();
+            }
+            actions.add(action);
+        }
+
+        void run() {
+            if (actions != null) {
+                actions.forEach(Runnable::run);
+            }
         }
     }
 
@@ -206,38 +230,34 @@ public final class Topic<T> {
      * <p><b>Order.</b> As sent, from whichever threads.
      */
     private static final class Subscription<T> {
-        private final Object topic;
         private final ReturningCallback<T> reader;
 
-        Subscription(Object topic, ReturningCallback<T> reader) {
-            this.topic = topic;
+        Subscription(ReturningCallback<T> reader) {
             this.reader = reader;
         }
 
         /** Sends a value; false, without effect, if the subscriber is gone. */
-        boolean send(T value) {
+        boolean send(T value, AfterLock after) {
             if (isGone()) {
                 return false;
             }
-            reader.sendTo(value);
+            if (!reader.sendUnderLock(value)) {
+                after.add(reader::rejectLeftovers);
+            }
+            if (reader.isObserved()) {
+                after.add(reader::noteReturned);
+            }
             return true;
         }
 
-        void end(@Nullable Throwable error) {
-            reader.endOnce(error);
+        void end(@Nullable Throwable error, AfterLock after) {
+            if (!reader.endUnderLock(error)) {
+                after.add(reader::rejectLeftovers);
+            }
         }
 
-        /**
-         * True if the subscriber is gone. A user's {@code isCancelled} may throw: this is reported, and ends the
-         * subscription.
-         */
         boolean isGone() {
-            try {
-                return reader.isOver();
-            } catch (Throwable broken) {
-                reader.report("isCancelled() of a subscriber of", topic, broken);
-                return true;
-            }
+            return reader.isOver();
         }
     }
 }

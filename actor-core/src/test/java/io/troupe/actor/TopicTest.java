@@ -370,12 +370,14 @@ class TopicTest extends InTestSpace {
             }
         });
         subscribe();
-        assertThat(topic.publish(1)).isOne();
+        assertThat(topic.publish(1)).isEqualTo(2);
         test.runQueued();
-        assertThat(log).containsExactly("heard 1");
-        assertThat(test.takeProblems())
-                .extracting(TestSpace.Problem::where)
-                .containsExactly("isCancelled() of a subscriber of topic range");
+        assertThat(topic.publish(2)).isEqualTo(2);
+        test.runQueued();
+        assertThat(topic.publish(3)).as("it is forgotten").isOne();
+        test.runQueued();
+        assertThat(log).containsExactly("broken one heard 1", "heard 1", "heard 2", "heard 3");
+        assertThat(takeErrors()).containsExactly("broken");
     }
 
     // ---- several threads

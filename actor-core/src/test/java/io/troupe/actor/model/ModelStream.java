@@ -33,8 +33,17 @@ final class ModelStream {
         return over || readerGone || owner != null && owner.over;
     }
 
+    /** No more results are received from now on; the reader hears of the end on its behalf. */
     void cancel() {
-        end("CancellationException");
+        if (cancellable && !over) {
+            over = true;
+            Runnable end = () -> space.history.add(who + " ends CancellationException");
+            if (space.inside && (owner == null || owner == space.current)) {
+                end.run();
+            } else {
+                space.enqueue(Task.callback(() -> deliver(end)));
+            }
+        }
     }
 
     void next(int value) {
