@@ -38,7 +38,7 @@ final class ActorCell extends Recipient {
     private final SpaceHome space;
     private final Class<?> type;
     private final int number;
-    private final Supplier<?> factory;
+    private @Nullable Supplier<?> factory; // null after the end: what it refers to must not stay behind
     private final ActorSettings settings;
     private final @Nullable BoundedMailbox mailbox;
     private @Nullable Object implementation; // null if the slow path is to decide: calls are held back or bounded
@@ -229,7 +229,7 @@ final class ActorCell extends Recipient {
     }
 
     private void begin() {
-        Object made = factory.get();
+        Object made = Objects.requireNonNull(factory).get();
         if (made == null) {
             throw new ActorException("the factory of " + this + " answered null, expected its implementation");
         }
@@ -290,6 +290,7 @@ final class ActorCell extends Recipient {
             watched = ended;
         }
         endLife(false);
+        factory = null;
         try {
             queueWhatWaits();
         } catch (Throwable noMemory) {

@@ -26,9 +26,27 @@ final class SpacePromises {
 
     /** See {@link ActorSpace#offload}. */
     <T extends @Nullable Object> Promise<T> offload(Callable<? extends T> work) {
-        var answer = new Deferred<T>(space, null);
-        Thread.ofVirtual().name("offload").start(() -> {
-            offloadPlaces.acquireUninterruptibly();
+        var offloaded = new Offloaded<T>(work);
+        offloaded.thread.start();
+        return offloaded.answer;
+    }
+
+    /** Work on a virtual thread, which only its cancellation interrupts. */
+    private final class Offloaded<T extends @Nullable Object> {
+        final Callable<? extends T> work;
+        final Thread thread = Thread.ofVirtual().name("offload").unstarted(this::run);
+        final Deferred<T> answer = new Deferred<>(space, thread::interrupt);
+
+        Offloaded(Callable<? extends T> work) {
+            this.work = work;
+        }
+
+        private void run() {
+            try {
+                offloadPlaces.acquire();
+            } catch (InterruptedException cancelled) {
+                return;
+            }
             try {
                 if (!answer.isDone()) { // else it was cancelled before it began
                     answer.resolve(work.call());
@@ -38,8 +56,7 @@ final class SpacePromises {
             } finally {
                 offloadPlaces.release();
             }
-        });
-        return answer;
+        }
     }
 
     /** See {@link ActorSpace#delay}. */

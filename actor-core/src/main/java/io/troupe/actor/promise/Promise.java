@@ -326,7 +326,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
                         future.complete(valueOf(outcome));
                     }
                 },
-                this));
+                future::isDone));
         return future;
     }
 
