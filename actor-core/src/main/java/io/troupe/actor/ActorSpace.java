@@ -59,7 +59,8 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     private static final Duration CLOSING_TIME = Duration.ofSeconds(10);
 
     private static final class Global {
-        static final ActorSpace SPACE = open(new SpaceHome(SpaceSettings.named("actor-space")), false);
+        static final ActorSpace SPACE = open(
+                new SpaceHome(SpaceSettings.named("actor-space"), ClassLoader.getSystemClassLoader()), false);
     }
 
     final SpaceHome home;
@@ -80,9 +81,12 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
         return Global.SPACE;
     }
 
-    /** Creates a space, with a new daemon thread unless it has none. */
+    /**
+     * Creates a space, with a new daemon thread unless it has none. Its threads have the context class loader of the
+     * thread that creates it; those of {@link #global} have the system's.
+     */
     public static ActorSpace create(SpaceSettings settings) {
-        return open(new SpaceHome(settings), true);
+        return open(new SpaceHome(settings, Thread.currentThread().getContextClassLoader()), true);
     }
 
     private static ActorSpace open(SpaceHome home, boolean closeable) {
@@ -198,7 +202,7 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
      * blocking work of every space. Run computations on a pool of platform threads:
      * {@code Promise.from(CompletableFuture.supplyAsync(work, pool))}; listeners still run on this space.
      *
-     * @return settled with what the work returns or throws
+     * @return settled with what the work returns or throws; cancelling it interrupts the work
      */
     public <T extends @Nullable Object> Promise<T> offload(Callable<? extends T> work) {
         return promises.offload(Objects.requireNonNull(work, "work"));

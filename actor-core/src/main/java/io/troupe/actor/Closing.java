@@ -142,6 +142,7 @@ final class Closing {
         } finally {
             idle.close();
             space.giveUpThread();
+            space.dropContextClassLoader();
             rejecting = false;
             ended.countDown();
         }

@@ -4,6 +4,7 @@ import java.util.concurrent.ExecutorService;
 import java.util.concurrent.SynchronousQueue;
 import java.util.concurrent.ThreadPoolExecutor;
 import java.util.concurrent.TimeUnit;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Platform threads for work that must run even if all carriers of virtual threads are busy: bodies of
@@ -23,30 +24,31 @@ final class HelperThreads {
             IDLE_SECONDS,
             TimeUnit.SECONDS,
             new SynchronousQueue<>(),
-            Thread.ofPlatform()
+            task -> CleanThreads.create(() -> Thread.ofPlatform()
                     .daemon()
                     .inheritInheritableThreadLocals(false)
                     .name(IDLE_NAME)
-                    .factory());
+                    .unstarted(task)));
 
     private HelperThreads() {}
 
     /**
-     * Runs a task on a thread that has this name meanwhile.
+     * Runs a task on a thread that has this name and context class loader meanwhile.
      *
      * @throws OutOfMemoryError if no further thread can be created
      */
-    static void run(String name, Runnable task) {
-        POOL.execute(() -> runNamed(name, task));
+    static void run(String name, @Nullable ClassLoader loader, Runnable task) {
+        POOL.execute(() -> runNamed(name, loader, task));
     }
 
     /**
      * Runs a task, then clears the interrupt flag and the class loader that it may have left; thread-locals cannot be
      * cleared.
      */
-    private static void runNamed(String name, Runnable task) {
+    private static void runNamed(String name, @Nullable ClassLoader loader, Runnable task) {
         Thread thread = Thread.currentThread();
         thread.setName(name);
+        thread.setContextClassLoader(loader);
         try {
             task.run();
         } finally {

@@ -175,7 +175,7 @@ final class SequentialBodies {
         private boolean begin() {
             begun = true;
             try {
-                HelperThreads.run(space + "-sequential", this::run);
+                HelperThreads.run(space + "-sequential", space.contextClassLoader(), this::run);
                 return true;
             } catch (Throwable noThread) {
                 hasControl = false;

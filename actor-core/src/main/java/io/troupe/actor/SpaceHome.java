@@ -28,6 +28,7 @@ final class SpaceHome extends Home {
     private @Nullable Thread thread; // the thread that has control now; only that thread finds itself here
     private @Nullable TimeLimit limit; // of the current turn; most turns have none
     private @Nullable SpaceThread ownThread; // set once, before it is started
+    private volatile @Nullable ClassLoader contextClassLoader; // null when the space has ended
 
     @Nullable
     ActorSpace facade; // set once, by its constructor
@@ -46,8 +47,10 @@ final class SpaceHome extends Home {
     private final SequentialBodies sequences = new SequentialBodies(this);
     private final ActorList actors = new ActorList();
 
-    SpaceHome(SpaceSettings settings) {
+    /** @param loader the context class loader of the space's threads */
+    SpaceHome(SpaceSettings settings, @Nullable ClassLoader loader) {
         this.settings = settings;
+        this.contextClassLoader = loader;
         var wheel = new TimerWheel(settings.clock(), this::isCurrent);
         reports = new Reports(this, settings);
         dispatcher = new Dispatcher(this, inbox, callbackInbox, callbacks, messages, wheel, settings.clock());
@@ -62,7 +65,7 @@ final class SpaceHome extends Home {
 
     void startThread() {
         boolean isDirect = contexts == null && settings.callObserver() == null;
-        ownThread = new SpaceThread(this, isDirect, callbacks, messages, loop);
+        ownThread = CleanThreads.create(() -> new SpaceThread(this, isDirect, callbacks, messages, loop));
         ownThread.start();
     }
 
@@ -290,6 +293,15 @@ final class SpaceHome extends Home {
         takeThread();
         beginForItself();
         return enterThread();
+    }
+
+    @Nullable
+    ClassLoader contextClassLoader() {
+        return contextClassLoader;
+    }
+
+    void dropContextClassLoader() {
+        contextClassLoader = null;
     }
 
     void giveUpThread() {

@@ -27,6 +27,7 @@ final class SpaceThread extends Thread implements DetachedNodes.Keeper {
      */
     SpaceThread(SpaceHome space, boolean isDirect, NodeRing callbacks, NodeRing messages, SpaceLoop loop) {
         super(null, null, space.toString(), 0, false);
+        setContextClassLoader(space.contextClassLoader());
         this.space = isDirect ? space : null;
         this.direct = this.space;
         this.loop = loop;

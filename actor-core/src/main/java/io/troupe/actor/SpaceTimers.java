@@ -147,7 +147,7 @@ final class SpaceTimers {
                 throw new RejectedExecutionException("space " + space + " is closed");
             }
             if (executor == null) {
-                executor = new TimerThread(space + "-timers", this::runOverdue);
+                executor = new TimerThread(space + "-timers", space.contextClassLoader(), this::runOverdue);
             }
             return executor;
         }

@@ -21,8 +21,11 @@ final class TimerThread extends ScheduledThreadPoolExecutor {
 
     private final Runnable runOverdue;
 
-    /** @param runOverdue runs the tasks whose time has come, and which were not run */
-    TimerThread(String name, Runnable runOverdue) {
+    /**
+     * @param loader the context class loader of the tasks
+     * @param runOverdue runs the tasks whose time has come, and which were not run
+     */
+    TimerThread(String name, @Nullable ClassLoader loader, Runnable runOverdue) {
         super(1);
         this.runOverdue = runOverdue;
         ThreadFactory threads = Thread.ofPlatform()
@@ -30,7 +33,11 @@ final class TimerThread extends ScheduledThreadPoolExecutor {
                 .inheritInheritableThreadLocals(false)
                 .name(name)
                 .factory();
-        setThreadFactory(work -> threads.newThread(() -> runAndReplace(work)));
+        setThreadFactory(work -> {
+            var thread = CleanThreads.create(() -> threads.newThread(() -> runAndReplace(work)));
+            thread.setContextClassLoader(loader);
+            return thread;
+        });
         setRemoveOnCancelPolicy(true); // what a task refers to must not be retained here
         setKeepAliveTime(IDLE_SECONDS, TimeUnit.SECONDS);
         allowCoreThreadTimeOut(true); // not while a task is scheduled

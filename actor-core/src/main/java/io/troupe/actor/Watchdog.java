@@ -92,11 +92,11 @@ final class Watchdog {
         synchronized void add(Watchdog watchdog) {
             Thread own = thread;
             if (own == null) {
-                own = Thread.ofPlatform()
+                own = CleanThreads.create(() -> Thread.ofPlatform()
                         .daemon()
                         .inheritInheritableThreadLocals(false)
                         .name("troupe-watchdog")
-                        .unstarted(this);
+                        .unstarted(this));
                 own.start(); // if there is no thread, nothing is watched
                 thread = own;
             }
@@ -220,7 +220,7 @@ final class Watchdog {
         }
         var stall = new Stall(space.toString(), Duration.ofNanos(nanos), stack);
         // on another thread, because the listener may block and other spaces are watched too
-        HelperThreads.run(space + "-stall", () -> notifyListener(stall));
+        HelperThreads.run(space + "-stall", space.contextClassLoader(), () -> notifyListener(stall));
         reported = true; // once per message
     }
 
@@ -257,7 +257,7 @@ final class Watchdog {
     private void startRecording() {
         try {
             if (new SpaceFiguresEvent().isEnabled()) {
-                HelperThreads.run(space + "-figures", this::recordFigures);
+                HelperThreads.run(space + "-figures", space.contextClassLoader(), this::recordFigures);
             }
         } catch (Throwable broken) {
             recorderFailed(broken);

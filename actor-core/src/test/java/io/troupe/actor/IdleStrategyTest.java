@@ -46,7 +46,7 @@ final class IdleStrategyTest {
 
     @Test
     void arrivalsOfASpaceWithWorkInside_areNoReasonToWait() {
-        var space = new SpaceHome(SpaceSettings.named("shop").withoutThread());
+        var space = new SpaceHome(SpaceSettings.named("shop").withoutThread(), null);
         space.enqueueMessage(new Entry(() -> {}));
         space.enqueueMessage(new Entry(() -> {}));
         Home before = space.enter();
