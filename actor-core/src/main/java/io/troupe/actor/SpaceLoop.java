@@ -86,6 +86,7 @@ final class SpaceLoop {
             if (dispatcher.pass() | settle()) {
                 idle.letAccumulate(dispatcher.arrivals());
             } else {
+                space.beginForItself(); // the actor of the last turn may be gone
                 idle.sleep(dispatcher, settings.clock());
             }
             pauseNanos = 0;

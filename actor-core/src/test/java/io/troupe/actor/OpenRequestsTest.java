@@ -8,6 +8,7 @@ import java.lang.ref.WeakReference;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -200,6 +201,54 @@ class OpenRequestsTest extends InTestSpace {
             Throwable error = answer.handle((value, rejection) -> rejection).get(Duration.ofSeconds(60));
             assertBegun(error, "Desk.later(String) of desk", "the actor desk has stopped");
         }
+    }
+
+    /** As those of a queue of jobs, which looks before it begins the next one. */
+    @Test
+    void answer_isAbandoned_whenItsCallersHaveCancelled_orTimedOut_orHadACommonLimit() {
+        Desk desk = spawn("desk", Supervision.RESUME);
+        var limit = Duration.ofMillis(20);
+        Promise<String> cancelled = desk.later("one");
+        Promise<String> timedOut = desk.later("two").orTimeout(limit).exceptionally(overdue -> "too late");
+        Promise<String> together =
+                test.space().within(limit, () -> desk.later("three")).exceptionally(overdue -> "too late");
+        Promise<String> twoCallers = desk.later("four");
+        twoCallers.orTimeout(limit).exceptionally(overdue -> "too late");
+        twoCallers.then(value -> {});
+        desk.later("five").then(value -> {});
+        test.runQueued();
+        assertThat(drivers).hasSize(5).noneMatch(Deferred::isAbandoned);
+        cancelled.cancel();
+        test.advance(limit);
+        assertThat(drivers).extracting(Deferred::isAbandoned).containsExactly(true, true, true, false, false);
+        assertThat(test.get(timedOut) + ", " + test.get(together)).isEqualTo("too late, too late");
+        drivers.forEach(each -> each.resolve("done"));
+        assertThat(drivers).as("settled").allMatch(Deferred::isAbandoned);
+        test.runQueued();
+        assertThat(twoCallers.getNow()).isEqualTo("done");
+    }
+
+    /** A registry of proxies, as a broker keeps it, keeps nothing else. */
+    @Test
+    void factoryOfAnActorThatHasStopped_isNotKept() {
+        var large = new Object();
+        var kept = new WeakReference<>(large);
+        Desk desk = test.spawn(Desk.class, factoryWith(large));
+        test.runQueued();
+        large = null;
+        stop(desk);
+        for (int attempt = 0; attempt < 50 && kept.get() != null; attempt++) {
+            System.gc();
+        }
+        assertThat(kept.get()).isNull();
+        assertThat(desk.toString()).contains("Desk");
+    }
+
+    private Supplier<Desk> factoryWith(Object part) {
+        return () -> {
+            assertThat(part).isNotNull();
+            return new Desk();
+        };
     }
 
     @Test

@@ -12,6 +12,7 @@ import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
+import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.TimeoutException;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -80,6 +81,33 @@ class SpaceServicesTest extends InTestSpace {
             assertThatThrownBy(() -> failing.get(Duration.ofSeconds(30)))
                     .isInstanceOf(IOException.class)
                     .hasMessage("disk");
+        }
+    }
+
+    @Test
+    @Tag("threads")
+    @Timeout(60)
+    void offloadThatIsCancelled_isInterrupted_whetherItHasBegunOrWaits() throws Exception {
+        try (var space = ActorSpace.create(SpaceSettings.named("busy").withOffloadLimit(1))) {
+            var begun = new CountDownLatch(1);
+            var interrupted = new CountDownLatch(1);
+            var ran = new AtomicBoolean();
+            Promise<String> blocked = space.offload(() -> {
+                begun.countDown();
+                try {
+                    new CountDownLatch(1).await();
+                } catch (InterruptedException cancelled) {
+                    interrupted.countDown();
+                }
+                return "";
+            });
+            begun.await();
+            Promise<Boolean> waiting = space.offload(() -> ran.getAndSet(true));
+            waiting.cancel();
+            blocked.cancel();
+            interrupted.await();
+            assertThat(space.offload(() -> "free").get(Duration.ofSeconds(30))).isEqualTo("free");
+            assertThat(ran).isFalse();
         }
     }
 

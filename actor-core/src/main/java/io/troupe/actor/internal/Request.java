@@ -86,6 +86,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     /** True if this request may have been given up: {@link #shed} decides. */
+    @Override
     public final boolean mayBeGivenUp() {
         return timedOut;
     }

@@ -86,6 +86,22 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
         return settleError(error);
     }
 
+    /**
+     * True if nobody waits for the outcome any more, so that the work for it can be dropped: it is settled, or the
+     * callers of each request that it answers have cancelled or timed out, and nothing else listens. A request may be
+     * cancelled at any time: ask again before each piece of work. Any thread.
+     *
+     * {@snippet :
+     * Job next = jobs.removeFirst();
+     * if (!next.answer().isAbandoned()) {
+     *     next.answer().resolve(run(next));
+     * }
+     * }
+     */
+    public boolean isAbandoned() {
+        return isGivenUp();
+    }
+
     /** Settles this promise with the outcome of another one, as soon as that is settled. */
     public void resolveFrom(Promise<? extends T> other) {
         follow(Objects.requireNonNull(other, "other"));

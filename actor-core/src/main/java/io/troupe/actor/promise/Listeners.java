@@ -202,7 +202,11 @@ final class Listeners {
 
         /** A thread whose wait timed out may wait again, so it does not count as gone. */
         private static boolean isGivenUp(Node listener) {
-            return Nodes.isIdle(listener) && !(listener instanceof Waiter);
+            boolean isGone = Nodes.isIdle(listener)
+                    || listener instanceof Follower follower
+                            && follower.promise.mayBeGivenUp()
+                            && follower.promise.isGivenUp();
+            return isGone && !(listener instanceof Waiter);
         }
 
         /** True if no listener needs the outcome, or if the promise has been settled. */

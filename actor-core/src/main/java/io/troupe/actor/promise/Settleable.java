@@ -33,8 +33,21 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      *                          mistaken for one of the above)
      */
     private static final Object NULL = new Object();
-    private static final Rejection WITHOUT_MEMORY =
-            new Rejection(new OutOfMemoryError("there is no memory for the error of this promise"));
+    private static final Rejection WITHOUT_MEMORY = new Rejection(new NoMemory());
+    /** Without a stack trace, which would keep the classes of the first caller. */
+    private static final class NoMemory extends OutOfMemoryError {
+        private static final long serialVersionUID = 1;
+
+        NoMemory() {
+            super("there is no memory for the error of this promise");
+        }
+
+        @Override
+        public Throwable fillInStackTrace() {
+            return this;
+        }
+    }
+
     private static final VarHandle STATE;
 
     static {
@@ -151,6 +164,15 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
                 return givenUp;
             } // else another thread may have changed the links meanwhile
         }
+    }
+
+    /**
+     * True if a time limit on this promise has passed, perhaps not that of every listener; see {@link #isGivenUp}.
+     *
+     * @hidden
+     */
+    protected boolean mayBeGivenUp() {
+        return false;
     }
 
     /**

@@ -306,6 +306,16 @@ class PromiseHomeTest extends InTestSpace {
     }
 
     @Test
+    void futuresThatWereCancelled_areRemoved() {
+        for (int count = 0; count < 1_000; count++) {
+            source.toCompletableFuture().cancel(true);
+        }
+        source.then(value -> {});
+        assertThat(kept(source, Listeners.Inline.class)).isLessThan(20);
+        settleSource();
+    }
+
+    @Test
     void rejectionOfAPromiseWithManyListeners_isReportedWithoutItsLock() {
         var lockHeld = new ArrayList<Boolean>();
         var listeners = new ArrayList<Node>();
