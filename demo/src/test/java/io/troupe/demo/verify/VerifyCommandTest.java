@@ -183,6 +183,20 @@ class VerifyCommandTest extends CommandLineBench {
         assertThat(results.toString()).startsWith("nested: can deadlock: ").contains("user.held");
     }
 
+    /** 2^24 markings, of which the last one is dead: stubborn sets find it, the full graph does not. */
+    @Test
+    void whatTheVerdictDecides_isNotCalledUnknownBelow() {
+        var net = PetriNet.builder("switches");
+        for (var i = 0; i < 24; i++) {
+            net.place("off" + i, 1).place("on" + i).transition("t" + i, List.of("off" + i), List.of("on" + i));
+        }
+        assertThat(verify(net.build(), "--memory 1")).isEqualTo(1);
+        assertThat(out.toString())
+                .startsWith("switches: can deadlock: 1 dead marking, the nearest ")
+                .contains("switches: out of memory at ", "switches: live NO, reversible NO: nothing leads on from")
+                .doesNotContain("UNKNOWN", "not known");
+    }
+
     /** The layout of a larger net takes minutes or overflows the stack; the verdict must be printed anyway. */
     @Test
     void largeNet_isDecidedAndNotDrawn() {

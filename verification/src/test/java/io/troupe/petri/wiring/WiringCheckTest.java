@@ -221,6 +221,20 @@ class WiringCheckTest {
         assertThat(result.pairs()).extracting(PairResult::isFree).containsExactly(false);
     }
 
+    /** The server has a private step left, so it is no part of the story. */
+    @Test
+    void singleWait_saysThatNobodyWillAnswer() {
+        var server = Protocol.of("server")
+                .in("busy", does("end").then("rest"), provides("cancel").then("rest"))
+                .in("rest", does("rest").then("rest"));
+        var client = Protocol.of("client").in("on", requests("server.cancel").then("off"));
+        client.in("off", does("wait").then("off"));
+        var result =
+                (Blocked) WiringCheck.check(wiring("cancel", server.build(), client.build()).build());
+        assertThat(result.counterexample().sentence())
+                .isEqualTo("client waits for server.cancel, which nobody will answer");
+    }
+
     @Test
     void repair_thatDoesNotHelp_isNotCalledProved() {
         var stopping = Protocol.of("node")
