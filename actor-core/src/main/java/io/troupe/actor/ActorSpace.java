@@ -314,8 +314,8 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     }
 
     /**
-     * Runs the body while the condition holds, one round per turn, so that other work runs in between. The first round is
-     * run at once.
+     * Runs the body while the condition holds, one round per turn, so that other work runs in between. The first round
+     * is run at once.
      *
      * <p><b>Threads.</b> Only that of the space: call it from an actor, or in a task for {@link #execute}.
      *

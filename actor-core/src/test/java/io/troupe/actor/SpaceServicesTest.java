@@ -156,7 +156,8 @@ class SpaceServicesTest extends InTestSpace {
                 .repeatWhile(() -> log.isEmpty(), () -> (Promise<?>) null)
                 .handle((value, error) -> log.add("ended with " + error)));
         assertThat(log)
-                .containsExactly("ended with java.lang.NullPointerException: the function answered null, not a promise");
+                .containsExactly(
+                        "ended with java.lang.NullPointerException: the function answered null, not a promise");
     }
 
     @Test

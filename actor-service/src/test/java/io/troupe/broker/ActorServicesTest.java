@@ -82,8 +82,8 @@ class ActorServicesTest extends BrokerBench {
     @Test
     void nameOfAService_hasNoSlash() {
         for (var name : List.of("a/b", " ")) {
-            assertThatThrownBy(() ->
-                            services.publish(test.space(), Parrot.class, name, List.of(), () -> parrot("grey")))
+            assertThatThrownBy(
+                            () -> services.publish(test.space(), Parrot.class, name, List.of(), () -> parrot("grey")))
                     .isInstanceOf(IllegalArgumentException.class)
                     .hasMessage("the name of a service is \"" + name
                             + "\", expected a name without a slash and without control characters");

@@ -4,8 +4,8 @@ import static io.troupe.petri.Nets.net;
 import static io.troupe.petri.Nets.refused;
 import static java.util.stream.Collectors.toSet;
 import static org.assertj.core.api.Assertions.assertThat;
-import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.common.measure.Thorough;
 import io.troupe.petri.drawing.NetDrawing;
@@ -175,8 +175,7 @@ class InhibitorTest {
                     .isInstanceOf(PnmlException.class)
                     .hasMessage("x:3: arc a is an inhibitor arc and a normal one, expected one kind");
         }
-        for (var text : List.of(
-                arc("type='inhibitor'", "<type value='inhibitor'/>"), arc("arctype='inhibitor'", ""))) {
+        for (var text : List.of(arc("type='inhibitor'", "<type value='inhibitor'/>"), arc("arctype='inhibitor'", ""))) {
             assertThat(Pnml.parse("x", text).transition("t").inhibitors()).hasSize(1);
         }
         for (var inside : List.of("<arcType>inhibitor</arcType>", "<inhibitor/>", "<type value='inhibitor'/>")) {

@@ -59,8 +59,8 @@ public final class NamedServerPort extends SocketDataPort {
     }
 
     /**
-     * A server that asks for a certificate of this process refuses it after the handshake, by an alert. While the client
-     * connects, it keeps this to itself and waits for its whole limit.
+     * A server that asks for a certificate of this process refuses it after the handshake, by an alert. While the
+     * client connects, it keeps this to itself and waits for its whole limit.
      */
     @Override
     public int read(byte[] target, int from, int length) throws IOException {
@@ -143,7 +143,8 @@ public final class NamedServerPort extends SocketDataPort {
             return all == null
                     ? List.of()
                     : all.stream()
-                            .filter(each -> each.getFirst().equals(DNS_NAME) || each.getFirst().equals(ADDRESS))
+                            .filter(each -> each.getFirst().equals(DNS_NAME)
+                                    || each.getFirst().equals(ADDRESS))
                             .map(each -> new Name(each.getFirst().equals(ADDRESS), String.valueOf(each.get(1))))
                             .toList();
         } catch (CertificateParsingException malformed) {

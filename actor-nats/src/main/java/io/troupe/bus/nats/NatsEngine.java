@@ -84,8 +84,8 @@ final class NatsEngine implements BusEngine {
     private int maxFrameBytes;
 
     /**
-     * Daemon threads, so that a program that ends need not close its bus. All are of these pools, because those that the
-     * client makes itself stay when a connection breaks while it is closed.
+     * Daemon threads, so that a program that ends need not close its bus. All are of these pools, because those that
+     * the client makes itself stay when a connection breaks while it is closed.
      */
     private static final class Threads {
         private final AtomicInteger number = new AtomicInteger();
@@ -641,7 +641,9 @@ final class NatsEngine implements BusEngine {
         @Override
         public void exceptionOccurred(Connection source, Exception problem) {
             boolean isFirst = firstProblem.complete(problem);
-            if (!isEstablished && problem instanceof SSLException && settings.servers().size() == 1) {
+            if (!isEstablished
+                    && problem instanceof SSLException
+                    && settings.servers().size() == 1) {
                 connecting.completeExceptionally(problem);
             }
             if (isFirst || !isEstablished || isClosed.get()) {

@@ -172,7 +172,9 @@ class NatsConnectionTest extends NatsTest {
                 for (var thread : Thread.getAllStackTraces().keySet()) {
                     if (thread.getName().startsWith("nats " + node)) {
                         thread.join(60_000);
-                        assertThat(thread.isAlive()).as(thread.getName() + List.of(thread.getStackTrace())).isFalse();
+                        assertThat(thread.isAlive())
+                                .as(thread.getName() + List.of(thread.getStackTrace()))
+                                .isFalse();
                     }
                 }
             }
@@ -215,7 +217,9 @@ class NatsConnectionTest extends NatsTest {
             var other = open("other", server.settings()).attach("a");
             other.send(new Address("failing", "b"), SPELL, new Count(1));
             var expected = " bytes: java.lang.OutOfMemoryError: Java heap space";
-            assertThat(next(lost)).startsWith("1: node failing could not handle a frame of ").endsWith(expected);
+            assertThat(next(lost))
+                    .startsWith("1: node failing could not handle a frame of ")
+                    .endsWith(expected);
             failing.close();
         }
     }
@@ -370,8 +374,8 @@ class NatsConnectionTest extends NatsTest {
     private static void playServer(ServerSocket socket, String version, int most) {
         try (var client = socket.accept()) {
             var out = client.getOutputStream();
-            String info =
-                    "INFO {\"server_id\":\"x\",\"version\":\"" + version + "\",\"max_payload\":1048576,\"proto\":1}\r\n";
+            String info = "INFO {\"server_id\":\"x\",\"version\":\"" + version
+                    + "\",\"max_payload\":1048576,\"proto\":1}\r\n";
             out.write(info.getBytes(StandardCharsets.US_ASCII));
             var in = new BufferedReader(new InputStreamReader(client.getInputStream(), StandardCharsets.US_ASCII));
             var received = 0;

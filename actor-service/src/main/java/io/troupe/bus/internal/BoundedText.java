@@ -14,7 +14,10 @@ public final class BoundedText {
 
     private BoundedText() {}
 
-    /** The text, cut behind {@value #MOST} characters if it is longer than about that; half a surrogate pair becomes a question mark. */
+    /**
+     * The text, cut behind {@value #MOST} characters if it is longer than about that; half a surrogate pair becomes a
+     * question mark.
+     */
     public static String of(String text) {
         return of(text, MOST);
     }

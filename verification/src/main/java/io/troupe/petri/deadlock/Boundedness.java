@@ -17,8 +17,8 @@ import java.util.stream.IntStream;
  *
  * <p>A net is unbounded if it can reach a marking, and from there another one that has at least its tokens on every
  * place, and more on one: the firings between the two can be repeated for ever. The search goes depth first and
- * compares each marking with those on the way to it. If it finds no growth, all markings are counted. With inhibitor arcs or different priorities more tokens can also
- * prevent firings; for such nets nothing is known.
+ * compares each marking with those on the way to it. If it finds no growth, all markings are counted. With inhibitor
+ * arcs or different priorities more tokens can also prevent firings; for such nets nothing is known.
  *
  * {@snippet :
  * if (Boundedness.of(net, limits) instanceof Boundedness.Unbounded growth) {

@@ -30,8 +30,8 @@ import java.util.function.Function;
  * <p>The net is reduced first, by rules that keep whether it can deadlock. Then come, from cheap to dear, a short hunt
  * for a counterexample, proofs without a search, a longer hunt, and last all markings of the reduced net by stubborn
  * sets; of markings that differ only in which of some equal parts is in which state, one ({@link Symmetry}). A trace
- * that was found is translated to the net and fired there, and firings that it does not need are left out. Should it not
- * lead to a dead marking of the net, the net is searched without reductions.
+ * that was found is translated to the net and fired there, and firings that it does not need are left out. Should it
+ * not lead to a dead marking of the net, the net is searched without reductions.
  *
  * {@snippet :
  * var result = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
@@ -288,8 +288,8 @@ public final class DeadlockCheck {
     }
 
     /**
-     * A dead marking of the net itself. If the trace of the reduced net leads to none, a reduction or its translation is
-     * wrong: then the net is searched as it is.
+     * A dead marking of the net itself. If the trace of the reduced net leads to none, a reduction or its translation
+     * is wrong: then the net is searched as it is.
      */
     private Result canDeadlock(Reducer.Reduced reduced, int[] trace) {
         var whole = reduced.translate(trace);
@@ -300,7 +300,8 @@ public final class DeadlockCheck {
             }
             LOG.log(
                     WARNING,
-                    () -> "net " + net.name() + ": a trace of the reduced net leads to no dead marking of the net, which "
+                    () -> "net " + net.name()
+                            + ": a trace of the reduced net leads to no dead marking of the net, which "
                             + "is a fault of the reductions " + reductions + "; the net is searched without them");
             return decide(net, Set.of(), limits);
         }

@@ -210,8 +210,10 @@ public final class Invariants {
             var least = Long.MAX_VALUE;
             for (var column = open.nextSetBit(0); column >= 0; column = open.nextSetBit(column + 1)) {
                 var at = column;
-                var plus = rows.stream().filter(row -> row.rest()[at].signum() > 0).count();
-                var minus = rows.stream().filter(row -> row.rest()[at].signum() < 0).count();
+                var plus =
+                        rows.stream().filter(row -> row.rest()[at].signum() > 0).count();
+                var minus =
+                        rows.stream().filter(row -> row.rest()[at].signum() < 0).count();
                 if (plus * minus - plus - minus < least) {
                     least = plus * minus - plus - minus;
                     best = column;
@@ -249,7 +251,8 @@ public final class Invariants {
                 support.set(i, factors[i].signum() != 0);
             }
             for (var i = 0; i < columns; i++) {
-                rest[i] = rest[i].divide(divisor); // a combination of integer rows is divisible by what divides its factors
+                rest[i] = rest[i].divide(
+                        divisor); // a combination of integer rows is divisible by what divides its factors
             }
             return new Row(factors, rest, support);
         }

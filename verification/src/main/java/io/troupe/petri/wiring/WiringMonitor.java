@@ -28,8 +28,8 @@ import java.util.stream.Collectors;
  * <p>The monitor fires the transitions of the net that {@link WiringCheck} searches, and knows in which of its markings
  * the program can be. So it is always in a marking that the search has found, too, and a proof for the wiring holds for
  * what the program does. An event that no marking allows is a violation, and so is one after which every marking is
- * dead. So is a call between a component and something that the wiring does not have: a dependency that is not declared.
- * {@link #idle} finds a call that will never be answered, and {@link #never} adds combinations of states that
+ * dead. So is a call between a component and something that the wiring does not have: a dependency that is not
+ * declared. {@link #idle} finds a call that will never be answered, and {@link #never} adds combinations of states that
  * must not occur.
  *
  * <p><b>Role.</b> The program, or its observers, report the events, of all steps that a {@link Protocol} can have.
@@ -44,8 +44,8 @@ import java.util.stream.Collectors;
  * Memory for the net, and for the last 60 events, or all if they are {@link #keepingEvents kept}. A wiring that is
  * followed often is made into a net once: {@link #again}.
  *
- * <p><b>Errors.</b> Events never throw because of a violation: the first is kept, and what follows is ignored. An
- * event without any component of the wiring is an {@link IllegalArgumentException}.
+ * <p><b>Errors.</b> Events never throw because of a violation: the first is kept, and what follows is ignored. An event
+ * without any component of the wiring is an {@link IllegalArgumentException}.
  */
 public final class WiringMonitor {
     private static final int STORY_EVENTS = 60;

@@ -221,10 +221,7 @@ class DeadlockCheckTest {
         var other = net("other", "a=1 b c d", "left: a > b", "on: a > c", "back: a > d", "right: d > a");
         var free = net("free", "a=1 b", "turn: a > a", "left: a > a b", "on: b >", "back: b >");
         var found = (CanDeadlock) DeadlockCheck.decide(
-                net,
-                EnumSet.allOf(Reduction.class),
-                LIMITS,
-                rules -> Reducer.reduce(other, Set.of(), () -> false));
+                net, EnumSet.allOf(Reduction.class), LIMITS, rules -> Reducer.reduce(other, Set.of(), () -> false));
         assertThat(found.trace()).extracting(Transition::name).containsExactly("right");
         assertThat(DeadlockCheck.decide(
                         free,
@@ -238,7 +235,8 @@ class DeadlockCheckTest {
     /** The marking after "turn" has the fingerprint of the one before it, but "turn" is no loop. */
     @Test
     void trace_throughMarkingsWithOneFingerprint_keepsTheFiringsBetweenThem() {
-        var net = PetriNet.builder("crafted").place("go", 1).place("x").transition("turn", List.of("go"), List.of("go"));
+        var net =
+                PetriNet.builder("crafted").place("go", 1).place("x").transition("turn", List.of("go"), List.of("go"));
         net.transition("end", List.of("go"), List.of());
         for (var p = 0; p < BoundednessTest.SAME_PRINT.size(); p++) {
             int change = BoundednessTest.SAME_PRINT.get(p);

@@ -339,7 +339,7 @@ class StructureTest {
         }
         var built = net.build();
         assertThat(Invariants.ofPlaces(built).invariants())
-                .containsExactly(Map.of(
-                        built.place("a"), 1L, built.place("b"), 1L, built.place("c"), 1L, built.place("d"), 3L));
+                .containsExactly(
+                        Map.of(built.place("a"), 1L, built.place("b"), 1L, built.place("c"), 1L, built.place("d"), 3L));
     }
 }

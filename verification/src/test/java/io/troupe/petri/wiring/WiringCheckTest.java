@@ -229,8 +229,8 @@ class WiringCheckTest {
                 .in("rest", does("rest").then("rest"));
         var client = Protocol.of("client").in("on", requests("server.cancel").then("off"));
         client.in("off", does("wait").then("off"));
-        var result =
-                (Blocked) WiringCheck.check(wiring("cancel", server.build(), client.build()).build());
+        var result = (Blocked) WiringCheck.check(
+                wiring("cancel", server.build(), client.build()).build());
         assertThat(result.counterexample().sentence())
                 .isEqualTo("client waits for server.cancel, which nobody will answer");
     }

@@ -110,7 +110,8 @@ class WiringMonitorTest {
         var other = monitor.again();
         other.asked("stranger", "planner.plan");
         assertThatThrownBy(other::check)
-                .hasMessageContaining("stranger asks planner.plan is not allowed: the wiring has no component stranger;");
+                .hasMessageContaining(
+                        "stranger asks planner.plan is not allowed: the wiring has no component stranger;");
         assertThat(other.violation().orElseThrow().component()).isEqualTo("planner");
         var again = monitor.again();
         assertThatThrownBy(() -> again.asked("stranger", "store.get"))

@@ -27,8 +27,8 @@ import java.util.concurrent.TimeUnit;
  * <p>The HTTP server of the JDK accepts its connections itself and has no upgrade, so it cannot share a port in another
  * way (ADR 20).
  *
- * <p>A client cannot keep others out: a connection without a head gives way to a new one, and ends after a limit; of one
- * address there are at most {@link #MOST_OF_ONE_ADDRESS}.
+ * <p>A client cannot keep others out: a connection without a head gives way to a new one, and ends after a limit; of
+ * one address there are at most {@link #MOST_OF_ONE_ADDRESS}.
  *
  * <p><b>Threads.</b> A virtual thread for each direction of a connection. A reader that is slow holds up its own
  * connection only.

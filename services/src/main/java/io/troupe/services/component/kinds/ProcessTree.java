@@ -39,7 +39,9 @@ import org.jspecify.annotations.Nullable;
 final class ProcessTree {
     private static final Path PROCESS_TABLE = Path.of("/proc");
 
-    /** Variables of our own commands begin with this: passwords of the bus among them, which a program need not have. */
+    /**
+     * Variables of our own commands begin with this: passwords of the bus among them, which a program need not have.
+     */
     private static final String OURS = "TROUPE_";
 
     /**
@@ -80,8 +82,7 @@ final class ProcessTree {
     }
 
     /** Starts a program with the environment of this process, without {@link #OURS}. */
-    static ProcessTree start(
-            ProcessComponent.Settings settings, @Nullable Path setsid, Map<String, String> environment)
+    static ProcessTree start(ProcessComponent.Settings settings, @Nullable Path setsid, Map<String, String> environment)
             throws IOException {
         List<String> command = new ArrayList<>(settings.command());
         // setsid reports a missing program only by an exit status; the error of ProcessBuilder names the reason
