@@ -78,7 +78,7 @@ class ActorServicesTest extends BrokerBench {
                         error -> assertThat(error.wasSent()).isEqualTo(wasSent));
     }
 
-    /** It is a part of the address, of which the caller has not heard. */
+    /** It is a part of the address, which the message does not mention. */
     @Test
     void nameOfAService_hasNoSlash() {
         for (var name : List.of("a/b", " ")) {

@@ -396,7 +396,7 @@ final class PnmlReader {
         return kinds;
     }
 
-    /** What a tool writes for itself is not part of the net; a word that would change the net is told. */
+    /** What a tool writes for itself is not part of the net; a word that would change the net is a warning. */
     private void skipToolSpecific(String what) throws XMLStreamException {
         var tool = orEmpty(xml.getAttributeValue(null, "tool"));
         for (var depth = 1; depth > 0; ) {

@@ -181,7 +181,7 @@ class NatsConnectionTest extends NatsTest {
         }
     }
 
-    /** The client only passes on what a handler throws, so that nobody would know of it. */
+    /** The client only passes on what a handler throws, and reports nothing. */
     @Test
     void errorOfAHandler_isALoss() throws Exception {
         var lost = new LinkedBlockingQueue<String>();

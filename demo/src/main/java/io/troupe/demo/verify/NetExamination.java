@@ -239,7 +239,7 @@ final class NetExamination {
         }
     }
 
-    /** That an incomplete graph has no dead markings so far says less than the verdict. */
+    /** That an incomplete graph has no dead markings so far is less than the verdict. */
     private String withoutWhatIsDecided(String summary) {
         return isDecided
                 ? summary.lines()

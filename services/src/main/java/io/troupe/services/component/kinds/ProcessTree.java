@@ -40,7 +40,7 @@ final class ProcessTree {
     private static final Path PROCESS_TABLE = Path.of("/proc");
 
     /**
-     * Variables of our own commands begin with this: passwords of the bus among them, which a program need not have.
+     * Variables of our commands begin with this: passwords of the bus among them, which a program need not have.
      */
     private static final String OURS = "TROUPE_";
 
