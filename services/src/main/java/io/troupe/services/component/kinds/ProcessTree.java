@@ -39,9 +39,7 @@ import org.jspecify.annotations.Nullable;
 final class ProcessTree {
     private static final Path PROCESS_TABLE = Path.of("/proc");
 
-    /**
-     * Variables of our commands begin with this: passwords of the bus among them, which a program need not have.
-     */
+    /** The variables of our commands begin with this; a password of the bus is among them. */
     private static final String OURS = "TROUPE_";
 
     /**
