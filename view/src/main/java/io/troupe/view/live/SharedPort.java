@@ -38,8 +38,10 @@ final class SharedPort implements AutoCloseable {
     private static final int MOST_HEAD_BYTES = 16_384;
     static final int MOST_CONNECTIONS = 512;
     static final int MOST_OF_ONE_ADDRESS = 128;
-    /** For the whole head of the first request; a browser opens connections before it needs them, and does so again. */
+    /** For the whole head of the first request, from its first byte. */
     private static final Duration HEAD_LIMIT = Duration.ofSeconds(10);
+    /** Until the first byte: browsers open connections before they need them. */
+    private static final int UNUSED_MILLIS = 60_000;
     /** Small, so that a page that reads slowly is not seconds behind. */
     private static final int BUFFER_BYTES = 1 << 16;
 
@@ -141,7 +143,7 @@ final class SharedPort implements AutoCloseable {
         return bind(address, port, behind, HEAD_LIMIT);
     }
 
-    /** @param headLimit how long the head of the first request may take, from the connection to its last byte */
+    /** @param headLimit how long the head of the first request may take, from its first to its last byte */
     static SharedPort bind(InetAddress address, int port, InetSocketAddress behind, Duration headLimit)
             throws IOException {
         var server = new ServerSocket();
@@ -248,6 +250,11 @@ final class SharedPort implements AutoCloseable {
 
     /** A limit of the socket would begin anew with each byte. */
     private Head readHead(Connection connection, InputStream in) throws IOException {
+        connection.socket.setSoTimeout(UNUSED_MILLIS);
+        in.mark(1);
+        in.read();
+        in.reset();
+        connection.socket.setSoTimeout(0);
         var limit = limits.schedule(connection::giveUp, headLimit.toNanos(), TimeUnit.NANOSECONDS);
         try {
             return Head.read(in);
