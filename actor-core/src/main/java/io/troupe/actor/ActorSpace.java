@@ -326,9 +326,13 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     }
 
     /**
-     * Runs the body while the condition holds, one round per turn, so that other work runs in between.
+     * Runs the body while the condition holds, one round per turn, so that other work runs in between. The first round
+     * is run at once.
+     *
+     * <p><b>Threads.</b> Only that of the space: call it from an actor, or in a task for {@link #execute}.
      *
      * @return fulfilled when the condition no longer holds, rejected when the condition or the body throws
+     * @throws IllegalStateException on another thread
      */
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Runnable body) {
         Objects.requireNonNull(body, "body");
@@ -338,9 +342,19 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
         });
     }
 
-    /** Runs the body while the condition holds; a round begins when the promise of the previous round is fulfilled. */
+    /**
+     * Runs the body while the condition holds; a round begins when the promise of the previous round is fulfilled.
+     *
+     * <p><b>Threads.</b> Only that of the space, as for {@link #repeatWhile(BooleanSupplier, Runnable)}.
+     *
+     * @return fulfilled when the condition no longer holds; rejected when the condition or the body throws, when a
+     *     promise is rejected, or when the body returns null
+     * @throws IllegalStateException on another thread
+     */
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Supplier<? extends Promise<?>> body) {
-        return promises.repeatWhile(condition, body);
+        Objects.requireNonNull(body, "body");
+        return promises.repeatWhile(
+                condition, () -> Objects.requireNonNull(body.get(), "the function answered null, not a promise"));
     }
 
     /**

@@ -412,7 +412,7 @@ final class SpaceHome extends Home {
     void checkCurrent(String call) {
         if (!isCurrent()) {
             throw new IllegalStateException(call + " belongs on the thread of space " + this + ", and was called on "
-                    + Thread.currentThread().getName() + ": call the actor through its proxy");
+                    + Thread.currentThread().getName() + ": call the actor through its proxy, or use execute(..)");
         }
     }
 

@@ -178,6 +178,25 @@ class SpaceServicesTest extends InTestSpace {
         assertThat(log).containsExactly("ended with java.lang.IllegalStateException: third time unlucky");
     }
 
+    @Test
+    void repeatWhile_ofABodyThatReturnsNoPromise_isRejected() {
+        test.run(() -> test.space()
+                .repeatWhile(() -> log.isEmpty(), () -> (Promise<?>) null)
+                .handle((value, error) -> log.add("ended with " + error)));
+        assertThat(log)
+                .containsExactly(
+                        "ended with java.lang.NullPointerException: the function answered null, not a promise");
+    }
+
+    @Test
+    void repeatWhile_onAnotherThread_isRefused_andNamesTheThreads() {
+        try (var space = ActorSpace.create(SpaceSettings.named("loops"))) {
+            assertThatThrownBy(() -> space.repeatWhile(() -> false, () -> {}))
+                    .isInstanceOf(IllegalStateException.class)
+                    .hasMessageContaining("repeatWhile(..) belongs on the thread of space loops");
+        }
+    }
+
     // ---- sequential bodies
 
     /** Makes two requests in a row, and can do other work meanwhile. */

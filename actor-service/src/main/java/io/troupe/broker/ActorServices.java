@@ -241,7 +241,12 @@ public final class ActorServices {
         others.doubt(actor);
     }
 
+    /** The name of a service is a part of its address. */
     private Address nextAddress(String service) {
+        if (service.isBlank() || service.chars().anyMatch(c -> c == '/' || Character.isISOControl(c))) {
+            throw new IllegalArgumentException("the name of a service is \"" + service
+                    + "\", expected a name without a slash and without control characters");
+        }
         int number = published.merge(service, 1, Integer::sum);
         return new Address(node, number == 1 ? service : service + "-" + number);
     }

@@ -2,6 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.bus.Address;
 import io.troupe.bus.Operation;
+import io.troupe.bus.internal.BoundedText;
 import io.troupe.bus.internal.CborItem;
 
 /** The messages between a connection and an actor in another process, in the form of {@code docs/wire-format.md}. */
@@ -31,8 +32,13 @@ final class CallMessages {
 
     record End() implements Part {}
 
-    /** The end with an error of this class name and message. */
-    record Failed(String type, String message) implements Part {}
+    /** The end with an error of this class name and message, which are {@linkplain BoundedText bounded}. */
+    record Failed(String type, String message) implements Part {
+        Failed {
+            type = BoundedText.of(type);
+            message = BoundedText.of(message);
+        }
+    }
 
     /** @param wantsMore false if the stream has ended for its reader */
     record Received(boolean wantsMore) {}

@@ -6,6 +6,7 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
+import io.troupe.bus.internal.BoundedText;
 import io.troupe.bus.internal.RecordCopier;
 import io.troupe.common.text.Suggestions;
 import java.security.SecureRandom;
@@ -54,6 +55,9 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, sections 2.1.2 and 2.2.3.
  */
 public final class Bus implements AutoCloseable {
+    /** A longer reason for a rejection is replaced if it cannot be sent. */
+    private static final int MOST_OF_A_SHORT_REASON = 400;
+
     final BusSettings settings;
     final Counters counters = new Counters();
     final ObserverNotifier notifier;
@@ -392,7 +396,23 @@ public final class Bus implements AutoCloseable {
             var purpose = new Purpose.Rejection(reply.to(), reply.operation(), reply.request());
             var failure = new Failure.Abandoned("the answer could not be sent: " + why);
             route(BusMessage.of(message.kind(), message.from(), purpose, nextNumber(), failure), toIncarnation);
+        } else if (message.purpose() instanceof Purpose.Rejection rejection
+                && message.payload() instanceof Failure failure
+                && lengthOf(failure) > MOST_OF_A_SHORT_REASON) {
+            String shorter = BoundedText.of("the reason could not be sent: " + why, MOST_OF_A_SHORT_REASON / 2);
+            var again = failure instanceof Failure.NotDelivered
+                    ? new Failure.NotDelivered(shorter)
+                    : new Failure.Abandoned(shorter);
+            route(BusMessage.of(message.kind(), message.from(), rejection, nextNumber(), again), toIncarnation);
         }
+    }
+
+    private static int lengthOf(Failure failure) {
+        return switch (failure) {
+            case Failure.NotDelivered(String why) -> why.length();
+            case Failure.Abandoned(String why) -> why.length();
+            case Failure.Failed(String type, String text) -> type.length() + text.length();
+        };
     }
 
     private MessageDelivery within(BusMessage message, boolean timed) {

@@ -1,5 +1,7 @@
 package io.troupe.bus;
 
+import io.troupe.bus.internal.BoundedText;
+
 /**
  * A message on the bus. Nothing else crosses it.
  *
@@ -90,15 +92,28 @@ public sealed interface BusMessage {
         }
     }
 
-    /** The reason why a request has no reply. */
+    /** The reason why a request has no reply; its texts are {@linkplain BoundedText bounded}. */
     sealed interface Failure {
         /** The bus could not deliver the request to a request handler. */
-        record NotDelivered(String why) implements Failure {}
+        record NotDelivered(String why) implements Failure {
+            public NotDelivered {
+                why = BoundedText.of(why);
+            }
+        }
 
         /** A request handler had received the request, but its reply did not come. */
-        record Abandoned(String why) implements Failure {}
+        record Abandoned(String why) implements Failure {
+            public Abandoned {
+                why = BoundedText.of(why);
+            }
+        }
 
         /** The request handler failed with an error of this class name and message. */
-        record Failed(String type, String message) implements Failure {}
+        record Failed(String type, String message) implements Failure {
+            public Failed {
+                type = BoundedText.of(type);
+                message = BoundedText.of(message);
+            }
+        }
     }
 }

@@ -348,6 +348,9 @@ final class RemoteNodes implements BusEngine.Listener {
                     arrival.of(frame.message(UNREAD), limitNanos),
                     "cannot read it: " + unreadable.getMessage());
             return;
+        } catch (Error machine) { // memory or stack: the requester still gets to know
+            bus.reject(request.to(), arrival.of(frame.message(UNREAD), limitNanos), "cannot read it: " + machine);
+            throw machine;
         }
         MessageDelivery delivery = arrival.of(message, limitNanos);
         bus.receive(requested.isShared() ? delivery.withSharedLimit() : delivery);
@@ -376,6 +379,9 @@ final class RemoteNodes implements BusEngine.Listener {
         } catch (UnreadableException unreadable) {
             bus.notifier.unreadable("the reply from " + frame.header().from(), unreadable);
             bus.rejectRequest(request, "the answer cannot be read: " + unreadable.getMessage());
+        } catch (Error machine) {
+            bus.rejectRequest(request, "the answer cannot be read: " + machine);
+            throw machine;
         }
     }
 

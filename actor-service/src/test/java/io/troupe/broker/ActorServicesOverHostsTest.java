@@ -580,6 +580,23 @@ class ActorServicesOverHostsTest extends HostsBench {
         near.bus.attach("caller-1").close(); // the name of its port is free again
     }
 
+    /** An end that cannot be sent would leave its reader waiting for ever. */
+    @Test
+    void errorsWithLongTexts_endStreamsAndCalls() {
+        far.publish("a");
+        var later = near.connected().sayLater("x");
+        test.runQueued();
+        far.parrots.get("a").later().remove().reject(new IllegalStateException("x".repeat(2_000_000) + "\ud83d"));
+        assertThat(test.error(later)).hasMessageContaining("xxx .. (2000001 characters)");
+        var end = new ArrayList<@Nullable Throwable>();
+        var sender = given(counter(), new Callback.Stream<Integer>(i -> {}, end::add));
+        sender.accept(null, new IllegalStateException("y".repeat(2_000_000)));
+        test.runQueued();
+        seconds(1);
+        assertThat(end).singleElement().asString().contains("yyy .. (2000000 characters)");
+        losses.clear();
+    }
+
     @Test
     void streamThatItsReaderCancels_stopsTheSender() {
         var got = new ArrayList<Integer>();

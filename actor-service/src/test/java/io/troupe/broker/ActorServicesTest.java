@@ -78,6 +78,18 @@ class ActorServicesTest extends BrokerBench {
                         error -> assertThat(error.wasSent()).isEqualTo(wasSent));
     }
 
+    /** It is a part of the address, which the message does not mention. */
+    @Test
+    void nameOfAService_hasNoSlash() {
+        for (var name : List.of("a/b", " ")) {
+            assertThatThrownBy(
+                            () -> services.publish(test.space(), Parrot.class, name, List.of(), () -> parrot("grey")))
+                    .isInstanceOf(IllegalArgumentException.class)
+                    .hasMessage("the name of a service is \"" + name
+                            + "\", expected a name without a slash and without control characters");
+        }
+    }
+
     @Test
     void publishedActor_isSpawnedAtTheFirstNeed_andCalledByItsInterface() {
         publish("grey");

@@ -679,6 +679,83 @@ class RemoteNodesTest {
         engine.sent.clear();
     }
 
+    private final List<Throwable> failures = new ArrayList<>();
+
+    private Failure rejectionOf(Throwable error, int maxFrameBytes) {
+        engine.maxFrameBytes = maxFrameBytes;
+        failures.add(error);
+        if (failures.size() == 1) {
+            port.answer(SPELL, count -> Promise.failed(failures.getLast()));
+        }
+        arrives(request(failures.size(), SECOND, new Count(1)));
+        if (failures.size() == 1) {
+            farAnswersItsTime();
+        }
+        test.runQueued();
+        var frame = Frames.read(engine.sent.removeLast().frame(), "far");
+        assertThat(frame.body()).isInstanceOf(Frames.Body.Rejected.class);
+        return (Failure) frame.message(codec, Failure.class).payload();
+    }
+
+    /** Its text is cut, and half a surrogate pair, which no text of CBOR has, is replaced. */
+    @Test
+    void rejectionOfAnyText_isSent() {
+        var long2 = rejectionOf(new IllegalStateException("x".repeat(2_000_000)), 1 << 20);
+        assertThat(long2)
+                .isEqualTo(new Failure.Failed(
+                        "java.lang.IllegalStateException", "x".repeat(8_192) + " .. (2000000 characters)"));
+        assertThat(take(losses)).isEmpty();
+        assertThat(rejectionOf(new IllegalStateException("half \ud83d"), 1 << 20))
+                .isEqualTo(new Failure.Failed("java.lang.IllegalStateException", "half ?"));
+        assertThat(take(losses)).isEmpty();
+        assertThat(rejectionOf(new IllegalStateException("x".repeat(5_000)), 1_000))
+                .isInstanceOfSatisfying(
+                        Failure.Abandoned.class,
+                        short2 -> assertThat(short2.why())
+                                .startsWith("the reason could not be sent: ")
+                                .contains("bytes, expected at most 1000"));
+        assertThat(take(losses)).hasSize(1);
+        assertThat(take(events)).hasSize(3);
+    }
+
+    /** A value for which there is not enough memory. */
+    record Deep(String text) {
+        private static final ThreadLocal<Boolean> FAILS = ThreadLocal.withInitial(() -> false);
+
+        Deep {
+            if (FAILS.get()) {
+                throw new OutOfMemoryError("of the test");
+            }
+        }
+    }
+
+    @Test
+    void valueThatAnErrorKeepsFromBeingRead_rejectsItsRequest() {
+        var operation = new Operation<>("spell", Deep.class, Deep.class, Kind.DATA);
+        var answer = heard(port.ask(FAR, operation, new Deep("q"), SECOND));
+        byte[] reply = reply(engine.sent.getFirst().number(), engine.incarnation, new Deep("a"));
+        port.answer(operation, Promise::of);
+        byte[] request = request(5, SECOND, new Deep("q"));
+        Deep.FAILS.set(true);
+        try {
+            assertThatThrownBy(() -> arrives(reply)).isInstanceOf(OutOfMemoryError.class);
+            assertThat(answer.error()).hasMessageContaining("the answer cannot be read: java.lang.OutOfMemoryError");
+            engine.sent.clear();
+            assertThatThrownBy(() -> {
+                        arrives(request);
+                        farAnswersItsTime();
+                    })
+                    .isInstanceOf(OutOfMemoryError.class);
+        } finally {
+            Deep.FAILS.remove();
+        }
+        test.runQueued();
+        assertThat(engine.takeSent("far"))
+                .containsExactly(
+                        "reply far: Rejected[purpose=refusal to far/b for spell, kind=DATA, toIncarnation=77]");
+        losses.clear();
+    }
+
     @Test
     void replyThatAnErrorKeepsFromBeingSent_isFollowedByARejection() {
         port.answer(SPELL, count -> Promise.of(new Text("one")));

@@ -12,6 +12,7 @@ import java.math.BigInteger;
 import java.nio.charset.CharacterCodingException;
 import java.util.HashMap;
 import java.util.HashSet;
+import java.util.List;
 import java.util.Map;
 import java.util.Set;
 import java.util.TreeMap;
@@ -331,14 +332,18 @@ final class PnmlReader {
             warn("arc id", "id " + id + " of an arc is used twice");
         }
         var weight = 1;
-        var inhibits = "inhibitor".equals(xml.getAttributeValue(null, "type"));
+        var kinds = kindsOfAttributes();
         var name = "1";
         var seen = new HashSet<String>();
         while (nextChild()) {
             var element = xml.getLocalName();
             switch (element) {
-                case "graphics", "toolspecific", "arcpath" -> {
+                case "graphics", "arcpath" -> {
                     skip();
+                    continue;
+                }
+                case "toolspecific" -> {
+                    skipToolSpecific(arc);
                     continue;
                 }
                 case "inscription" -> weight = number(plain(number(element)), 1, "the weight of " + arc);
@@ -347,9 +352,12 @@ final class PnmlReader {
                     var attribute = xml.getAttributeValue(null, "value");
                     var value = attribute == null ? text() : attribute;
                     if (PnmlDialect.isInhibitor(element, value)) {
-                        inhibits = true;
+                        kinds.add("inhibitor");
                     } else {
                         requireNeutral(element, value, arc);
+                        if (!element.equals("tagged")) {
+                            kinds.add("normal");
+                        }
                     }
                     if (attribute != null) {
                         skip();
@@ -369,7 +377,48 @@ final class PnmlReader {
                     arc + " is called \"" + name + "\" and has no <inscription>, expected one if that is its weight",
                     start);
         }
+        if (kinds.size() > 1) {
+            throw bad(arc + " is an inhibitor arc and a normal one, expected one kind", start);
+        }
+        var inhibits = kinds.contains("inhibitor");
         document.add(new PnmlDocument.Link(id.isBlank() ? from + " -> " + to : id, from, to, weight, inhibits, start));
+    }
+
+    /** The kinds that the attributes of an arc name; {@link #requireAttributes} has checked them. */
+    private Set<String> kindsOfAttributes() {
+        var kinds = new HashSet<String>();
+        for (var name : List.of("type", "arctype")) {
+            var value = xml.getAttributeValue(null, name);
+            if (value != null) {
+                kinds.add(value.strip());
+            }
+        }
+        return kinds;
+    }
+
+    /** What a tool writes for itself is not part of the net; a word that would change the net is a warning. */
+    private void skipToolSpecific(String what) throws XMLStreamException {
+        var tool = orEmpty(xml.getAttributeValue(null, "tool"));
+        for (var depth = 1; depth > 0; ) {
+            var event = xml.next();
+            depth += event == XMLStreamConstants.START_ELEMENT ? 1 : event == XMLStreamConstants.END_ELEMENT ? -1 : 0;
+            if (event == XMLStreamConstants.START_ELEMENT && isAboutInhibitors()
+                    || event == XMLStreamConstants.CHARACTERS && xml.getText().contains("inhibitor")) {
+                warn(
+                        "inhibitor of a tool",
+                        "what the tool \"" + tool + "\" says of an inhibitor in " + what
+                                + " is left out, expected type=\"inhibitor\" at the arc");
+            }
+        }
+    }
+
+    private boolean isAboutInhibitors() {
+        var isAbout = xml.getLocalName().contains("inhibitor");
+        for (var i = 0; i < xml.getAttributeCount(); i++) {
+            isAbout |= xml.getAttributeValue(i).contains("inhibitor")
+                    || xml.getAttributeLocalName(i).contains("inhibitor");
+        }
+        return isAbout;
     }
 
     /** Checks that every attribute is in {@code known}, only draws the element, or has a value without effect. */

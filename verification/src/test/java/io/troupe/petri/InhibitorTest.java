@@ -5,6 +5,7 @@ import static io.troupe.petri.Nets.refused;
 import static java.util.stream.Collectors.toSet;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
+import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.common.measure.Thorough;
 import io.troupe.petri.drawing.NetDrawing;
@@ -153,6 +154,39 @@ class InhibitorTest {
 
     private static List<Integer> list(Marking marking) {
         return Arrays.stream(marking.toArray()).boxed().toList();
+    }
+
+    private static String arc(String attributes, String children) {
+        return """
+                <pnml xmlns="http://www.pnml.org/version-2009/grammar/pnml"><net id="n"
+                type="http://www.pnml.org/version-2009/grammar/ptnet"><page id="g"><place id="p"/><transition id="t"/>
+                <arc id="a" source="p" target="t" %s>%s</arc></page></net></pnml>
+                """.formatted(attributes, children);
+    }
+
+    @Test
+    void arcOfTwoKinds_isRefused_andAnInhibitorOfAToolIsTold() {
+        for (var text : List.of(
+                arc("type='inhibitor'", "<type value='normal'/>"),
+                arc("type='normal'", "<type value='inhibitor'/>"),
+                arc("type='inhibitor' arctype='normal'", ""),
+                arc("", "<type value='inhibitor'/><arctype><text>normal</text></arctype>"))) {
+            assertThatThrownBy(() -> Pnml.parse("x", text))
+                    .isInstanceOf(PnmlException.class)
+                    .hasMessage("x:3: arc a is an inhibitor arc and a normal one, expected one kind");
+        }
+        for (var text : List.of(arc("type='inhibitor'", "<type value='inhibitor'/>"), arc("arctype='inhibitor'", ""))) {
+            assertThat(Pnml.parse("x", text).transition("t").inhibitors()).hasSize(1);
+        }
+        for (var inside : List.of("<arcType>inhibitor</arcType>", "<inhibitor/>", "<type value='inhibitor'/>")) {
+            var warnings = new ArrayList<String>();
+            var text = arc("", "<toolspecific tool='Snoopy' version='1'>" + inside + "</toolspecific>");
+            var net = Pnml.parse("x", text, warnings::add);
+            assertThat(net.transition("t").inhibitors()).isEmpty();
+            assertThat(warnings)
+                    .containsExactly("x:3: what the tool \"Snoopy\" says of an inhibitor in arc a is left out, expected"
+                            + " type=\"inhibitor\" at the arc");
+        }
     }
 
     @Test

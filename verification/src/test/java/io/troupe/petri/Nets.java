@@ -229,6 +229,47 @@ public final class Nets {
         }
     }
 
+    /**
+     * Chains that begin again: each step may need a further unit, and the last one gives back what the steps took, or
+     * something else. Other steps change one kind of units into another, or use them up.
+     */
+    public static PetriNet chains(Random random) {
+        var net = PetriNet.builder("chains");
+        var units = 2 + random.nextInt(5);
+        IntStream.range(0, units).forEach(u -> net.place("u" + u, random.nextInt(3) / 2 + random.nextInt(2)));
+        var next = 0;
+        for (var c = 1 + random.nextInt(2); c > 0; c--) {
+            var length = 2 + random.nextInt(4);
+            var taken = new ArrayList<String>();
+            net.place("c" + c + "s0", 1);
+            for (var i = 0; i < length; i++) {
+                var step = "c" + c + "t" + i;
+                net.transition(step).arc("c" + c + "s" + i, step);
+                if (random.nextInt(3) > 0) {
+                    taken.add("u" + (random.nextInt(4) == 0 ? random.nextInt(units) : next++ % units));
+                    net.arc(taken.getLast(), step);
+                }
+                if (i < length - 1) {
+                    net.place("c" + c + "s" + (i + 1)).arc(step, "c" + c + "s" + (i + 1));
+                } else {
+                    net.arc(step, "c" + c + "s0");
+                    taken.add("u" + random.nextInt(units));
+                    taken.stream()
+                            .distinct()
+                            .filter(unit -> random.nextInt(5) > 0)
+                            .forEach(unit -> net.arc(step, unit));
+                }
+            }
+        }
+        for (var i = random.nextInt(4); i > 0; i--) {
+            net.transition("x" + i).arc("u" + random.nextInt(units), "x" + i);
+            if (random.nextInt(3) > 0) {
+                net.arc("x" + i, "u" + random.nextInt(units));
+            }
+        }
+        return net.build();
+    }
+
     /** Any arcs and weights, often unbounded. */
     private static PetriNet tangle(Random random, boolean prioritised) {
         var net = PetriNet.builder("tangle");

@@ -83,12 +83,16 @@ final class NatsEngine implements BusEngine {
     private String gone = "";
     private int maxFrameBytes;
 
-    /** Daemon threads, so that a program that ends need not close its bus. */
+    /**
+     * Daemon threads, so that a program that ends need not close its bus. All are of these pools, because those that
+     * the client makes itself stay when a connection breaks while it is closed.
+     */
     private static final class Threads {
         private final AtomicInteger number = new AtomicInteger();
         private volatile String node = "";
         final ThreadFactory factory = this::thread;
         final ExecutorService workers = Executors.newCachedThreadPool(factory);
+        final ExecutorService callbacks = Executors.newSingleThreadExecutor(factory);
         final ScheduledExecutorService timers = Executors.newSingleThreadScheduledExecutor(factory);
 
         private Thread thread(Runnable work) {
@@ -99,6 +103,7 @@ final class NatsEngine implements BusEngine {
 
         void close() {
             workers.shutdown();
+            callbacks.shutdown();
             timers.shutdownNow();
         }
     }
@@ -124,6 +129,16 @@ final class NatsEngine implements BusEngine {
         gone = subjects.gone(node, incarnation);
         Connection opened = connect(listener);
         connection = opened;
+        try {
+            begin(opened, listener);
+        } catch (BusException refused) {
+            throw refused;
+        } catch (RuntimeException | Error failure) { // the client throws many when the connection breaks meanwhile
+            throw cannotConnect("the connection broke while the node was opened: " + failure.getMessage(), failure);
+        }
+    }
+
+    private void begin(Connection opened, Listener listener) {
         checkVersion(opened);
         maxFrameBytes = (int) Math.min(Integer.MAX_VALUE, opened.getMaxPayload());
         var claim = new CompletableFuture<@Nullable Void>();
@@ -153,6 +168,7 @@ final class NatsEngine implements BusEngine {
                 .maxReconnects(-1)
                 .reconnectWait(RECONNECT_WAIT)
                 .reconnectBufferSize(0) // nothing is kept for later
+                .dataPortType(NamedServerPort.class.getName())
                 .socketSoLinger(0) // what a broken connection has not sent yet is discarded
                 .pingInterval(PING_INTERVAL)
                 .maxPingsOut(MOST_PINGS_OUT)
@@ -161,10 +177,10 @@ final class NatsEngine implements BusEngine {
                 .discardMessagesWhenOutgoingQueueFull() // senders do not wait
                 .executor(threads.workers)
                 .scheduledExecutor(threads.timers)
-                .connectThreadFactory(threads.factory)
-                .callbackThreadFactory(threads.factory)
-                .readerThreadFactory(threads.factory)
-                .writerThreadFactory(threads.factory)
+                .connectExecutor(threads.workers)
+                .callbackExecutor(threads.callbacks)
+                .readerExecutor(threads.workers)
+                .writerExecutor(threads.workers)
                 .connectionListener(new Events(listener))
                 .errorListener(new Problems(listener));
         if (settings.user() != null) {
@@ -212,14 +228,13 @@ final class NatsEngine implements BusEngine {
 
     private String refusal() {
         return settings.user() == null
-                ? "the server asks for a user and a password"
+                ? "the server asks for a user and a password (a token or a key cannot be given)"
                 : "the server does not accept the user \"" + settings.user() + "\" with that password";
     }
 
     private String reason(IOException failure) {
         Throwable cause =
                 firstProblem.completeOnTimeout(failure, 1, TimeUnit.SECONDS).join(); // the client reports it later
-        String text = String.valueOf(cause.getMessage());
         for (Throwable each = cause; each != null; each = each.getCause()) {
             if (each instanceof UnknownHostException || each instanceof UnresolvedAddressException) {
                 return "the host is not known: check the name in the address";
@@ -228,9 +243,13 @@ final class NatsEngine implements BusEngine {
                 return "nothing accepts connections there: is nats-server running, and does it listen on that address?";
             }
             if (each instanceof SSLException) {
-                return "no encrypted connection: " + each.getMessage();
+                return "no encrypted connection: " + each.getMessage()
+                        + (isAboutOurCertificate(each)
+                                ? "; the server asks for a certificate of this process: give one by NatsSettings.withTls"
+                                : "");
             }
         }
+        String text = cause.getMessage() == null ? cause.getClass().getSimpleName() : cause.getMessage();
         if (text.contains("SSL required")) {
             return "the server asks for TLS: use an address that begins with tls://";
         }
@@ -241,6 +260,12 @@ final class NatsEngine implements BusEngine {
             return refusal();
         }
         return text;
+    }
+
+    /** The alerts by which servers refuse a client without a certificate. */
+    private static boolean isAboutOurCertificate(Throwable failure) {
+        String text = String.valueOf(failure.getMessage());
+        return text.contains("fatal alert") && text.matches(".*(bad_certificate|certificate_required).*");
     }
 
     private static boolean isRefusal(String error) {
@@ -279,7 +304,7 @@ final class NatsEngine implements BusEngine {
     private void claimName(Connection opened, CompletableFuture<@Nullable Void> claim) {
         try {
             opened.publish(subjects.who(node), replies + "who", who(false));
-            opened.flush(settings.connectLimit());
+            flush(opened);
             checkPermissions(opened);
             claim.get(settings.connectLimit().toMillis(), TimeUnit.MILLISECONDS);
         } catch (ExecutionException taken) {
@@ -291,6 +316,14 @@ final class NatsEngine implements BusEngine {
         } catch (InterruptedException interrupted) {
             Thread.currentThread().interrupt();
             throw cannotConnect("the thread was interrupted", interrupted);
+        }
+    }
+
+    private void flush(Connection opened) throws InterruptedException {
+        try {
+            opened.flush(settings.connectLimit());
+        } catch (TimeoutException silent) {
+            throw cannotConnect("the server has accepted the connection, but does not answer", silent);
         }
     }
 
@@ -363,10 +396,7 @@ final class NatsEngine implements BusEngine {
 
         Inflow(Connection opened, Listener listener) {
             this.listener = listener;
-            dispatcher = opened.createDispatcher(message -> {
-                listener.frame(message.getData());
-                reportAtLast();
-            });
+            dispatcher = opened.createDispatcher(message -> handle(message, it -> listener.frame(it.getData())));
             dispatcher.setPendingLimits(mostQueuedIn, MOST_BYTES_IN);
             var all = new ArrayList<>(inflows);
             all.add(this);
@@ -374,10 +404,25 @@ final class NatsEngine implements BusEngine {
         }
 
         void subscribe(String subject, MessageHandler handler) {
-            dispatcher.subscribe(subject, message -> {
+            dispatcher.subscribe(subject, message -> handle(message, handler));
+        }
+
+        /** The client would only pass on what a handler throws. */
+        private void handle(Message message, MessageHandler handler) {
+            try {
                 handler.onMessage(message);
-                reportAtLast();
-            });
+            } catch (Exception | Error failure) {
+                listener.lost(
+                        1, "node " + node + " could not handle a frame of " + size(message) + " bytes: " + failure);
+                if (failure instanceof InterruptedException) {
+                    Thread.currentThread().interrupt();
+                }
+            }
+            reportAtLast();
+        }
+
+        private static int size(Message message) {
+            return message.getData() == null ? 0 : message.getData().length;
         }
 
         /** To frames that are passed to the listener. */
@@ -494,7 +539,9 @@ final class NatsEngine implements BusEngine {
             Connection open = connection;
             if (open != null) {
                 try {
-                    open.flush(Duration.ofSeconds(1)); // the last marks
+                    if (isConnected.get()) {
+                        open.flush(Duration.ofSeconds(1)); // the last marks
+                    }
                 } catch (TimeoutException | IllegalStateException disconnected) {
                     why = "it is closed, and was disconnected before";
                 } catch (InterruptedException interrupted) {
@@ -564,6 +611,7 @@ final class NatsEngine implements BusEngine {
 
     private final class Problems implements ErrorListener {
         private final Listener listener;
+        private volatile @Nullable String lastProblem; // an equal one is not reported again
 
         Problems(Listener listener) {
             this.listener = listener;
@@ -592,7 +640,31 @@ final class NatsEngine implements BusEngine {
 
         @Override
         public void exceptionOccurred(Connection source, Exception problem) {
-            firstProblem.complete(problem);
+            boolean isFirst = firstProblem.complete(problem);
+            if (!isEstablished
+                    && problem instanceof SSLException
+                    && settings.servers().size() == 1) {
+                connecting.completeExceptionally(problem);
+            }
+            if (isFirst || !isEstablished || isClosed.get()) {
+                return;
+            }
+            // while it is disconnected, it is tried again several times a second
+            String text = isConnected.get() ? String.valueOf(problem) : refusedBy(problem);
+            if (text != null && !text.equals(lastProblem)) {
+                lastProblem = text;
+                listener.lost(0, "the connection reports: " + text);
+            }
+        }
+
+        /** Why a server to which this node connects again is not trusted; null for anything else. */
+        private @Nullable String refusedBy(Throwable problem) {
+            for (Throwable each = problem; each != null; each = each.getCause()) {
+                if (each instanceof SSLException) {
+                    return "no encrypted connection: " + each.getMessage();
+                }
+            }
+            return null;
         }
 
         @Override

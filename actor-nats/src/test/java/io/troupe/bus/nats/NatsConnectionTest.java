@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
+import io.troupe.bus.BusEngine;
 import io.troupe.bus.BusException;
 import io.troupe.bus.Operation;
 import java.io.BufferedReader;
@@ -21,9 +22,13 @@ import java.util.List;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.LinkedBlockingQueue;
 import java.util.concurrent.TimeUnit;
+import javax.net.ssl.KeyManagerFactory;
 import javax.net.ssl.SSLContext;
+import javax.net.ssl.SSLSocket;
 import javax.net.ssl.TrustManagerFactory;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.CsvSource;
 
 /** Connecting to a real server, being refused by it, and losing it. */
 class NatsConnectionTest extends NatsTest {
@@ -68,7 +73,7 @@ class NatsConnectionTest extends NatsTest {
     void userAndPassword() throws Exception {
         try (var server = NatsServer.start(List.of("--user", "ada", "--pass", "secret"))) {
             var at = server.settings();
-            refused(at, "the server asks for a user and a password");
+            refused(at, "the server asks for a user and a password (a token or a key cannot be given)");
             refused(at.withUser("ada", "wrong"), "the server does not accept the user \"ada\" with that password");
             assertThat(open("x", at.withUser("ada", "secret")).node()).isEqualTo("x");
             assertThat(at.withUser("ada", "secret").toString()).doesNotContain("secret");
@@ -77,7 +82,7 @@ class NatsConnectionTest extends NatsTest {
 
     @Test
     void tls() throws Exception {
-        var trust = makeCertificate();
+        var trust = makeCertificate("dns:localhost,ip:127.0.0.1");
         try (var server = NatsServer.start(
                 List.of("--tls", "--tlscert", folder + "/cert.pem", "--tlskey", folder + "/key.pem"))) {
             var plain = server.settings();
@@ -87,7 +92,8 @@ class NatsConnectionTest extends NatsTest {
                     .isInstanceOf(BusException.class)
                     .hasMessageContaining("no encrypted connection: ");
             var near = open("near", encrypted.withTls(trust)).attach("a");
-            var far = open("far", encrypted.withTls(trust)).attach("b");
+            var byAddress = NatsSettings.at("tls://127.0.0.1:" + server.port()).withConnectLimit(LONG);
+            var far = open("far", byAddress.withTls(trust)).attach("b");
             far.answer(SPELL, NatsTest::spell);
             assertThat(answer(near, far.address())).isEqualTo("number 7");
         }
@@ -98,7 +104,209 @@ class NatsConnectionTest extends NatsTest {
         }
     }
 
-    private SSLContext makeCertificate() throws Exception {
+    /** The name in the certificate is checked before the password is sent; a name, a wildcard or an address. */
+    @Test
+    void certificateForAnotherHost_isRefused_withBothNames_andGetsNoPassword() throws Exception {
+        var trust = makeCertificate("dns:elsewhere.example,ip:127.0.0.2");
+        var options = List.of("--tls", "--tlscert", folder + "/cert.pem", "--tlskey", folder + "/key.pem");
+        try (var server = NatsServer.start(options)) {
+            for (var host : List.of("localhost", "127.0.0.1")) {
+                refused(
+                        NatsSettings.at("tls://" + host + ":" + server.port())
+                                .withConnectLimit(LONG)
+                                .withTls(trust),
+                        "no encrypted connection: the certificate of the server is for elsewhere.example, 127.0.0.2,"
+                                + " expected one for " + host + (host.equals("localhost") ? " or 127.0.0.1" : ""));
+            }
+        }
+        var machine = SSLContext.getDefault();
+        SSLContext.setDefault(trust);
+        try (var server = NatsServer.start(options)) {
+            refused(
+                    NatsSettings.at("tls://127.0.0.1:" + server.port()).withConnectLimit(LONG),
+                    "no encrypted connection: the certificate of the server is for elsewhere.example, 127.0.0.2,"
+                            + " expected one for 127.0.0.1");
+        } finally {
+            SSLContext.setDefault(machine);
+        }
+        try (var impostor = new TlsImpostor(folder.resolve("store.p12"))) {
+            assertThatThrownBy(() -> open(
+                            "x",
+                            NatsSettings.at("tls://localhost:" + impostor.port())
+                                    .withConnectLimit(LONG)
+                                    .withUser("ada", "top-secret")
+                                    .withTls(trust)))
+                    .hasMessageContaining("elsewhere.example");
+            assertThat(impostor.received()).as("what the impostor received").isEmpty();
+        }
+    }
+
+    @Test
+    void serverThatAsksForACertificate_isToldInWords() throws Exception {
+        var trust = makeCertificate("dns:localhost,ip:127.0.0.1");
+        var cert = folder + "/cert.pem";
+        try (var server = NatsServer.start(List.of(
+                "--tls", "--tlscert", cert, "--tlskey", folder + "/key.pem", "--tlsverify", "--tlscacert", cert))) {
+            refused(
+                    NatsSettings.at("tls://localhost:" + server.port())
+                            .withConnectLimit(LONG)
+                            .withTls(trust),
+                    "no encrypted connection: (bad_certificate) Received fatal alert: bad_certificate; the server asks for"
+                            + " a certificate of this process: give one by NatsSettings.withTls");
+        }
+    }
+
+    @Test
+    void connectionThatBreaksWhileANodeIsOpened_isOneLine_andLeavesNoThread() throws Exception {
+        for (var round = 0; round < 8; round++) {
+            var lines = round % 4; // received before it breaks
+            try (var socket = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
+                Thread.ofVirtual().start(() -> playServer(socket, "2.9.10", lines));
+                var node = "breaks" + round;
+                assertThatThrownBy(() -> open(
+                                node,
+                                NatsSettings.at("nats://127.0.0.1:" + socket.getLocalPort())
+                                        .withConnectLimit(LONG)))
+                        .isInstanceOf(BusException.class)
+                        .hasMessageStartingWith("node " + node + " cannot connect to nats://127.0.0.1:");
+                for (var thread : Thread.getAllStackTraces().keySet()) {
+                    if (thread.getName().startsWith("nats " + node)) {
+                        thread.join(60_000);
+                        assertThat(thread.isAlive())
+                                .as(thread.getName() + List.of(thread.getStackTrace()))
+                                .isFalse();
+                    }
+                }
+            }
+        }
+    }
+
+    /** The client only passes on what a handler throws, and reports nothing. */
+    @Test
+    void errorOfAHandler_isALoss() throws Exception {
+        var lost = new LinkedBlockingQueue<String>();
+        try (var server = NatsServer.start()) {
+            var failing = new NatsEngine(server.settings());
+            failing.start("failing", 1, new BusEngine.Listener() {
+                @Override
+                public void frame(byte[] frame) {
+                    throw new OutOfMemoryError("Java heap space");
+                }
+
+                @Override
+                public void unreachable(String node, long number, String why) {}
+
+                @Override
+                public void refused(String node, String why) {}
+
+                @Override
+                public void gone(String node, long incarnation) {}
+
+                @Override
+                public void lost(long frames, String why) {
+                    lost.add(frames + ": " + why);
+                }
+
+                @Override
+                public void disconnected(String why) {}
+
+                @Override
+                public void connected() {}
+            });
+            failing.subscribe("counts");
+            var other = open("other", server.settings()).attach("a");
+            other.send(new Address("failing", "b"), SPELL, new Count(1));
+            var expected = " bytes: java.lang.OutOfMemoryError: Java heap space";
+            assertThat(next(lost))
+                    .startsWith("1: node failing could not handle a frame of ")
+                    .endsWith(expected);
+            failing.close();
+        }
+    }
+
+    @ParameterizedTest
+    @CsvSource({
+        "base.example, base.example, true",
+        "Base.Example, base.example., true",
+        "base.example, lab.example, false",
+        "base.example, *.example, false",
+        "base.lab.example, *.lab.example, true",
+        "x.base.lab.example, *.lab.example, false",
+        "lab.example, *.lab.example, false",
+        "10.0.0.1, 10.0.0.1, true",
+        "10.0.0.1, *.0.0.1, false",
+        "[::1], 0:0:0:0:0:0:0:1, true",
+        "::1, 0:0:0:0:0:0:0:2, false",
+        "1.example, 1.0.0.1, false"
+    })
+    void nameInACertificate_isOfAHost(String host, String name, boolean expected) {
+        boolean isAddress = !name.startsWith("*") && !name.contains("example");
+        assertThat(new NamedServerPort.Name(isAddress, name).isOf(host)).isEqualTo(expected);
+    }
+
+    @Test
+    void addressThatIsNotConfigured_mayHaveAConfiguredName() {
+        var configured = List.of("base", "lab", "10.0.0.1");
+        assertThat(NamedServerPort.expected("base", configured)).containsExactly("base");
+        assertThat(NamedServerPort.expected("10.0.0.1", configured)).containsExactly("10.0.0.1");
+        assertThat(NamedServerPort.expected("10.0.0.2", configured)).containsExactly("base", "lab", "10.0.0.2");
+        assertThat(NamedServerPort.expected("other", configured)).containsExactly("other");
+    }
+
+    /** Has a certificate for another host, asks for a password, and keeps what it gets. */
+    private static final class TlsImpostor implements AutoCloseable {
+        private final ServerSocket socket = new ServerSocket(0, 5, InetAddress.getLoopbackAddress());
+        private final CompletableFuture<String> received = new CompletableFuture<>();
+
+        TlsImpostor(Path store) throws Exception {
+            var keys = KeyStore.getInstance("PKCS12");
+            try (var in = Files.newInputStream(store)) {
+                keys.load(in, "changeit".toCharArray());
+            }
+            var managers = KeyManagerFactory.getInstance(KeyManagerFactory.getDefaultAlgorithm());
+            managers.init(keys, "changeit".toCharArray());
+            var context = SSLContext.getInstance("TLS");
+            context.init(managers.getKeyManagers(), null, null);
+            Thread.ofVirtual().start(() -> play(context));
+        }
+
+        int port() {
+            return socket.getLocalPort();
+        }
+
+        /** What came until the client closed the connection. */
+        String received() throws Exception {
+            return received.get(60, TimeUnit.SECONDS);
+        }
+
+        private void play(SSLContext context) {
+            var lines = new StringBuilder();
+            try (var client = socket.accept()) {
+                String info = "INFO {\"server_id\":\"x\",\"version\":\"2.9.10\",\"max_payload\":1048576,\"proto\":1,"
+                        + "\"headers\":true,\"auth_required\":true,\"tls_required\":true}\r\n";
+                client.getOutputStream().write(info.getBytes(StandardCharsets.US_ASCII));
+                var encrypted = (SSLSocket) context.getSocketFactory().createSocket(client, null, port(), true);
+                encrypted.setUseClientMode(false);
+                var in = new BufferedReader(
+                        new InputStreamReader(encrypted.getInputStream(), StandardCharsets.US_ASCII));
+                for (String line = in.readLine(); line != null; line = in.readLine()) {
+                    lines.append(line).append('\n');
+                }
+            } catch (IOException closed) {
+                received.complete(lines.toString()); // by the client
+                return;
+            }
+            received.complete(lines.toString());
+        }
+
+        @Override
+        public void close() throws IOException {
+            socket.close();
+        }
+    }
+
+    /** @param names the subjectAltName, as keytool expects it */
+    private SSLContext makeCertificate(String names) throws Exception {
         Path store = folder.resolve("store.p12");
         var keytool = new ProcessBuilder(
                         Path.of(System.getProperty("java.home"), "bin", "keytool")
@@ -111,7 +319,7 @@ class NatsConnectionTest extends NatsTest {
                         "-dname",
                         "CN=localhost",
                         "-ext",
-                        "san=dns:localhost,ip:127.0.0.1",
+                        "san=" + names,
                         "-validity",
                         "30",
                         "-storetype",
@@ -152,7 +360,7 @@ class NatsConnectionTest extends NatsTest {
     @Test
     void serverThatIsTooOld() throws Exception {
         try (var socket = new ServerSocket(0, 5, InetAddress.getLoopbackAddress())) {
-            var server = Thread.ofVirtual().start(() -> playOldServer(socket));
+            var server = Thread.ofVirtual().start(() -> playServer(socket, "1.4.1", Integer.MAX_VALUE - 1));
             String address = "nats://127.0.0.1:" + socket.getLocalPort();
             assertThatThrownBy(() -> open("x", NatsSettings.at(address)))
                     .isInstanceOf(BusException.class)
@@ -162,15 +370,21 @@ class NatsConnectionTest extends NatsTest {
         }
     }
 
-    private static void playOldServer(ServerSocket socket) {
+    /** @param most of the lines of the client, before the connection breaks */
+    private static void playServer(ServerSocket socket, String version, int most) {
         try (var client = socket.accept()) {
             var out = client.getOutputStream();
-            String info = "INFO {\"server_id\":\"x\",\"version\":\"1.4.1\",\"max_payload\":1048576,\"proto\":1}\r\n";
+            String info = "INFO {\"server_id\":\"x\",\"version\":\"" + version
+                    + "\",\"max_payload\":1048576,\"proto\":1}\r\n";
             out.write(info.getBytes(StandardCharsets.US_ASCII));
             var in = new BufferedReader(new InputStreamReader(client.getInputStream(), StandardCharsets.US_ASCII));
-            for (String line = in.readLine(); line != null; line = in.readLine()) {
+            var received = 0;
+            for (String line = in.readLine(); line != null && received <= most; line = in.readLine()) {
                 if (line.startsWith("PING")) {
                     out.write("PONG\r\n".getBytes(StandardCharsets.US_ASCII));
+                    received = 1;
+                } else if (received > 0) {
+                    received++;
                 }
             }
         } catch (IOException closed) {

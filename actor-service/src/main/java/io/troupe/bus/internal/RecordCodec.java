@@ -46,6 +46,7 @@ import org.jspecify.annotations.Nullable;
  */
 public final class RecordCodec {
     private static final int EXPECTED_SIZE = 256;
+    private static final int FEW_ELEMENTS = 64;
     private static final Object MISSING = new Object();
 
     private final Map<Type, Plan> plans = new ConcurrentHashMap<>();
@@ -386,12 +387,13 @@ public final class RecordCodec {
         public Object read(CborReader in) throws Throwable {
             in.enter();
             int size = in.readArray();
-            var elements = new Object[size < 0 ? 16 : size];
+            // as they are read: each of many lists inside of each other may claim all bytes that are left
+            var elements = new Object[size < 0 ? FEW_ELEMENTS : Math.min(size, FEW_ELEMENTS)];
             int index = 0;
             try {
                 while (size < 0 ? !in.readBreak() : index < size) {
                     if (index == elements.length) {
-                        elements = Arrays.copyOf(elements, 2 * index);
+                        elements = Arrays.copyOf(elements, size < 0 ? 2 * index : Math.min(2 * index, size));
                     }
                     elements[index] = element instanceof DoublePlan ? (Object) in.readDouble() : element.read(in);
                     index++;

@@ -4,6 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.common.measure.Thorough;
+import java.lang.management.ManagementFactory;
+import java.nio.ByteBuffer;
+import java.nio.charset.StandardCharsets;
 import java.time.Duration;
 import java.time.Instant;
 import java.util.ArrayList;
@@ -313,6 +316,39 @@ class RecordCodecTest {
         }
         assertThat(read).as("read, of which seed %d", seed).isGreaterThan(Thorough.times(100, 1_000));
         assertThat(refused).as("refused, of which seed %d", seed).isGreaterThan(Thorough.times(100, 1_000));
+    }
+
+    /** Each list claims as many elements as there are bytes behind it, and has one: the next list. */
+    @Test
+    void listsThatClaimMoreThanTheyHave_allocateWhatTheyHave() {
+        var size = 100_000;
+        var bytes = new byte[size];
+        var at = 0;
+        var name = "children".getBytes(StandardCharsets.US_ASCII);
+        for (int level = 0; level < 120; level++) {
+            bytes[at++] = (byte) 0xa1; // a map of one entry
+            bytes[at++] = (byte) (0x60 | name.length);
+            System.arraycopy(name, 0, bytes, at, name.length);
+            at += name.length;
+            bytes[at++] = (byte) 0x9a; // a list, its size in four bytes
+            ByteBuffer.wrap(bytes).putInt(at, size - at - Integer.BYTES);
+            at += Integer.BYTES;
+        }
+        var threads = (com.sun.management.ThreadMXBean) ManagementFactory.getThreadMXBean();
+        assertThatThrownBy(() -> codec.decode(bytes, Tree.class)).isInstanceOf(UnreadableException.class);
+        long before = threads.getCurrentThreadAllocatedBytes();
+        assertThatThrownBy(() -> codec.decode(bytes, Tree.class)).isInstanceOf(UnreadableException.class);
+        assertThat(threads.getCurrentThreadAllocatedBytes() - before).isLessThan(20L * size);
+    }
+
+    record Tree(List<Tree> children) {}
+
+    @Test
+    void listOfAnyLength_isReadAsItWas() {
+        for (var size : List.of(0, 1, 63, 64, 65, 127, 128, 129, 1_000)) {
+            var tree = new Tree(Collections.nCopies(size, new Tree(List.of())));
+            assertThat(codec.decode(codec.encode(tree), Tree.class)).isEqualTo(tree);
+        }
     }
 
     private static byte[] mutated(byte[] original, Random random) {

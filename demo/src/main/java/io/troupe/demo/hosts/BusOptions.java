@@ -112,6 +112,9 @@ public final class BusOptions {
         if (node.isBlank() || node.contains("/")) {
             throw wrong("--name is '" + node + "', expected a name without a slash");
         }
+        if (node.chars().anyMatch(Character::isISOControl)) {
+            throw wrong("--name has a control character in it, expected a name without one");
+        }
         return node;
     }
 

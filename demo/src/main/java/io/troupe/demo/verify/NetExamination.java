@@ -47,6 +47,7 @@ final class NetExamination {
     private final Consumer<String> progress;
     private final Consumer<String> results;
     private DeadlockSearch.@Nullable Deadlock nearest;
+    private boolean isDecided;
     private @Nullable ReachabilityGraph graph;
     private @Nullable SiphonAnalysis siphons;
 
@@ -152,11 +153,13 @@ final class NetExamination {
     }
 
     private int canDeadlock(String which, String marking, List<Transition> trace) {
+        isDecided = true;
         results.accept(net.name() + ": can deadlock: " + which + marking + " after " + shortened(trace) + "\n");
         return CAN_DEADLOCK;
     }
 
     private int proved(String how) {
+        isDecided = true;
         results.accept(net.name() + ": proved: no reachable marking is dead (" + how + ")\n");
         return PROVED;
     }
@@ -214,8 +217,12 @@ final class NetExamination {
                                     .sparing(limits.time().dividedBy(4))
                                     .search(ReachabilityGraph.DEFAULT_MAX_MARKINGS),
                             "all markings"));
-            results.accept((isUnbounded(graph) ? graph : widest(graph)).summary() + "\n");
-            results.accept(Liveness.of(graph).summary() + "\n");
+            results.accept(withoutWhatIsDecided((isUnbounded(graph) ? graph : widest(graph)).summary()) + "\n");
+            var liveness = Liveness.of(graph).summary();
+            results.accept(
+                    nearest != null && liveness.startsWith(net.name() + ": live UNKNOWN, reversible UNKNOWN")
+                            ? net.name() + ": live NO, reversible NO: nothing leads on from a dead marking\n"
+                            : liveness + "\n");
         } catch (ArithmeticException e) {
             results.accept("the full graph is not known: " + e.getMessage() + "\n");
         } catch (OutOfMemoryError e) {
@@ -230,6 +237,15 @@ final class NetExamination {
                             : " minimal siphons found until the search stopped at its limit: ")
                     + words(found.deadlock()) + "\n");
         }
+    }
+
+    /** That an incomplete graph has no dead markings so far is less than the verdict. */
+    private String withoutWhatIsDecided(String summary) {
+        return isDecided
+                ? summary.lines()
+                        .filter(line -> !line.startsWith("  dead markings so far: 0;"))
+                        .collect(Collectors.joining("\n"))
+                : summary;
     }
 
     /** Whether an incomplete graph has no end, which is reported. */

@@ -115,6 +115,8 @@ class BusOptionsTest {
         assertThatThrownBy(() -> parse("--name a/b").node())
                 .isInstanceOf(ParameterException.class)
                 .hasMessage("--name is 'a/b', expected a name without a slash");
+        assertThatThrownBy(() -> parse("--name a\u0007b").node())
+                .hasMessage("--name has a control character in it, expected a name without one");
     }
 
     @Test

@@ -124,7 +124,7 @@ class ServicesCommandTest extends CommandLineBench {
         file("password", "wrong\n");
         try (var server = NatsServerProcess.start("--user", "ada", "--pass", "secret")) {
             String line = "services --bus " + server.address();
-            assertFails(FAILED, line, "the server asks for a user and a password");
+            assertFails(FAILED, line, "the server asks for a user and a password (a token or a key cannot be given)");
             assertFails(
                     FAILED,
                     line + " --bus-user ada --bus-password-file DIR/password",

@@ -1,5 +1,10 @@
 package io.troupe.demo.verify;
 
+import static io.troupe.petri.wiring.Protocol.acquires;
+import static io.troupe.petri.wiring.Protocol.does;
+import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.releases;
+import static io.troupe.petri.wiring.Protocol.requests;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.demo.CommandLineBench;
@@ -11,11 +16,14 @@ import io.troupe.petri.PetriNet;
 import io.troupe.petri.PetriNetBuilder;
 import io.troupe.petri.Pnml;
 import io.troupe.petri.Verdict;
+import io.troupe.petri.wiring.Protocol;
+import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringResult;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
+import java.time.Duration;
 import java.util.List;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.parallel.Execution;
@@ -130,6 +138,63 @@ class VerifyCommandTest extends CommandLineBench {
         assertThat(out.toString())
                 .containsPattern("ends: can deadlock: \\d{4,} dead markings so far, the nearest \\{off} after \\[end]");
         assertThat(out.toString().lines()).hasSizeLessThan(50);
+    }
+
+    /** Nested acquisitions, whose firings are delayed, beside so many philosophers that the net is reduced. */
+    @Test
+    void netOfNestedAcquisitions_canDeadlock() {
+        var server = Protocol.of("server")
+                .in("s0", acquires("r1").then("s1"))
+                .in("s1", acquires("r2").then("s2"))
+                .in("s2", provides("go").then("s3"))
+                .in("s3", releases("r2").then("s4"))
+                .in("s4", releases("r1").then("s0"));
+        var user = Protocol.of("user")
+                .in("u", does("well").then("call"), does("badly").then("stuck"))
+                .in("call", requests("server.go").then("u"))
+                .in("stuck", acquires("lock").then("held"))
+                .in("held", acquires("lock").then("twice"))
+                .in("twice", releases("lock").then("held"));
+        var fork = Protocol.of("fork")
+                .in("free", provides("take").then("taken"))
+                .in("taken", provides("put").then("free"))
+                .build();
+        var philosopher = Protocol.of("phil")
+                .in("thinking", requests("left.take").then("has left"))
+                .in("has left", requests("right.take").then("eating"))
+                .in("eating", requests("left.put").then("has right"))
+                .in("has right", requests("right.put").then("thinking"))
+                .build();
+        var count = 50;
+        var wiring = Wiring.of("nested").component(server.build()).component(user.build());
+        List.of("r1", "r2", "lock").forEach(resource -> wiring.resource(resource, 1));
+        wiring.components("phil", count, philosopher).components("fork", count, fork);
+        for (var i = 1; i <= count; i++) {
+            wiring.bind("phil" + i, "left", "fork" + i).bind("phil" + i, "right", "fork" + (i % count + 1));
+        }
+        var hour = Duration.ofHours(1);
+        var results = new StringBuilder();
+        var examination = new NetExamination(
+                wiring.build().net(),
+                new NetExamination.Limits(hour, () -> hour, 4 << 20),
+                progress -> {},
+                results::append);
+        assertThat(examination.decide()).isEqualTo(NetExamination.CAN_DEADLOCK);
+        assertThat(results.toString()).startsWith("nested: can deadlock: ").contains("user.held");
+    }
+
+    /** 2^24 markings, of which the last one is dead: stubborn sets find it, the full graph does not. */
+    @Test
+    void whatTheVerdictDecides_isNotCalledUnknownBelow() {
+        var net = PetriNet.builder("switches");
+        for (var i = 0; i < 24; i++) {
+            net.place("off" + i, 1).place("on" + i).transition("t" + i, List.of("off" + i), List.of("on" + i));
+        }
+        assertThat(verify(net.build(), "--memory 1")).isEqualTo(1);
+        assertThat(out.toString())
+                .startsWith("switches: can deadlock: 1 dead marking, the nearest ")
+                .contains("switches: out of memory at ", "switches: live NO, reversible NO: nothing leads on from")
+                .doesNotContain("UNKNOWN", "not known");
     }
 
     /** The layout of a larger net takes minutes or overflows the stack; the verdict must be printed anyway. */

@@ -4,6 +4,7 @@ import static java.util.Objects.requireNonNull;
 
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
+import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Transition;
 import java.util.Arrays;
@@ -16,8 +17,8 @@ import java.util.stream.IntStream;
  *
  * <p>A net is unbounded if it can reach a marking, and from there another one that has at least its tokens on every
  * place, and more on one: the firings between the two can be repeated for ever. The search goes depth first and
- * compares each marking with those on the way to it. With inhibitor arcs or different priorities more tokens can also
- * prevent firings; for such nets nothing is known.
+ * compares each marking with those on the way to it. If it finds no growth, all markings are counted. With inhibitor
+ * arcs or different priorities more tokens can also prevent firings; for such nets nothing is known.
  *
  * {@snippet :
  * if (Boundedness.of(net, limits) instanceof Boundedness.Unbounded growth) {
@@ -25,7 +26,8 @@ import java.util.stream.IntStream;
  * }
  * }
  *
- * <p><b>Cost.</b> Up to the markings of the net, with 16 bytes for each; of the way, a few thousand markings.
+ * <p><b>Cost.</b> Up to the markings of the net, with 16 to 32 bytes for each; of the way, a few thousand markings. For
+ * {@link Bounded}, that of {@link ReachabilityGraph#exploreMarkings(PetriNet, SearchLimits)} too.
  *
  * <p><b>Source.</b> Karp and Miller, Parallel program schemata (1969).
  */
@@ -105,14 +107,14 @@ public final class Boundedness {
         enter();
         while (true) {
             if (seen.size() > limits.maxMarkings()) {
-                return new Unknown("the search ended at its limit of " + limits.maxMarkings() + " markings");
+                return limited();
             }
             if (limits.cancelled().getAsBoolean()) {
-                return new Unknown("the search was cancelled");
+                return cancelled();
             }
             if (left[depth] == 0) {
                 if (depth == 0) {
-                    return isCut ? new Unknown("the search met a way that is too long") : new Bounded(seen.size());
+                    return ifFinite();
                 }
                 game.takeBack(trace[--depth]);
                 continue;
@@ -129,6 +131,32 @@ public final class Boundedness {
                 }
             }
         }
+    }
+
+    /**
+     * The result if no way grows. Fingerprints prove nothing, since a marking with that of another one is not entered;
+     * so the markings themselves are counted.
+     */
+    private Result ifFinite() {
+        try {
+            var graph = ReachabilityGraph.exploreMarkings(net, limits);
+            return switch (graph.end()) {
+                case COMPLETE -> new Bounded(graph.size());
+                case CANCELLED -> cancelled();
+                case MEMORY -> new Unknown("the search used up its memory of " + limits.maxBytes() + " bytes");
+                case LIMIT -> isCut ? new Unknown("the search met a way that is too long") : limited();
+            };
+        } catch (ArithmeticException e) {
+            return new Unknown(e.getMessage());
+        }
+    }
+
+    private Unknown limited() {
+        return new Unknown("the search ended at its limit of " + limits.maxMarkings() + " markings");
+    }
+
+    private static Unknown cancelled() {
+        return new Unknown("the search was cancelled");
     }
 
     /** Enters a new marking; the result, if it has more tokens than one on the way. */

@@ -1,5 +1,6 @@
 package io.troupe.petri.deadlock;
 
+import static java.lang.System.Logger.Level.WARNING;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.petri.DeadlockSearch;
@@ -19,6 +20,7 @@ import java.util.EnumSet;
 import java.util.List;
 import java.util.Optional;
 import java.util.Set;
+import java.util.function.Function;
 
 /**
  * Decides whether a net can deadlock: whether it can reach a marking in which no transition may fire. It needs far
@@ -28,7 +30,8 @@ import java.util.Set;
  * <p>The net is reduced first, by rules that keep whether it can deadlock. Then come, from cheap to dear, a short hunt
  * for a counterexample, proofs without a search, a longer hunt, and last all markings of the reduced net by stubborn
  * sets; of markings that differ only in which of some equal parts is in which state, one ({@link Symmetry}). A trace
- * that was found is translated to the net, and firings that it does not need are left out.
+ * that was found is translated to the net and fired there, and firings that it does not need are left out. Should it
+ * not lead to a dead marking of the net, the net is searched without reductions.
  *
  * {@snippet :
  * var result = DeadlockCheck.decide(net, SearchLimits.markings(1_000_000));
@@ -44,6 +47,8 @@ import java.util.Set;
  * {@link ArithmeticException}.
  */
 public final class DeadlockCheck {
+    private static final System.Logger LOG = System.getLogger(DeadlockCheck.class.getName());
+
     private static final long MAX_FIRST_HUNT = 20_000_000;
     private static final long FIRINGS_PER_TRANSITION = 1_000;
     private static final long LONG_HUNT = 30_000_000;
@@ -61,11 +66,17 @@ public final class DeadlockCheck {
     private final FlatNet flat;
     private final SearchLimits limits;
     private final Set<Reduction> reductions;
+    private final Function<Set<Reduction>, Reducer.Reduced> reducing;
 
-    private DeadlockCheck(PetriNet net, Set<Reduction> reductions, SearchLimits limits) {
+    private DeadlockCheck(
+            PetriNet net,
+            Set<Reduction> reductions,
+            SearchLimits limits,
+            Function<Set<Reduction>, Reducer.Reduced> reducing) {
         this.net = net;
         this.limits = limits;
         this.reductions = reductions;
+        this.reducing = reducing;
         flat = FlatNet.of(net);
     }
 
@@ -143,14 +154,23 @@ public final class DeadlockCheck {
 
     /** Searches within {@code limits} with only these {@code reductions}. */
     public static Result decide(PetriNet net, Set<Reduction> reductions, SearchLimits limits) {
-        return new DeadlockCheck(net, reductions, limits).decide();
+        return decide(net, reductions, limits, rules -> Reducer.reduce(net, rules, limits.cancelled()));
+    }
+
+    /** With another way to apply reductions. */
+    static Result decide(
+            PetriNet net,
+            Set<Reduction> reductions,
+            SearchLimits limits,
+            Function<Set<Reduction>, Reducer.Reduced> reducing) {
+        return new DeadlockCheck(net, reductions, limits, reducing).decide();
     }
 
     private Result decide() {
         var cheap = EnumSet.noneOf(Reduction.class);
         cheap.addAll(reductions);
         cheap.remove(Reduction.IMPLIED_PLACES);
-        var first = reduce(cheap);
+        var first = reducing.apply(cheap);
         if (neverDead(first)) {
             return byReduction();
         }
@@ -159,7 +179,7 @@ public final class DeadlockCheck {
         if (found.isPresent()) {
             return found.get();
         }
-        var reduced = reductions.equals(cheap) ? first : reduce(reductions);
+        var reduced = reductions.equals(cheap) ? first : reducing.apply(reductions);
         if (neverDead(reduced)) {
             return byReduction();
         }
@@ -190,15 +210,15 @@ public final class DeadlockCheck {
         if (answer instanceof Candidate candidate) {
             var found = guided(reduced, candidate);
             if (found.isPresent()) {
-                return found.map(dead -> dead);
+                return found;
             }
         } else if (holdsTraps(reduced.net())) {
             return Optional.of(new Proved("every siphon of the reduced net contains a marked trap", 0));
         }
-        return hunt(reduced, LONG_HUNT).map(dead -> dead);
+        return hunt(reduced, LONG_HUNT);
     }
 
-    private Optional<CanDeadlock> guided(Reducer.Reduced reduced, Candidate candidate) {
+    private Optional<Result> guided(Reducer.Reduced reduced, Candidate candidate) {
         var counts = reduced.net().transitions().stream()
                 .mapToInt(t -> Math.clamp(candidate.counts().getOrDefault(t, 0L), 0, MAX_COUNT))
                 .toArray();
@@ -220,10 +240,6 @@ public final class DeadlockCheck {
                         .allMatch(siphon -> Siphons.largestTrapIn(siphon).isMarked(smaller.initialMarking()));
     }
 
-    private Reducer.Reduced reduce(Set<Reduction> rules) {
-        return Reducer.reduce(net, rules, limits.cancelled());
-    }
-
     private static Proved byReduction() {
         return new Proved("reductions leave a transition that needs no tokens", 0);
     }
@@ -233,7 +249,7 @@ public final class DeadlockCheck {
                 .anyMatch(t -> t.inputs().isEmpty() && t.inhibitors().isEmpty());
     }
 
-    private Optional<CanDeadlock> hunt(Reducer.Reduced reduced, long firings) {
+    private Optional<Result> hunt(Reducer.Reduced reduced, long firings) {
         return new CounterexampleHunt(FlatNet.of(reduced.net()), limits.cancelled())
                 .run(firings)
                 .map(trace -> canDeadlock(reduced, trace));
@@ -271,11 +287,23 @@ public final class DeadlockCheck {
                 : new Unknown(end, markings);
     }
 
-    private CanDeadlock canDeadlock(Reducer.Reduced reduced, int[] trace) {
+    /**
+     * A dead marking of the net itself. If the trace of the reduced net leads to none, a reduction or its translation
+     * is wrong: then the net is searched as it is.
+     */
+    private Result canDeadlock(Reducer.Reduced reduced, int[] trace) {
         var whole = reduced.translate(trace);
         if (!TraceShortener.leadsToDeadMarking(flat, whole)) {
-            throw new IllegalStateException(
-                    "net " + net.name() + ": the trace of the reduced net leads to no dead marking");
+            if (reductions.isEmpty()) {
+                throw new IllegalStateException(
+                        "net " + net.name() + ": a search without reductions ended in a marking that is not dead");
+            }
+            LOG.log(
+                    WARNING,
+                    () -> "net " + net.name()
+                            + ": a trace of the reduced net leads to no dead marking of the net, which "
+                            + "is a fault of the reductions " + reductions + "; the net is searched without them");
+            return decide(net, Set.of(), limits);
         }
         var transitions = Arrays.stream(new TraceShortener(flat).shorten(whole))
                 .mapToObj(net.transitions()::get)

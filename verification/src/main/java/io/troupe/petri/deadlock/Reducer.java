@@ -12,6 +12,7 @@ import java.util.TreeMap;
 import java.util.TreeSet;
 import java.util.function.BooleanSupplier;
 import java.util.stream.Collectors;
+import java.util.stream.Stream;
 
 /**
  * Makes a net smaller without changing whether it can deadlock. Each rule keeps this: the smaller net can reach a dead
@@ -64,7 +65,7 @@ final class Reducer {
     private int nextStep;
     /** Fired before everything else. */
     private final List<Firings> first = new ArrayList<>();
-    /** Fired at the end of a trace, as long as they can: transitions that the smaller net delays. */
+    /** Transitions that the smaller net delays, in the order in which they were fused. */
     private final List<Firings> delayed = new ArrayList<>();
 
     private Reducer(PetriNet net, Set<Reduction> rules, BooleanSupplier cancelled) {
@@ -104,7 +105,11 @@ final class Reducer {
             return net;
         }
 
-        /** The trace of the original net for a trace of the smaller one to a dead marking. */
+        /**
+         * The trace of the original net for a trace of the smaller one to a dead marking. The fusions are undone from
+         * the last to the first: what one delayed fires as long as it can, and the marking is dead in the net before
+         * that fusion. In the order of fusing, a transition would take the tokens of a later one, which begins with it.
+         */
         int[] translate(int[] trace) {
             var whole = new ArrayList<Integer>();
             reducer.first.forEach(firings -> append(firings, whole));
@@ -113,12 +118,9 @@ final class Reducer {
             }
             var game = new TokenGame(FlatNet.of(reducer.original));
             whole.forEach(game::fire);
-            for (var fired = true; fired; ) {
-                fired = false;
-                for (var firings : reducer.delayed) {
-                    while (fire(firings, game, whole)) {
-                        fired = true;
-                    }
+            for (var firings : reducer.delayed.reversed()) {
+                while (fire(firings, game, whole)) {
+                    // as long as it can
                 }
             }
             return whole.stream().mapToInt(Integer::intValue).toArray();
@@ -325,9 +327,9 @@ final class Reducer {
         private final int place;
         private final TreeSet<Integer> chosen = new TreeSet<>();
         /** By transition: what it takes from p beyond what it takes from Q. */
-        private final TreeMap<Integer, Integer> uncovered = new TreeMap<>();
+        private final TreeMap<Integer, Long> uncovered = new TreeMap<>();
         /** By transition: the change of p less that of Q. */
-        private final TreeMap<Integer, Integer> lead = new TreeMap<>();
+        private final TreeMap<Integer, Long> lead = new TreeMap<>();
 
         /** The transitions that these make wrong. */
         private final TreeSet<Integer> wronglyCovered = new TreeSet<>();
@@ -346,13 +348,13 @@ final class Reducer {
         /** Adds a place to Q, or, with {@code sign} -1, takes it out again. */
         private void add(int q, int sign) {
             for (var id : consumers.get(q)) {
-                var weight = sign * step(id).in.getOrDefault(q, 0);
-                note(wronglyCovered, id, uncovered.merge(id, -weight, Integer::sum) > 0);
-                note(wronglyLed, id, lead.merge(id, weight, Integer::sum) < 0);
+                var weight = (long) sign * step(id).in.getOrDefault(q, 0);
+                note(wronglyCovered, id, uncovered.merge(id, -weight, Long::sum) > 0);
+                note(wronglyLed, id, lead.merge(id, weight, Long::sum) < 0);
             }
             for (var id : producers.get(q)) {
-                var weight = sign * step(id).out.getOrDefault(q, 0);
-                note(wronglyLed, id, lead.merge(id, -weight, Integer::sum) < 0);
+                var weight = (long) sign * step(id).out.getOrDefault(q, 0);
+                note(wronglyLed, id, lead.merge(id, -weight, Long::sum) < 0);
             }
         }
 
@@ -472,7 +474,10 @@ final class Reducer {
         return changed;
     }
 
-    /** Whether every arc of the place has the same weight, more than its tokens, and few enough pairs would arise. */
+    /**
+     * Whether every arc of the place has the same weight, more than its tokens, and the pairs that would arise are few
+     * enough and have weights that can be added.
+     */
     private boolean isBetween(int place) {
         var before = producers.get(place);
         var behind = consumers.get(place);
@@ -486,8 +491,18 @@ final class Reducer {
         var pairs = (long) before.size() * behind.size();
         return tokens[place] < weight
                 && (pairs <= Math.max(MAX_PAIRS, before.size() + behind.size()))
+                && largestWeight(before) + largestWeight(behind) <= Integer.MAX_VALUE
                 && behind.stream().allMatch(id -> step(id).in.get(place).equals(weight))
                 && before.stream().allMatch(id -> step(id).out.get(place).equals(weight));
+    }
+
+    private long largestWeight(Set<Integer> ids) {
+        return ids.stream()
+                .map(this::step)
+                .flatMap(step -> Stream.concat(step.in.values().stream(), step.out.values().stream()))
+                .mapToLong(weight -> weight)
+                .max()
+                .orElse(0);
     }
 
     /**

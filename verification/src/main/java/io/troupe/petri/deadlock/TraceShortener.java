@@ -45,7 +45,7 @@ final class TraceShortener {
             kept[length++] = t;
             var print = game.fingerprint();
             var before = seen.get(print);
-            if (before != null) {
+            if (before != null && isLoop(kept, before, length)) {
                 for (var i = before + 1; i < length; i++) {
                     seen.remove(prints[i]);
                 }
@@ -59,6 +59,19 @@ final class TraceShortener {
             game.takeBack(trace[i]);
         }
         return Arrays.copyOf(kept, length);
+    }
+
+    /** Whether these firings, the last ones, change nothing: two markings may have one fingerprint. */
+    private boolean isLoop(int[] trace, int from, int to) {
+        var now = game.tokens();
+        for (var i = to - 1; i >= from; i--) {
+            game.takeBack(trace[i]);
+        }
+        var before = game.tokens();
+        for (var i = from; i < to; i++) {
+            game.fire(trace[i]);
+        }
+        return Arrays.equals(before, now);
     }
 
     /** Tries for each firing, last first, to leave it out together with all that cannot fire without it. */

@@ -3,6 +3,7 @@ package io.troupe.petri.structure;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;
 import io.troupe.petri.Transition;
+import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.BitSet;
@@ -26,7 +27,7 @@ import java.util.function.ToIntFunction;
  *
  * <p><b>Cost.</b> There can be exponentially many invariants, and the work can be much more than the result.
  *
- * <p><b>Errors.</b> A weight beyond a {@code long} throws {@link ArithmeticException}.
+ * <p><b>Errors.</b> A weight of an invariant beyond a {@code long} throws {@link ArithmeticException}.
  *
  * <p><b>Source.</b> The method of Farkas, as refined by Martinez and Silva, A simple and fast algorithm to obtain all
  * invariants of a generalised Petri net (1982).
@@ -102,10 +103,10 @@ public final class Invariants {
         return new Found<>(found, complete);
     }
 
-    private static <T> Map<T, Long> weights(long[] factors, List<T> things, ToIntFunction<T> index) {
+    private static <T> Map<T, Long> weights(BigInteger[] factors, List<T> things, ToIntFunction<T> index) {
         Map<T, Long> weights = new HashMap<>();
         for (var thing : things) {
-            var factor = factors[index.applyAsInt(thing)];
+            var factor = factors[index.applyAsInt(thing)].longValueExact();
             if (factor != 0) {
                 weights.put(thing, factor);
             }
@@ -120,7 +121,7 @@ public final class Invariants {
      */
     private static final class SemiPositive {
         /** A combination of the rows of A: its factors, and the remaining sum. */
-        private record Row(long[] factors, long[] rest, BitSet support) {}
+        private record Row(BigInteger[] factors, BigInteger[] rest, BitSet support) {}
 
         private final int columns;
         private final BooleanSupplier cancelled;
@@ -140,12 +141,18 @@ public final class Invariants {
                     isCut = true;
                     return;
                 }
-                var factors = new long[matrix.size()];
-                factors[i] = 1;
-                var rest = new long[columns];
-                matrix.get(i).forEach((column, value) -> rest[column] = value);
+                var factors = zeros(matrix.size());
+                factors[i] = BigInteger.ONE;
+                var rest = zeros(columns);
+                matrix.get(i).forEach((column, value) -> rest[column] = BigInteger.valueOf(value));
                 rows.add(row(factors, rest));
             }
+        }
+
+        private static BigInteger[] zeros(int count) {
+            var zeros = new BigInteger[count];
+            Arrays.fill(zeros, BigInteger.ZERO);
+            return zeros;
         }
 
         /**
@@ -166,7 +173,7 @@ public final class Invariants {
                     if (cancelled.getAsBoolean()) {
                         return false;
                     }
-                    if (row.rest()[column] == 0) {
+                    if (row.rest()[column].signum() == 0) {
                         addMinimal(next, row);
                     }
                 }
@@ -175,7 +182,7 @@ public final class Invariants {
                         return false;
                     }
                     for (var minus : rows) {
-                        if (plus.rest()[column] > 0 && minus.rest()[column] < 0) {
+                        if (plus.rest()[column].signum() > 0 && minus.rest()[column].signum() < 0) {
                             addMinimal(next, cancel(plus, minus, column));
                             if (next.size() > maxRows) {
                                 return false;
@@ -190,9 +197,9 @@ public final class Invariants {
         }
 
         /** The factors of the combinations that are 0 in all columns: all solutions, after a complete run. */
-        List<long[]> solutions() {
+        List<BigInteger[]> solutions() {
             return rows.stream()
-                    .filter(row -> Arrays.stream(row.rest()).allMatch(value -> value == 0))
+                    .filter(row -> Arrays.stream(row.rest()).allMatch(value -> value.signum() == 0))
                     .map(Row::factors)
                     .toList();
         }
@@ -203,8 +210,10 @@ public final class Invariants {
             var least = Long.MAX_VALUE;
             for (var column = open.nextSetBit(0); column >= 0; column = open.nextSetBit(column + 1)) {
                 var at = column;
-                var plus = rows.stream().filter(row -> row.rest()[at] > 0).count();
-                var minus = rows.stream().filter(row -> row.rest()[at] < 0).count();
+                var plus =
+                        rows.stream().filter(row -> row.rest()[at].signum() > 0).count();
+                var minus =
+                        rows.stream().filter(row -> row.rest()[at].signum() < 0).count();
                 if (plus * minus - plus - minus < least) {
                     least = plus * minus - plus - minus;
                     best = column;
@@ -214,34 +223,36 @@ public final class Invariants {
         }
 
         private Row cancel(Row plus, Row minus, int column) {
-            var timesPlus = Math.negateExact(minus.rest()[column]);
+            var timesPlus = minus.rest()[column].negate();
             var timesMinus = plus.rest()[column];
             return row(
                     combine(plus.factors(), timesPlus, minus.factors(), timesMinus),
                     combine(plus.rest(), timesPlus, minus.rest(), timesMinus));
         }
 
-        private static long[] combine(long[] one, long times, long[] other, long otherTimes) {
-            var sum = new long[one.length];
+        private static BigInteger[] combine(
+                BigInteger[] one, BigInteger times, BigInteger[] other, BigInteger otherTimes) {
+            var sum = new BigInteger[one.length];
             for (var i = 0; i < sum.length; i++) {
-                sum[i] = Math.addExact(Math.multiplyExact(one[i], times), Math.multiplyExact(other[i], otherTimes));
+                sum[i] = one[i].multiply(times).add(other[i].multiply(otherTimes));
             }
             return sum;
         }
 
         /** The row divided by the common divisor of its factors. */
-        private Row row(long[] factors, long[] rest) {
-            var divisor = 0L;
+        private Row row(BigInteger[] factors, BigInteger[] rest) {
+            var divisor = BigInteger.ZERO;
             for (var factor : factors) {
-                divisor = gcd(divisor, factor);
+                divisor = divisor.gcd(factor);
             }
             var support = new BitSet();
             for (var i = 0; i < factors.length; i++) {
-                factors[i] /= divisor;
-                support.set(i, factors[i] != 0);
+                factors[i] = factors[i].divide(divisor);
+                support.set(i, factors[i].signum() != 0);
             }
             for (var i = 0; i < columns; i++) {
-                rest[i] /= divisor; // a combination of integer rows is divisible by what divides its factors
+                rest[i] = rest[i].divide(
+                        divisor); // a combination of integer rows is divisible by what divides its factors
             }
             return new Row(factors, rest, support);
         }
@@ -251,10 +262,6 @@ public final class Invariants {
                 rows.removeIf(other -> Needs.isSubset(row.support(), other.support()));
                 rows.add(row);
             }
-        }
-
-        private static long gcd(long a, long b) {
-            return b == 0 ? Math.abs(a) : gcd(b, a % b);
         }
     }
 }

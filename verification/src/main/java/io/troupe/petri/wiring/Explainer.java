@@ -250,7 +250,7 @@ final class Explainer {
         shown.stream()
                 .filter(wait -> stopped.contains(wait.component()))
                 .forEach(wait -> parts.add(wait.component() + " stops"));
-        var allAsk = shown.stream().allMatch(Wait.Answer.class::isInstance);
+        var allAsk = shown.size() > 1 && shown.stream().allMatch(Wait.Answer.class::isInstance);
         for (var wait : shown) {
             switch (wait) {
                 case Wait.Answer answer -> parts.add(answer + (allAsk ? "" : ", which nobody will answer"));
@@ -262,6 +262,6 @@ final class Explainer {
                 default -> parts.add(wait.toString());
             }
         }
-        return String.join("; ", parts) + (allAsk && shown.size() > 1 ? ": all ask and nobody answers" : "");
+        return String.join("; ", parts) + (allAsk ? ": all ask and nobody answers" : "");
     }
 }

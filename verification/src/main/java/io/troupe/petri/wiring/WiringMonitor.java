@@ -28,7 +28,8 @@ import java.util.stream.Collectors;
  * <p>The monitor fires the transitions of the net that {@link WiringCheck} searches, and knows in which of its markings
  * the program can be. So it is always in a marking that the search has found, too, and a proof for the wiring holds for
  * what the program does. An event that no marking allows is a violation, and so is one after which every marking is
- * dead. {@link #idle} finds a call that will never be answered, and {@link #never} adds combinations of states that
+ * dead. So is a call between a component and something that the wiring does not have: a dependency that is not
+ * declared. {@link #idle} finds a call that will never be answered, and {@link #never} adds combinations of states that
  * must not occur.
  *
  * <p><b>Role.</b> The program, or its observers, report the events, of all steps that a {@link Protocol} can have.
@@ -43,8 +44,8 @@ import java.util.stream.Collectors;
  * Memory for the net, and for the last 60 events, or all if they are {@link #keepingEvents kept}. A wiring that is
  * followed often is made into a net once: {@link #again}.
  *
- * <p><b>Errors.</b> Events never throw because of a violation: the first is kept, and what follows is ignored. An
- * unknown component is an {@link IllegalArgumentException}.
+ * <p><b>Errors.</b> Events never throw because of a violation: the first is kept, and what follows is ignored. An event
+ * without any component of the wiring is an {@link IllegalArgumentException}.
  */
 public final class WiringMonitor {
     private static final int STORY_EVENTS = 60;
@@ -206,8 +207,10 @@ public final class WiringMonitor {
         }
         var next = markings.after(now, event);
         if (next.isEmpty()) {
-            requireDeclared(event);
-            var why = markings.whyNot(now, event);
+            requireReportable(event);
+            var why = isDeclared(event.component()) && isDeclared(event.provider())
+                    ? markings.whyNot(now, event)
+                    : withAStranger(event);
             violated(Optional.of(event), why.getKey(), event + " is not allowed: " + why.getValue());
             return;
         }
@@ -221,8 +224,22 @@ public final class WiringMonitor {
         }
     }
 
-    /** An event of a declared component, and one that may be reported. */
-    private void requireDeclared(ProtocolEvent event) {
+    private boolean isDeclared(String component) {
+        return wiring.components().contains(component);
+    }
+
+    /** What a declared component does with one that is not: whose violation it is, and why. */
+    private Map.Entry<String, String> withAStranger(ProtocolEvent event) {
+        var isCaller = isDeclared(event.component());
+        var stranger = isCaller ? event.provider() : event.component();
+        return Map.entry(
+                isCaller ? event.component() : event.provider(),
+                "the wiring has no component " + stranger + "; "
+                        + Suggestions.hintWithAll(stranger, wiring.components()));
+    }
+
+    /** An event that may be reported, of at least one declared component. */
+    private void requireReportable(ProtocolEvent event) {
         if (event.kind() == Kind.DID && !observed.contains(event.what())) {
             throw new IllegalArgumentException("the private step \"" + event.what()
                     + "\" is reported, and not among those that are observed: " + observed);
@@ -230,8 +247,9 @@ public final class WiringMonitor {
         if (event.hasTarget() && event.what().indexOf('.') < 1) {
             throw new IllegalArgumentException("the call is \"" + event.what() + "\", expected component.call");
         }
-        wiring.protocol(event.component()); // throws, with the nearest name
-        wiring.protocol(event.provider());
+        if (!isDeclared(event.provider())) {
+            wiring.protocol(event.component()); // throws, with the nearest name
+        }
     }
 
     private String situation() {

@@ -5,6 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Nets;
+import io.troupe.petri.PaperNets;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchEnd;
@@ -142,6 +143,129 @@ class DeadlockCheckTest {
                         .initialMarking()
                         .toString()
                         .equals(net.initialMarking().toString());
+    }
+
+    /** The trace of the smaller net must fire the longer of two nested delayed firings first. */
+    @Test
+    void delayedFirings_ofNestedFusions_areFiredLastFusionFirst() {
+        var paper = net(
+                "of the paper's net",
+                "p0=1 p1 p2 p3 p4 p5 p6 p7",
+                "t0: p0 > p1",
+                "t2: p1 > p5",
+                "t3: p5 > p6",
+                "t4: p6 > p2",
+                "t1: p2 > p3",
+                "t5: p3 > p7",
+                "t6: p4 p7 >");
+        assertThat(DeadlockCheck.decide(paper, Set.of(Reduction.FUSED_BEFORE), LIMITS))
+                .isInstanceOf(CanDeadlock.class);
+        var delayed = net(
+                "delayed",
+                "a=1 b=1 x=1 u=1 p1 p5 y",
+                "t0: a b > p1",
+                "t2: p1 x > p5",
+                "t3: p5 y > a b x u",
+                "c1: u > y",
+                "c2: u >");
+        var found = (CanDeadlock) DeadlockCheck.decide(delayed);
+        assertThat(found.marking()).hasToString("{p5}");
+        assertThat(found.trace()).extracting(Transition::name).containsExactlyInAnyOrder("t0", "t2", "c2");
+        for (var reading : PaperNets.Reading.values()) {
+            for (var rule : RULES) {
+                var rules = EnumSet.copyOf(RULES);
+                rules.remove(rule);
+                assertThat(DeadlockCheck.decide(PaperNets.uncorrected(reading), rules, LIMITS))
+                        .as("%s without %s", reading, rule)
+                        .isInstanceOf(CanDeadlock.class);
+            }
+        }
+    }
+
+    @Test
+    void decisions_ofChainsOfAcquisitions_areThoseOfTheFullGraph() {
+        var nets = Thorough.times(1_000, 20_000);
+        var first = new Random().nextInt(1_000_000);
+        var dead = 0;
+        var proved = 0;
+        var delayed = 0;
+        for (var seed = first; seed < first + nets; seed++) {
+            var net = Nets.chains(new Random(seed));
+            var graph = ReachabilityGraph.explore(net, LIMITS);
+            if (!graph.isComplete()) {
+                continue;
+            }
+            dead += graph.dead().isEmpty() ? 0 : 1;
+            proved += graph.dead().isEmpty() ? 1 : 0;
+            delayed += compare(seed, net, graph, Set.of(Reduction.FUSED_BEFORE)) ? 1 : 0;
+            compare(seed, net, graph, RULES);
+            var result = DeadlockCheck.decide(net, LIMITS);
+            if (graph.dead().isEmpty()) {
+                assertThat(result).as("seed %d", seed).isInstanceOf(Proved.class);
+            } else {
+                assertThat(result).as("seed %d", seed).isInstanceOf(CanDeadlock.class);
+                assertThat(isDead(net, ((CanDeadlock) result).trace()))
+                        .as("seed %d", seed)
+                        .isTrue();
+            }
+        }
+        assertThat(List.of(dead, proved, delayed))
+                .as("can deadlock, cannot, with delayed firings; seeds from %d", first)
+                .allMatch(count -> count > nets / 20);
+    }
+
+    /** As if a reduction were wrong: traces of another net, which may be those of none. */
+    @Test
+    void traceOfTheReducedNet_thatLeadsToNoDeadMarking_isReplacedByASearchOfTheNetItself() {
+        var net = net("two ways", "a=1 b c d", "left: a > b", "on: b > c", "back: c > a", "right: a > d");
+        var other = net("other", "a=1 b c d", "left: a > b", "on: a > c", "back: a > d", "right: d > a");
+        var free = net("free", "a=1 b", "turn: a > a", "left: a > a b", "on: b >", "back: b >");
+        var found = (CanDeadlock) DeadlockCheck.decide(
+                net, EnumSet.allOf(Reduction.class), LIMITS, rules -> Reducer.reduce(other, Set.of(), () -> false));
+        assertThat(found.trace()).extracting(Transition::name).containsExactly("right");
+        assertThat(DeadlockCheck.decide(
+                        free,
+                        EnumSet.allOf(Reduction.class),
+                        LIMITS,
+                        rules -> Reducer.reduce(other, Set.of(), () -> false)))
+                .as("a net without a dead marking")
+                .isInstanceOf(Proved.class);
+    }
+
+    /** The marking after "turn" has the fingerprint of the one before it, but "turn" is no loop. */
+    @Test
+    void trace_throughMarkingsWithOneFingerprint_keepsTheFiringsBetweenThem() {
+        var net =
+                PetriNet.builder("crafted").place("go", 1).place("x").transition("turn", List.of("go"), List.of("go"));
+        net.transition("end", List.of("go"), List.of());
+        for (var p = 0; p < BoundednessTest.SAME_PRINT.size(); p++) {
+            int change = BoundednessTest.SAME_PRINT.get(p);
+            net.place("p" + p, Math.max(0, -change));
+            if (change < 0) {
+                net.arc("p" + p, "turn", -change);
+            } else if (change > 0) {
+                net.arc("turn", "p" + p, change).arc("p" + p, "end", change);
+            }
+        }
+        var found = (CanDeadlock) DeadlockCheck.decide(net.build(), Set.of(), LIMITS);
+        assertThat(found.trace()).extracting(Transition::name).containsExactly("turn", "end");
+    }
+
+    /** Weights whose sum is no int: the transitions stay apart. */
+    @Test
+    void weights_thatCannotBeAdded_areNotFused() {
+        var large = Integer.MAX_VALUE;
+        var net = PetriNet.builder("large")
+                .place("a", 1)
+                .place("b", large)
+                .place("c")
+                .place("d", 1)
+                .transition("one", List.of("a"), List.of("c"))
+                .transition("other", List.of("c", "d"), List.of())
+                .arc("b", "one", large)
+                .arc("b", "other", large)
+                .build();
+        assertThat(((CanDeadlock) DeadlockCheck.decide(net)).marking()).hasToString("{c, d}");
     }
 
     @Test

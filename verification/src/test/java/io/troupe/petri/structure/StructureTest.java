@@ -326,4 +326,20 @@ class StructureTest {
         }
         assertThat(some).isGreaterThan(Thorough.times(2, 50));
     }
+
+    /** The sums on the way are beyond a long, the invariant is not. */
+    @Test
+    void invariants_withLargeSumsOnTheWay_areFound() {
+        var net = PetriNet.builder("large").place("a").place("b").place("c").place("d");
+        int w = Integer.MAX_VALUE;
+        net.transition("ab").arc("a", "ab", w).arc("ab", "b", w);
+        net.transition("bc").arc("b", "bc", w).arc("bc", "c", w);
+        for (var t : List.of("t", "u")) {
+            net.transition(t).arc("d", t, w).arc(t, "a", w).arc(t, "b", w).arc(t, "c", w);
+        }
+        var built = net.build();
+        assertThat(Invariants.ofPlaces(built).invariants())
+                .containsExactly(
+                        Map.of(built.place("a"), 1L, built.place("b"), 1L, built.place("c"), 1L, built.place("d"), 3L));
+    }
 }

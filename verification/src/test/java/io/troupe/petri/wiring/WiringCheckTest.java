@@ -2,8 +2,10 @@ package io.troupe.petri.wiring;
 
 import static io.troupe.petri.Nets.refusals;
 import static io.troupe.petri.Nets.refused;
+import static io.troupe.petri.wiring.Protocol.acquires;
 import static io.troupe.petri.wiring.Protocol.does;
 import static io.troupe.petri.wiring.Protocol.provides;
+import static io.troupe.petri.wiring.Protocol.releases;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static io.troupe.petri.wiring.Protocol.stops;
 import static org.assertj.core.api.Assertions.assertThat;
@@ -116,6 +118,36 @@ class WiringCheckTest {
                 .hasMessageContaining("node3 waits for node1.take: all ask and nobody answers");
     }
 
+    /** A server that takes two resources before it serves, and a user who may take a lock twice. */
+    private static WiringBuilder nestedAcquisitions() {
+        var server = Protocol.of("server")
+                .in("s0", acquires("r1").then("s1"))
+                .in("s1", acquires("r2").then("s2"))
+                .in("s2", provides("go").then("s3"))
+                .in("s3", releases("r2").then("s4"))
+                .in("s4", releases("r1").then("s0"));
+        var user = Protocol.of("user")
+                .in("u", does("well").then("call"), does("badly").then("stuck"))
+                .in("call", requests("server.go").then("u"))
+                .in("stuck", acquires("lock").then("held"))
+                .in("held", acquires("lock").then("twice"))
+                .in("twice", releases("lock").then("held"));
+        return wiring("nested", server.build(), user.build())
+                .resource("r1", 1)
+                .resource("r2", 1)
+                .resource("lock", 1);
+    }
+
+    @Test
+    void nestedAcquisitions_deadlockWithinAnyLimit() {
+        for (var limit : List.of(1, 5, 20, 100_000)) {
+            var result = (Deadlock) WiringCheck.check(nestedAcquisitions().build(), limit);
+            assertThat(result.counterexample().waits())
+                    .extracting(Wait::component)
+                    .containsExactlyInAnyOrder("server", "user");
+        }
+    }
+
     private static Wiring philosophers(int count) {
         return philosophers(count, false);
     }
@@ -187,6 +219,20 @@ class WiringCheckTest {
                 .isEqualTo("server stops; user waits for server.use, which nobody will answer");
         assertThat(result.counterexample().waits()).extracting(Wait::component).containsExactly("server", "user");
         assertThat(result.pairs()).extracting(PairResult::isFree).containsExactly(false);
+    }
+
+    /** The server has a private step left, so it is no part of the story. */
+    @Test
+    void singleWait_saysThatNobodyWillAnswer() {
+        var server = Protocol.of("server")
+                .in("busy", does("end").then("rest"), provides("cancel").then("rest"))
+                .in("rest", does("rest").then("rest"));
+        var client = Protocol.of("client").in("on", requests("server.cancel").then("off"));
+        client.in("off", does("wait").then("off"));
+        var result = (Blocked) WiringCheck.check(
+                wiring("cancel", server.build(), client.build()).build());
+        assertThat(result.counterexample().sentence())
+                .isEqualTo("client waits for server.cancel, which nobody will answer");
     }
 
     @Test

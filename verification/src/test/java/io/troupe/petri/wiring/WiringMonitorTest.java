@@ -100,6 +100,26 @@ class WiringMonitorTest {
                             * client2 waits for planner.plan, which is not accepted yet""");
     }
 
+    /** A dependency that is not declared; only if neither side is known it is none. */
+    @Test
+    void callToOrFromAnActorThatTheWiringDoesNotHave_isAViolation() {
+        monitor.asked("client1", "store.get");
+        assertThatThrownBy(monitor::check)
+                .hasMessageContaining("client1 asks store.get is not allowed: the wiring has no component store; ");
+        assertThat(monitor.violation().orElseThrow().component()).isEqualTo("client1");
+        var other = monitor.again();
+        other.asked("stranger", "planner.plan");
+        assertThatThrownBy(other::check)
+                .hasMessageContaining(
+                        "stranger asks planner.plan is not allowed: the wiring has no component stranger;");
+        assertThat(other.violation().orElseThrow().component()).isEqualTo("planner");
+        var again = monitor.again();
+        assertThatThrownBy(() -> again.asked("stranger", "store.get"))
+                .isInstanceOf(IllegalArgumentException.class)
+                .hasMessageContaining("there is no component stranger");
+        assertThat(again.violation()).isEmpty();
+    }
+
     @Test
     void answerToAnotherCaller_isAViolationOfTheCallerThatWasNotServed() {
         monitor.asked("client1", "planner.plan");
@@ -169,10 +189,11 @@ class WiringMonitorTest {
     }
 
     @Test
-    void unknownNames_areRejected() {
-        assertThatThrownBy(() -> monitor.asked("client3", "planner.plan")).hasMessageContaining("client3", "client1");
-        assertThatThrownBy(() -> monitor.asked("client1", "planer.plan")).hasMessageContaining("planer", "planner");
+    void unknownNames_areTold_withTheNearestName() {
         assertThatThrownBy(() -> monitor.asked("client1", "plan")).hasMessageContaining("component.call");
+        assertThatThrownBy(() -> monitor.asked("client3", "planer.plan")).hasMessageContaining("client3", "client1");
+        monitor.asked("client1", "planer.plan");
+        assertThatThrownBy(monitor::check).hasMessageContaining("no component planer; did you mean planner");
     }
 
     /** The names of the net's transitions are the events, so the monitor can be compared with the net. */

@@ -11,11 +11,14 @@ import java.net.InetSocketAddress;
 import java.net.ServerSocket;
 import java.net.Socket;
 import java.nio.charset.StandardCharsets;
+import java.time.Duration;
 import java.util.HashMap;
+import java.util.LinkedHashSet;
 import java.util.Locale;
 import java.util.Map;
 import java.util.Set;
-import java.util.concurrent.ConcurrentHashMap;
+import java.util.concurrent.ScheduledThreadPoolExecutor;
+import java.util.concurrent.TimeUnit;
 
 /**
  * A port for pages and WebSockets. It reads the head of the first request of each connection: one that asks for a
@@ -24,15 +27,21 @@ import java.util.concurrent.ConcurrentHashMap;
  * <p>The HTTP server of the JDK accepts its connections itself and has no upgrade, so it cannot share a port in another
  * way (ADR 20).
  *
+ * <p>A client cannot keep others out: a connection without a head gives way to a new one, and ends after a limit; of
+ * one address there are at most {@link #MOST_OF_ONE_ADDRESS}.
+ *
  * <p><b>Threads.</b> A virtual thread for each direction of a connection. A reader that is slow holds up its own
  * connection only.
  */
 final class SharedPort implements AutoCloseable {
     private static final System.Logger LOG = System.getLogger(SharedPort.class.getName());
     private static final int MOST_HEAD_BYTES = 16_384;
-    private static final int MOST_CONNECTIONS = 512;
-    /** Browsers open connections before they need them. */
-    private static final int HEAD_MILLIS = 60_000;
+    static final int MOST_CONNECTIONS = 512;
+    static final int MOST_OF_ONE_ADDRESS = 128;
+    /** For the whole head of the first request, from its first byte. */
+    private static final Duration HEAD_LIMIT = Duration.ofSeconds(10);
+    /** Until the first byte: browsers open connections before they need them. */
+    private static final int UNUSED_MILLIS = 60_000;
     /** Small, so that a page that reads slowly is not seconds behind. */
     private static final int BUFFER_BYTES = 1 << 16;
 
@@ -52,7 +61,7 @@ final class SharedPort implements AutoCloseable {
                 }
             }
             String[] lines = bytes.toString(StandardCharsets.ISO_8859_1).split("\r?\n");
-            String[] request = lines[0].split(" ");
+            String[] request = lines.length == 0 ? lines : lines[0].split(" ");
             Map<String, String> headers = new HashMap<>();
             for (int i = 1; i < lines.length; i++) {
                 String[] header = lines[i].split(":", 2);
@@ -60,7 +69,11 @@ final class SharedPort implements AutoCloseable {
                     headers.putIfAbsent(header[0].strip().toLowerCase(Locale.ROOT), header[1].strip());
                 }
             }
-            return new Head(request[0], request.length > 1 ? request[1] : "", headers, bytes.toByteArray());
+            return new Head(
+                    request.length > 0 ? request[0] : "",
+                    request.length > 1 ? request[1] : "",
+                    headers,
+                    bytes.toByteArray());
         }
 
         private static boolean endsWithEmptyLine(ByteArrayOutputStream bytes) {
@@ -74,13 +87,51 @@ final class SharedPort implements AutoCloseable {
         void serve(Head head, InputStream in, OutputStream out) throws IOException, InterruptedException;
     }
 
+    /** A connection, which waits until its first request has a head. */
+    private static final class Connection {
+        final Socket socket;
+        final InetAddress from;
+        private boolean waits = true; // guarded by this
+
+        Connection(Socket socket) {
+            this.socket = socket;
+            from = socket.getInetAddress();
+        }
+
+        synchronized void hasHead() {
+            waits = false;
+        }
+
+        /** Closes it if it waits still. */
+        synchronized boolean giveUp() {
+            if (waits) {
+                end();
+            }
+            return waits;
+        }
+
+        void end() {
+            try {
+                socket.close();
+            } catch (IOException e) {
+                LOG.log(Level.DEBUG, "a connection of the live page could not be closed", e);
+            }
+        }
+    }
+
     private final ServerSocket server;
     private final InetSocketAddress behind;
-    private final Set<Socket> sockets = ConcurrentHashMap.newKeySet();
+    private final Duration headLimit;
+    private final Set<Connection> connections = new LinkedHashSet<>(); // oldest first; guarded by itself
+    private final ScheduledThreadPoolExecutor limits = new ScheduledThreadPoolExecutor(
+            1, Thread.ofPlatform().name("live page limits").daemon().factory());
+    private boolean toldOfRefusals; // used by the thread that accepts only
 
-    private SharedPort(ServerSocket server, InetSocketAddress behind) {
+    private SharedPort(ServerSocket server, InetSocketAddress behind, Duration headLimit) {
         this.server = server;
         this.behind = behind;
+        this.headLimit = headLimit;
+        limits.setRemoveOnCancelPolicy(true);
     }
 
     /**
@@ -89,15 +140,21 @@ final class SharedPort implements AutoCloseable {
      * @param behind the HTTP server, on this machine
      */
     static SharedPort bind(InetAddress address, int port, InetSocketAddress behind) throws IOException {
+        return bind(address, port, behind, HEAD_LIMIT);
+    }
+
+    /** @param headLimit how long the head of the first request may take, from its first to its last byte */
+    static SharedPort bind(InetAddress address, int port, InetSocketAddress behind, Duration headLimit)
+            throws IOException {
         var server = new ServerSocket();
         try {
             server.setReceiveBufferSize(BUFFER_BYTES);
-            server.bind(new InetSocketAddress(address, port));
+            server.bind(new InetSocketAddress(address, port), MOST_CONNECTIONS);
         } catch (IOException e) {
             server.close();
             throw e;
         }
-        return new SharedPort(server, behind);
+        return new SharedPort(server, behind, headLimit);
     }
 
     /** Begins to serve connections. */
@@ -112,12 +169,11 @@ final class SharedPort implements AutoCloseable {
     private void acceptAll(Upgrade upgrade) {
         while (!server.isClosed()) {
             try {
-                Socket socket = server.accept();
-                if (sockets.size() >= MOST_CONNECTIONS) {
-                    socket.close();
+                var connection = new Connection(server.accept());
+                if (!admit(connection)) {
+                    refuse(connection);
                 } else {
-                    sockets.add(socket);
-                    Thread.ofVirtual().name("live page connection").start(() -> serve(socket, upgrade));
+                    Thread.ofVirtual().name("live page connection").start(() -> serve(connection, upgrade));
                 }
             } catch (IOException e) {
                 if (!server.isClosed()) {
@@ -127,14 +183,52 @@ final class SharedPort implements AutoCloseable {
         }
     }
 
-    private void serve(Socket socket, Upgrade upgrade) {
+    /**
+     * Makes room for a connection: at a limit, the oldest one ends that has not sent the head of a request yet; one of
+     * the same address, if these are too many. False if all connections are in use.
+     */
+    private boolean admit(Connection connection) {
+        synchronized (connections) {
+            boolean isFull = connections.size() >= MOST_CONNECTIONS;
+            boolean isMany =
+                    connections.stream().filter(each -> isOf(connection, each)).count() >= MOST_OF_ONE_ADDRESS;
+            if (isFull || isMany) {
+                var ended = connections.stream()
+                        .filter(each -> !isMany || isOf(connection, each))
+                        .filter(Connection::giveUp)
+                        .findFirst();
+                if (ended.isEmpty()) {
+                    return false;
+                }
+                connections.remove(ended.get());
+            }
+            connections.add(connection);
+            return true;
+        }
+    }
+
+    private static boolean isOf(Connection one, Connection other) {
+        return one.from.equals(other.from);
+    }
+
+    private void refuse(Connection connection) {
+        connection.end();
+        if (!toldOfRefusals) {
+            toldOfRefusals = true;
+            LOG.log(
+                    Level.WARNING,
+                    () -> "the live page refuses connections of " + connection.from.getHostAddress() + ": it has "
+                            + MOST_OF_ONE_ADDRESS + " of that address or " + MOST_CONNECTIONS + " of all");
+        }
+    }
+
+    private void serve(Connection connection, Upgrade upgrade) {
+        var socket = connection.socket;
         try (socket) {
             socket.setTcpNoDelay(true);
             socket.setSendBufferSize(BUFFER_BYTES);
-            socket.setSoTimeout(HEAD_MILLIS);
             var in = new BufferedInputStream(socket.getInputStream());
-            Head head = Head.read(in);
-            socket.setSoTimeout(0);
+            Head head = readHead(connection, in);
             if (head.bytes.length == 0) {
                 return;
             }
@@ -148,7 +242,25 @@ final class SharedPort implements AutoCloseable {
         } catch (InterruptedException e) {
             Thread.currentThread().interrupt();
         } finally {
-            sockets.remove(socket);
+            synchronized (connections) {
+                connections.remove(connection);
+            }
+        }
+    }
+
+    /** A limit of the socket would begin anew with each byte. */
+    private Head readHead(Connection connection, InputStream in) throws IOException {
+        connection.socket.setSoTimeout(UNUSED_MILLIS);
+        in.mark(1);
+        in.read();
+        in.reset();
+        connection.socket.setSoTimeout(0);
+        var limit = limits.schedule(connection::giveUp, headLimit.toNanos(), TimeUnit.NANOSECONDS);
+        try {
+            return Head.read(in);
+        } finally {
+            connection.hasHead();
+            limit.cancel(false);
         }
     }
 
@@ -188,8 +300,9 @@ final class SharedPort implements AutoCloseable {
     @Override
     public void close() throws IOException {
         server.close();
-        for (Socket socket : sockets) {
-            socket.close();
+        limits.shutdownNow();
+        synchronized (connections) {
+            connections.forEach(Connection::end);
         }
     }
 }

@@ -39,6 +39,9 @@ import org.jspecify.annotations.Nullable;
 final class ProcessTree {
     private static final Path PROCESS_TABLE = Path.of("/proc");
 
+    /** The variables of our commands begin with this; a password of the bus is among them. */
+    private static final String OURS = "TROUPE_";
+
     /**
      * The start of a line in {@code /proc/PID/stat}: process number, name (which may contain blanks and brackets),
      * state, parent, group and session. Does not match a zombie.
@@ -73,6 +76,12 @@ final class ProcessTree {
 
     /** Starts a program, in a new session if {@code setsid} is given. */
     static ProcessTree start(ProcessComponent.Settings settings, @Nullable Path setsid) throws IOException {
+        return start(settings, setsid, System.getenv());
+    }
+
+    /** Starts a program with the environment of this process, without {@link #OURS}. */
+    static ProcessTree start(ProcessComponent.Settings settings, @Nullable Path setsid, Map<String, String> environment)
+            throws IOException {
         List<String> command = new ArrayList<>(settings.command());
         // setsid reports a missing program only by an exit status; the error of ProcessBuilder names the reason
         boolean session = setsid != null && isProgram(command.getFirst(), settings.directory());
@@ -80,6 +89,9 @@ final class ProcessTree {
             command.addFirst(setsid.toString());
         }
         var builder = new ProcessBuilder(command).directory(settings.directory().toFile());
+        builder.environment().clear();
+        builder.environment().putAll(environment);
+        builder.environment().keySet().removeIf(name -> name.startsWith(OURS));
         return new ProcessTree(builder.start(), session);
     }
 

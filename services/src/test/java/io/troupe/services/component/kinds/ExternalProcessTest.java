@@ -325,6 +325,18 @@ class ExternalProcessTest {
         return script(directory, PATIENCE, script);
     }
 
+    /** A password of the bus is for this process only. */
+    @Test
+    void environment_isThatOfThisProcess_withoutOurVariables() throws Exception {
+        var environment =
+                Map.of("TROUPE_BUS_PASSWORD", "secret", "TROUPE_PASSWORD", "secret", "OTHER", "kept", "PATH", "/bin");
+        var tree = ProcessTree.start(
+                script("echo $OTHER $TROUPE_BUS_PASSWORD $TROUPE_PASSWORD; env | grep -c TROUPE"), null, environment);
+        trees.add(tree);
+        assertThat(new String(tree.root().getInputStream().readAllBytes(), StandardCharsets.UTF_8))
+                .isEqualTo("kept\n0\n");
+    }
+
     /** Starts a process tree, which ends after the test. */
     private ProcessTree tree(ProcessComponent.Settings settings) throws IOException {
         trees.add(ProcessTree.start(settings));
