@@ -10,6 +10,7 @@ import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.ManualClock;
 import java.time.Duration;
 import java.time.temporal.ChronoUnit;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.CancellationException;
 import java.util.concurrent.TimeoutException;
@@ -98,6 +99,23 @@ class FailedCallTest extends InTestSpace {
         assertThat(test.takeProblems()).isEmpty();
         test.advance(SECOND);
         assertThat(test.takeProblems()).hasSize(1);
+    }
+
+    /** In the form of the paper, and in that of CompletableFuture; a {@code finally} does not see the error. */
+    @Test
+    void error_thatAListenerWasGiven_isNotReported() {
+        var heard = new ArrayList<String>();
+        test.run(() -> {
+            counter.failing("one").then((value, error) -> heard.add(error.getMessage()));
+            counter.failing("two").whenComplete((value, error) -> heard.add(error.getMessage()));
+            counter.failing("three").handle((value, error) -> heard.add(error.getMessage()));
+        });
+        counter.failing("four").whenComplete((value, error) -> heard.add(error.getMessage()));
+        test.advance(SECOND);
+        assertThat(heard).containsExactlyInAnyOrder("one", "two", "three", "four");
+        assertThat(test.takeProblems()).isEmpty();
+        test.run(() -> counter.failing("unseen").eventually(() -> heard.add("at the end")));
+        assertThat(takeErrors()).containsExactly("unseen");
     }
 
     @Test

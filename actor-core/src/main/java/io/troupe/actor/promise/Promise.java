@@ -170,8 +170,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     }
 
     /**
-     * Calls the listener with the value or the error, as {@code then((result, error) -> ..)} of the paper; the returned
-     * promise has the same outcome.
+     * Calls the listener with the value or the error, as {@code then((result, error) -> ..)} of the paper; see
+     * {@link #whenComplete}.
      */
     public final Promise<T> then(BiConsumer<? super @Nullable T, ? super @Nullable Throwable> listener) {
         return whenComplete(listener);
@@ -229,8 +229,12 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return listen(new Stage.Handle<T, R>(this, function));
     }
 
+    /**
+     * Calls the listener with the value or the error; the returned promise has the same outcome. An error that the
+     * listener was given is not reported, even if the returned promise has no listener.
+     */
     public final Promise<T> whenComplete(BiConsumer<? super @Nullable T, ? super @Nullable Throwable> listener) {
-        return listen(new Stage.Observe<T>(this, listener));
+        return listen(new Stage.Observe<T>(this, listener, true));
     }
 
     /**
@@ -239,7 +243,7 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
      */
     public final Promise<T> eventually(Runnable action) {
         Objects.requireNonNull(action, "action");
-        return whenComplete((value, error) -> action.run());
+        return listen(new Stage.Observe<T>(this, (value, error) -> action.run(), false));
     }
 
     /** Like {@link #eventually(Runnable)}, and waits for the promise that the action returns. */

@@ -321,8 +321,15 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     static final class Observe<S extends @Nullable Object> extends Stage<S, S> {
         private @Nullable BiConsumer<? super @Nullable S, ? super @Nullable Throwable> listener;
 
-        Observe(Promise<S> source, BiConsumer<? super @Nullable S, ? super @Nullable Throwable> listener) {
+        private final boolean receivesErrors;
+
+        /** @param receivesErrors whether an error that the listener was given needs no other listener */
+        Observe(
+                Promise<S> source,
+                BiConsumer<? super @Nullable S, ? super @Nullable Throwable> listener,
+                boolean receivesErrors) {
             super(source);
+            this.receivesErrors = receivesErrors;
             this.listener = listenerInContext(listener);
         }
 
@@ -350,6 +357,9 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
                 throw thrown;
             }
             settleErrorAtHome(error);
+            if (receivesErrors) {
+                markHandled();
+            }
         }
     }
 

@@ -637,6 +637,7 @@ final class ModelRun {
                     result.follow(leader);
                 } else {
                     result.settle(act.kind() == Kind.WHEN ? outcome : "=" + act.id());
+                    result.heard |= act.kind() == Kind.WHEN; // by the listener
                 }
             });
         }
