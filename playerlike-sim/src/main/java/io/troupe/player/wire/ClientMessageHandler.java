@@ -56,6 +56,7 @@ final class ClientMessageHandler {
         for (var device : connection.devices()) {
             devices.put(Place.of(device), device);
         }
+        outbox.onEmptyFrame(connection::answered);
     }
 
     // ---- to the client
