@@ -74,7 +74,7 @@ final class ConfigReader {
                     "driver \"" + name + "\" is not run here and left out, and what it provides with it; expected"
                             + " \"stage\"");
         } else if (!name.equals(STAGE)) {
-            diagnostics.unknownName(
+            diagnostics.refuse(
                     driver.whereOf("name"), "unknown driver \"" + name + "\"; did you mean \"" + STAGE + "\"?");
         }
         return name.equals(STAGE);
@@ -243,7 +243,7 @@ final class ConfigReader {
                                 + Suggestions.sorted(ProvidedInterfaces.INTERFACES));
                 return false;
             }
-            diagnostics.unknownName(
+            diagnostics.refuse(
                     item.where(),
                     "unknown interface \"" + name + "\" in \"" + item.text() + '"'
                             + Suggestions.clauseWithAll(name, ProvidedInterfaces.INTERFACES));
