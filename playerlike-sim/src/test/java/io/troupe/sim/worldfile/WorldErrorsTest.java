@@ -367,6 +367,7 @@ class WorldErrorsTest extends WorldFiles {
         Function<String, Optional<Path>> found =
                 name -> SourceText.find(from, file("t.world"), List.of(stage), name, new SourcePosition(from, 1, 1));
         assertThat(found.apply("only.inc")).contains(stage.resolve("only.inc"));
+        assertThat(found.apply(dir.resolve("gone/worlds/only.inc").toString())).contains(stage.resolve("only.inc"));
         assertThat(found.apply("wall.inc")).contains(file("wall.inc"));
         assertThat(found.apply("none.inc")).isEmpty();
     }
