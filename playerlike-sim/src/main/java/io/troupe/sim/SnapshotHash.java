@@ -17,9 +17,9 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> The checksum depends on the order of the snapshots. <b>Threads.</b> One thread at a time.
  *
  * <p><b>Source.</b> CRC-32C over the numbers in the order of the records; a double by its bits, a list with its length
- * first. What few worlds have (from {@code moved} on, and the intensities and devices of a robot) is added only if there
- * is something, after a number that says which it is: a world without it has the checksum of versions that did not
- * know it.
+ * first. What few worlds have (from {@code moved} on, and the intensities and devices of a robot) is added only if
+ * there is something, after a number for what it is: a world without it has the checksum of versions that did not know
+ * it.
  */
 public final class SnapshotHash {
     // what follows

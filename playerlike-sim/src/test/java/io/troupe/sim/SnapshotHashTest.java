@@ -76,14 +76,11 @@ class SnapshotHashTest {
         SortedMap<Integer, Integer> first = new TreeMap<>(Map.of(0, 0));
         SortedMap<Integer, Integer> second = new TreeMap<>(Map.of(0, 1));
         assertThat(SnapshotHash.of(new Snapshot(5, 500_000, List.of(), List.of(), List.of(pose), first)))
-                .isNotEqualTo(
-                        SnapshotHash.of(new Snapshot(5, 500_000, List.of(), List.of(), List.of(pose), second)));
+                .isNotEqualTo(SnapshotHash.of(new Snapshot(5, 500_000, List.of(), List.of(), List.of(pose), second)));
         SortedMap<Integer, Optional<Pose>> none = new TreeMap<>();
         SortedMap<Integer, Optional<Pose>> gone = new TreeMap<>(Map.of(1, Optional.empty()));
-        var away = new Snapshot(
-                5, 0, List.of(), List.of(), List.of(), List.of(), none, List.of(1, 0), new TreeMap<>());
-        var placed =
-                new Snapshot(5, 0, List.of(), List.of(), List.of(), List.of(), gone, List.of(), new TreeMap<>());
+        var away = new Snapshot(5, 0, List.of(), List.of(), List.of(), List.of(), none, List.of(1, 0), new TreeMap<>());
+        var placed = new Snapshot(5, 0, List.of(), List.of(), List.of(), List.of(), gone, List.of(), new TreeMap<>());
         assertThat(SnapshotHash.of(away)).isNotEqualTo(SnapshotHash.of(placed));
     }
 
@@ -99,12 +96,15 @@ class SnapshotHashTest {
                     types[i] = components[i].getType();
                     components[i].getAccessor().setAccessible(true);
                     values[i] = components[i].getAccessor().invoke(whole);
-                    assertThat(values[i]).as(path + "." + components[i].getName() + " in this test").isNotNull();
+                    assertThat(values[i])
+                            .as(path + "." + components[i].getName() + " in this test")
+                            .isNotNull();
                 }
                 Constructor<?> create = whole.getClass().getDeclaredConstructor(types);
                 create.setAccessible(true);
                 for (int i = 0; i < components.length; i++) {
-                    for (var each : changes(path + "." + components[i].getName(), values[i]).entrySet()) {
+                    for (var each : changes(path + "." + components[i].getName(), values[i])
+                            .entrySet()) {
                         Object[] others = values.clone();
                         others[i] = each.getValue();
                         changes.put(each.getKey(), create.newInstance(others));
@@ -129,7 +129,8 @@ class SnapshotHashTest {
                 rest.remove(map.firstKey());
                 changes.put(path + " without the first", rest);
                 for (var entry : map.entrySet()) {
-                    for (var each : changes(path + "[" + entry.getKey() + "]", entry.getValue()).entrySet()) {
+                    for (var each : changes(path + "[" + entry.getKey() + "]", entry.getValue())
+                            .entrySet()) {
                         var others = new TreeMap<Object, Object>(map);
                         others.put(entry.getKey(), each.getValue());
                         changes.put(each.getKey(), others);
@@ -151,11 +152,12 @@ class SnapshotHashTest {
             case Long number -> changes.put(path, number + 1);
             case Boolean truth -> changes.put(path, !truth);
             case String text -> changes.put(path, text + "x");
-            case Enum<?> one -> changes.put(
-                    path,
-                    one.getDeclaringClass()
-                            .getEnumConstants()[
-                            (one.ordinal() + 1) % one.getDeclaringClass().getEnumConstants().length]);
+            case Enum<?> one ->
+                changes.put(
+                        path,
+                        one.getDeclaringClass()
+                                .getEnumConstants()[
+                                (one.ordinal() + 1) % one.getDeclaringClass().getEnumConstants().length]);
             default -> throw new AssertionError(path + " is a " + value.getClass() + ": teach this test to change it");
         }
         return changes;

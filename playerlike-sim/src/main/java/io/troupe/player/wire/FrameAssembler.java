@@ -6,7 +6,7 @@ import java.util.List;
 /**
  * Assembles the DATA messages of a stream into frames: one per message in push mode, one per SYNCH in pull mode. In
  * pull mode a server sends waiting data before a reply, too. If no data were requested, no SYNCH follows them, and they
- * are a frame of their own: the client's next request for data answers it.
+ * are a separate frame: the client's next request for data answers it.
  *
  * <p><b>Threads.</b> The thread that reads the stream; only {@link #wantsData} may be called from any thread.
  */

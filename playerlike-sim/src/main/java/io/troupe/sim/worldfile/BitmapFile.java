@@ -139,8 +139,7 @@ final class BitmapFile {
             }
             BufferedImage image = reader.read(0, part);
             if (!damage.isEmpty()) {
-                // a decoder that reaches the end of the file early returns the image so far, without the other
-                // walls
+                // a decoder that reaches the end of the file early returns the walls so far
                 throw new WorldFileException(namedAt, "the image " + file + " is damaged: " + damage.getFirst());
             }
             strip(image, top);

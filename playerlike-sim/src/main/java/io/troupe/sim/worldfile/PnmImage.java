@@ -42,7 +42,7 @@ final class PnmImage {
         }
     }
 
-    /** Says what is wrong with an image, and what was expected. */
+    /** An image is damaged; the message has what was expected. */
     static final class DamagedException extends Exception {
         private static final long serialVersionUID = 1L;
 

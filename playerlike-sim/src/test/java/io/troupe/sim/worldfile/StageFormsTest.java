@@ -69,7 +69,7 @@ class StageFormsTest extends WorldFiles {
         }
     }
 
-    /** Dark pixels {@code #.#} above {@code ###}: what each format below says. */
+    /** Dark pixels {@code #.#} above {@code ###}: in each format below. */
     private void assertIsTheFort(String name) {
         assertThat(outline("model ( bitmap \"" + name + "\" size [ 3 2 1 ] )"))
                 .singleElement()
