@@ -133,8 +133,7 @@ final class SpaceHome extends Home {
                 closing.rejectLeftovers();
             }
         } catch (StackOverflowError endOfTheCallersStack) {
-            // it is queued: the space checks its queues by itself within a second; if it is closed, the next caller
-            // does
+            // it is queued: the space checks its queues within a second; if it is closed, the next caller does
         }
     }
 
