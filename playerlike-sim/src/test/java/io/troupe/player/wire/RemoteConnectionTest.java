@@ -365,7 +365,7 @@ class RemoteConnectionTest implements PlayerConstants {
         client.close();
         assertThat(threads(server)).isEmpty();
         fails(son::isDataReady, "this client is closed");
-        fails(son::queryGeometry, "has been closed");
+        fails(son::queryGeometry, "is closed");
     }
 
     private static List<Thread> threads(ScriptedSocket server) {
