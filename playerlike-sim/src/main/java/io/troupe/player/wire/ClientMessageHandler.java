@@ -57,6 +57,7 @@ final class ClientMessageHandler {
             devices.put(Place.of(device), device);
         }
         outbox.onEmptyFrame(connection::answered);
+        outbox.inLockStep(connection::isWaitedFor);
     }
 
     // ---- to the client

@@ -14,6 +14,7 @@ import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
 import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -59,6 +60,7 @@ final class Outbox {
     private final AtomicLong empty = new AtomicLong(PlayerConnection.NO_TICK);
 
     private volatile LongConsumer emptyFrames = tick -> {};
+    private volatile BooleanSupplier lockStep = () -> false;
     private volatile boolean closed;
     private volatile int replyBytes; // written under the lock
 
@@ -220,10 +222,26 @@ final class Outbox {
         return locked(() -> timeSeconds);
     }
 
-    /** Adds a reply; everything added before is sent before it. */
-    void reply(WireMessage message) {
-        locked(() -> {
+    /** Sets whether the world waits for the client's answer to each frame. */
+    void inLockStep(BooleanSupplier whether) {
+        lockStep = whether;
+    }
+
+    /**
+     * Before a reply the waiting data are sent, as from a real server. In lock step they wait for the client's request
+     * for data: they are the frame that it answers, and many clients pass over data that they did not request.
+     */
+    private void release(boolean inLockStep) {
+        if (mode == Delivery.PUSH || !inLockStep) {
             release();
+        }
+    }
+
+    /** Adds a reply. */
+    void reply(WireMessage message) {
+        boolean inLockStep = lockStep.getAsBoolean(); // not under our lock
+        locked(() -> {
+            release(inLockStep);
             put(message);
             return true;
         });
@@ -283,8 +301,9 @@ final class Outbox {
 
     /** Adds a subscription; the reply precedes its first data. */
     void subscribed(DeviceAddress device, WireMessage reply) {
+        boolean inLockStep = lockStep.getAsBoolean();
         locked(() -> {
-            release();
+            release(inLockStep);
             put(reply);
             return subscribed.add(device);
         });
@@ -296,6 +315,7 @@ final class Outbox {
 
     /** Removes a subscription and the queued data of the device. */
     void unsubscribed(DeviceAddress device, WireMessage reply) {
+        boolean inLockStep = lockStep.getAsBoolean();
         locked(() -> {
             subscribed.remove(device);
             for (var waiting : List.of(held, sending)) {
@@ -304,7 +324,7 @@ final class Outbox {
                         each -> each.data() != null && each.data().from().equals(device));
                 dataWaiting -= before - waiting.size();
             }
-            release();
+            release(inLockStep);
             put(reply);
             return true;
         });

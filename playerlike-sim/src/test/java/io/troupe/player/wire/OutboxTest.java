@@ -157,6 +157,20 @@ class OutboxTest {
     }
 
     @Test
+    void pull_inLockStep_dataWaitForTheirRequest_whateverIsRepliedBefore() {
+        outbox.inLockStep(() -> true);
+        pull();
+        frame(0, position(0));
+        outbox.reply(reply(1));
+        outbox.subscribed(SONAR, reply(3));
+        outbox.unsubscribed(SONAR, reply(3));
+        assertThat(sent()).containsExactly("ACK 1", "ACK 3", "ACK 3");
+        assertThat(ask()).as("answered").isEqualTo(PlayerConnection.NO_TICK);
+        assertThat(sent()).containsExactly("ACK 4", "position 0", "SYNCH 1 0");
+        assertThat(ask()).as("answered").isZero();
+    }
+
+    @Test
     void pull_dataSentBeforeASubscription_areAnsweredByTheNextRequestForData_withoutAnEnd() {
         pull();
         frame(0, position(0));

@@ -44,12 +44,15 @@ class PullModeTest {
             }
         }
 
-        void request(PlayerRequest request) throws IOException {
+        /** Returns the time of the newest frame at the server. */
+        double request(PlayerRequest request) throws IOException {
             raw.send(RawClient.bytes(request));
             int subtype = PlayerDeviceCodec.encode(request).subtype();
-            for (var message = raw.next(); !isReply(message, subtype); message = raw.next()) {
+            WireMessage message = raw.next();
+            for (; !isReply(message, subtype); message = raw.next()) {
                 queue.add(message);
             }
+            return message.header().timeSeconds();
         }
 
         private static boolean isReply(WireMessage message, int subtype) {
@@ -129,16 +132,19 @@ class PullModeTest {
 
     @ParameterizedTest
     @ValueSource(ints = {1, 4})
-    void lockStep_loopWithRequests_seesEachTickOnce(int requests) throws Exception {
+    void lockStep_dataWaitForTheirRequest_andEachTickIsSeenOnce(int requests) throws Exception {
+        served.tick(1);
         var client = client();
         client.subscribe(POSITION2D);
-        for (int tick = 0; tick < 30; tick++) {
+        for (int tick = 1; tick < 30; tick++) {
             served.tickApart();
         }
-        while (client.queue.isEmpty()) { // the first frame precedes a reply
-            client.request(new PlayerRequest.DeviceList());
+        while (client.request(new PlayerRequest.DeviceList()) < 0.1) {
+            Thread.onSpinWait(); // the first frame is not there yet
         }
-        for (int tick = 0; tick < 30; tick++) {
+        client.subscribe(SONAR);
+        for (int tick = 1; tick < 30; tick++) {
+            assertThat(client.queue).as("sent before it was requested").isEmpty();
             client.read();
             assertThat(client.timeSeconds).isEqualTo(tick / 10.0);
             for (int i = 0; i < requests; i++) {
