@@ -22,11 +22,13 @@ import io.troupe.view.live.LiveView;
 import io.troupe.view.live.RunControl;
 import io.troupe.view.live.ViewFile;
 import io.troupe.view.live.ViewedRun;
+import io.troupe.view.tools.RunFileException;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;
 import java.util.List;
 import java.util.Locale;
+import java.util.Map;
 import java.util.concurrent.Callable;
 import org.jspecify.annotations.Nullable;
 import picocli.CommandLine.Command;
@@ -278,8 +280,14 @@ final class RunCommand implements Callable<Integer> {
         WorldSpec world = team.scenario().world();
         if (repeat != null) {
             try {
-                control.repeat(repeat, world.robots().size());
-            } catch (IllegalArgumentException e) {
+                control.repeat(
+                        repeat,
+                        world,
+                        Map.of(
+                                "seed", Long.toString(seed),
+                                "mode", mode.toString(),
+                                "reconnect", Boolean.toString(reconnect)));
+            } catch (IllegalArgumentException | RunFileException e) {
                 throw new ParameterException(spec.commandLine(), "--repeat: " + e.getMessage(), e);
             }
         }

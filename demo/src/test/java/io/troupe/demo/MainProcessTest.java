@@ -196,6 +196,7 @@ class MainProcessTest extends CommandLineBench {
         script("home/troupe", Files.readString(Path.of("..", "troupe")));
         file("home/demo/target/classpath.txt", "/nowhere/of/the/builder/some.jar");
         file("home/demo/target/lib/some.jar", "");
+        file("home/demo/target/classes/io/troupe/demo/Main.class", "");
         script("jdk/bin/java", "#!/bin/sh\nprintf '%s\\n' \"$@\" \"LC_ALL=$LC_ALL\"\n");
         script("jdk/bin/javac", "#!/bin/sh\n");
         file("jdk/release", "JAVA_VERSION=\"21.0.1\"\n");
@@ -218,6 +219,18 @@ class MainProcessTest extends CommandLineBench {
         var process = builder.start();
         String text = new String(process.getInputStream().readAllBytes(), StandardCharsets.UTF_8);
         return new Outcome(process.waitFor(), text);
+    }
+
+    @Test
+    @Timeout(60)
+    void script_buildsAgain_whenTheClassesAreGone() throws Exception {
+        install();
+        List<String> version = List.of(home.resolve("troupe").toString(), "--version");
+        assertThat(run(Map.of(), version).status()).isZero();
+        Files.delete(home.resolve("demo/target/classes/io/troupe/demo/Main.class"));
+        Outcome outcome = run(Map.of(), version);
+        assertThat(outcome.text()).contains("troupe: building", "mvn runs");
+        assertThat(outcome.status()).isEqualTo(1);
     }
 
     @Test

@@ -58,7 +58,11 @@ class ViewOptionsTest extends CommandLineBench {
     void interventions_areRepeated() throws IOException {
         printed(SHORT_RUN);
         String untouched = written("run.jsonl");
-        file("by-hand.jsonl", "{" + AT_ONE_SECOND + "place 1 3.5 -1.0 0.7\"}\n");
+        // as another program might format it
+        String header = untouched.lines().findFirst().orElseThrow();
+        file(
+                "by-hand.jsonl",
+                header + "\n{\"t\": 1.00, \"type\": \"intervention\", \"what\": \"place 1 3.5 -1.0 0.7\"}\n");
         printed(SHORT_RUN + " --repeat DIR/by-hand.jsonl");
         String changed = written("run.jsonl");
         assertThat(changed).contains(AT_ONE_SECOND + "place 1 3.5 -1.0 0.7\"");
@@ -84,8 +88,24 @@ class ViewOptionsTest extends CommandLineBench {
                 "pause", // is not recorded
             })
     void interventionThatCannotBeRepeated_isRefusedWithItsLine(String what) throws IOException {
-        file("by-hand.jsonl", "{\"type\":\"start\"}\n{" + AT_ONE_SECOND + what + "\"}\n");
-        assertRefused(SHORT_RUN + " --repeat DIR/by-hand.jsonl", "--repeat: DIR/by-hand.jsonl, line 2: ");
+        printed(SHORT_RUN);
+        String header = written("run.jsonl").lines().findFirst().orElseThrow();
+        file("by-hand.jsonl", header + "\n{" + AT_ONE_SECOND + what + "\"}\n");
+        assertRefused(SHORT_RUN + " --repeat DIR/by-hand.jsonl", "--repeat: DIR/by-hand.jsonl");
+    }
+
+    @Test
+    void logThatCannotBeRepeated_isRefusedWithTheReason() throws IOException {
+        printed(SHORT_RUN);
+        file("first.jsonl", written("run.jsonl"));
+        String repeat = " --repeat DIR/first.jsonl";
+        assertRefused(SHORT_RUN + " --seed 2" + repeat, "the seed of the recorded run is 1, and that of this run 2");
+        assertRefused(SHORT_RUN + " --mode callback" + repeat, "the mode of the recorded run is promise, and that of");
+        assertRefused(SHORT_RUN + " --reconnect" + repeat, "the reconnect of the recorded run is false, and that of");
+        assertRefused(
+                "run --robots 3 --seconds 3 --out DIR" + repeat, "the run was in world 'paper arena' with 2 robots");
+        file("text.jsonl", "no run\nat all\n");
+        assertRefused(SHORT_RUN + " --repeat DIR/text.jsonl", "text.jsonl:1:1: ", "expected a JSON object");
     }
 
     // ---- --view

@@ -276,7 +276,7 @@ final class ClientConnection implements PlayerConnection {
     public void close() {
         // when another thread closes it, the client is removed at once: its space may run a turn that never ends
         boolean inItsTurn = space != null && ActorSpace.current() == space;
-        close("this line to port " + server.port() + " has been closed", inItsTurn);
+        close("the connection to port " + server.port() + " is closed", inItsTurn);
     }
 
     /**

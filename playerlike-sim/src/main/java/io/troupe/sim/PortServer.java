@@ -115,11 +115,14 @@ final class PortServer implements PlayerServer {
         }
         List<RangerSpec> rangers = spec == null ? List.of() : spec.rangers();
         boolean there = number >= 0 && number < rangers.size();
-        boolean laser = there && rangers.get(number).kind() == RangerSpec.Kind.LASER;
-        if (!there || laser != (type == Interfaces.LASER)) {
+        // a ranger of one sensor may be offered as a laser, and a laser as a ranger
+        boolean several = there && rangers.get(number).sensors().size() > 1;
+        if (!there || several && type == Interfaces.LASER) {
             throw new IllegalArgumentException(binding.where() + ": " + type.playerName() + ":" + binding.index()
                     + " is ranging device " + number + " of '" + binding.model() + "', which "
-                    + (there ? "is of another kind" : "has " + rangers.size() + " of them, counted from 0"));
+                    + (there
+                            ? "has several sensors, and a laser is one"
+                            : "has " + rangers.size() + " of them, counted from 0"));
         }
     }
 

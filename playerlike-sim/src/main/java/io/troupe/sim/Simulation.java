@@ -381,9 +381,8 @@ public final class Simulation implements AutoCloseable {
 
     private void awaitAnswers(long tick, List<ClientConnection> subscribers) {
         long deadline = time.runningNanos() + answerLimit.toNanos();
-        int answered =
-                0; // number of leading clients that have answered, so that each new answer does not check all clients
-        // again
+        // number of leading clients that have answered, so that each new answer does not check all clients again
+        int answered = 0;
         while (true) {
             if (whileWaiting != null) {
                 whileWaiting.run();

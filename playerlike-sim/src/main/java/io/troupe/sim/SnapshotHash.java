@@ -17,9 +17,21 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Order.</b> The checksum depends on the order of the snapshots. <b>Threads.</b> One thread at a time.
  *
  * <p><b>Source.</b> CRC-32C over the numbers in the order of the records; a double by its bits, a list with its length
- * first.
+ * first. What few worlds have (from {@code moved} on, and the intensities and devices of a robot) is added only if
+ * there is something, after a number for what it is: a world without it has the checksum of versions that did not know
+ * it.
  */
 public final class SnapshotHash {
+    // what follows
+    private static final int MOVED = 1;
+    private static final int BOXES = 2;
+    private static final int PLACED = 3;
+    private static final int AWAY = 4;
+    private static final int HELD = 5;
+    private static final int SIDEWAYS = 6;
+    private static final int INTENSITIES = 7;
+    private static final int DEVICES = 8;
+
     private final CRC32C crc = new CRC32C();
     private final ByteBuffer buffer = ByteBuffer.allocate(1 << 13);
 
@@ -43,19 +55,40 @@ public final class SnapshotHash {
             add(contact.otherRobot());
             add(contact.other());
         }
+        addRare(snapshot);
+    }
+
+    private void addRare(Snapshot snapshot) {
+        begin(MOVED, snapshot.moved().size());
         snapshot.moved().forEach(this::add);
-        for (ColouredBox box : snapshot.boxes()) { // nothing if there are none, as before there were boxes
+        begin(BOXES, snapshot.boxes().size());
+        for (ColouredBox box : snapshot.boxes()) {
             add(box.number());
             add(box.colour());
             add(box.x());
             add(box.y());
         }
-        snapshot.placed().forEach((obstacle, pose) -> { // as with boxes
+        begin(PLACED, snapshot.placed().size());
+        snapshot.placed().forEach((obstacle, pose) -> {
             add(obstacle);
             add(pose.isPresent() ? 1 : 0);
             pose.ifPresent(this::add);
         });
+        begin(AWAY, snapshot.away().size());
         snapshot.away().forEach(this::add);
+        begin(HELD, snapshot.held().size());
+        snapshot.held().forEach((obstacle, robot) -> {
+            add(obstacle);
+            add(robot);
+        });
+    }
+
+    /** Begins a list that few worlds have. */
+    private void begin(int which, int size) {
+        if (size > 0) {
+            add(-1 - which);
+            add(size);
+        }
     }
 
     /** Checksum so far, from 0 to 2^32 - 1. */
@@ -76,6 +109,7 @@ public final class SnapshotHash {
         add(robot.odometry().forwardMps());
         add(robot.odometry().turnRadps());
         if (robot.odometry().sidewaysMps() != 0) {
+            begin(SIDEWAYS, 1);
             add(robot.odometry().sidewaysMps());
         }
         add(robot.odometry().stalled() ? 1 : 0);
@@ -83,15 +117,17 @@ public final class SnapshotHash {
         add(robot.blobs());
         add(robot.rangersM().size());
         robot.rangersM().forEach(this::addAll);
+        begin(INTENSITIES, robot.intensities().size());
         robot.intensities().forEach(this::addAll);
+        begin(DEVICES, robot.devices().size());
         robot.devices().forEach(this::add);
         add(robot.wallGapM());
     }
 
-    /** Robots without such devices add nothing: their checksums are those of versions that did not have them. */
     private void add(DeviceReading device) {
         switch (device) {
             case DeviceReading.Fiducials(var seen) -> {
+                add(1);
                 add(seen.size());
                 for (DeviceReading.Fiducial each : seen) {
                     add(each.id());
@@ -101,6 +137,7 @@ public final class SnapshotHash {
                 }
             }
             case DeviceReading.Picture(int heightPx, var columns) -> {
+                add(2);
                 add(heightPx);
                 add(columns.size());
                 for (DeviceReading.Column column : columns) {
@@ -110,10 +147,12 @@ public final class SnapshotHash {
                 }
             }
             case DeviceReading.Grip(var paddles, boolean outer, boolean inner, boolean holds) -> {
+                add(3);
                 add(paddles.ordinal());
                 add((outer ? 1 : 0) + (inner ? 2 : 0) + (holds ? 4 : 0));
             }
             case DeviceReading.Pressed(var bumpers) -> {
+                add(4);
                 add(bumpers.size());
                 bumpers.forEach(each -> add(each ? 1 : 0));
             }

@@ -261,7 +261,8 @@ class ProgramsTest implements PlayerConstants {
     void threads_ofClosedProgramsAndServers_areGone() throws Exception {
         overTcp(Corpus.PULL_READER);
         for (Thread each : Thread.getAllStackTraces().keySet()) {
-            if (each.getName().startsWith("player-line-") || each.getName().startsWith("simulation-")) {
+            if (each.getName().startsWith("player-connection-")
+                    || each.getName().startsWith("simulation-")) {
                 each.join(Duration.ofMinutes(1)); // it has been asked to end, and ends once it gets a processor
                 assertThat(each.isAlive()).as(each.getName()).isFalse();
             }

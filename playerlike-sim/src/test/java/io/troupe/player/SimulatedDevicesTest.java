@@ -445,4 +445,45 @@ class SimulatedDevicesTest {
             assertThat(pose(0)).isEqualTo(new Pose(-1, -2, 0));
         }
     }
+
+    @Test
+    void rangerAsLaser_andLaserAsRanger_areReadByBothInterfaces(@TempDir Path dir) throws IOException {
+        Files.writeString(dir.resolve("w.world"), """
+                model ( pose [ 3 0 0 0 ] size [ 0.2 9 1 ] )
+                position ( name "r0" size [ 0.4 0.4 0.2 ]
+                  ranger ( pose [ 0.1 0 0 0 ] sensor ( range [ 0 8 ] fov 180 samples 181 ) ) )
+                position ( name "r1" size [ 0.4 0.4 0.2 ] pose [ -3 0 0 0 ]
+                  ranger ( sensor ( range [ 0 8 ] samples 1 ) sensor ( range [ 0 8 ] samples 1 pose [ 0 0 0 90 ] ) ) )
+                """);
+        Path config = dir.resolve("t.cfg");
+        Files.writeString(config, """
+                driver ( name "stage" provides [ "6791:simulation:0" ] worldfile "w.world" )
+                driver ( name "stage" provides [ "6791:position2d:0" "6791:ranger:0" ] model "r0" )
+                driver ( name "stage" provides [ "6791:sonar:0" ] model "r1" )
+                driver ( name "rangertolaser" provides [ "6791:laser:0" ] requires [ "6791:ranger:0" ] )
+                driver ( name "sonartoranger" provides [ "6791:ranger:1" ] requires [ "6791:sonar:0" ] )
+                driver ( name "lasertoranger" provides [ "6791:ranger:2" ] requires [ "6791:laser:0" ] )
+                """);
+        try (var world = Simulation.open(ScenarioReader.readConfig(config), WorldSettings.DEFAULT)) {
+            var both = new WireClient(6791, WireClient.ANSWER);
+            both.subscribe(LASER, 0);
+            for (int ranger = 0; ranger < 3; ranger++) {
+                both.subscribe(RANGER, ranger);
+            }
+            world.tick();
+            var scan = (DeviceData.LaserScan) both.newest(LASER, 0);
+            assertThat(scan.rangesM()).hasSize(181);
+            assertThat(scan.rangesM().get(90)).isCloseTo(2.8f, within(1e-6f));
+            assertThat(scan.maxAngleRad()).isCloseTo((float) (90 * DEGREE), within(1e-6f));
+            List<Double> ranges = ((DeviceData.RangerRanges) both.newest(RANGER, 0)).rangesM();
+            assertThat(ranges).hasSize(181).isEqualTo(((DeviceData.RangerRanges) both.newest(RANGER, 2)).rangesM());
+            assertThat(((DeviceData.RangerRanges) both.newest(RANGER, 1)).rangesM())
+                    .hasSize(2);
+            assertThat(both.ask(LASER, 0, new DeviceRequest.Geometry())).isInstanceOf(DeviceReply.LaserGeometry.class);
+            assertThat(both.ask(RANGER, 2, new DeviceRequest.Geometry()))
+                    .isInstanceOf(DeviceReply.RangerGeometry.class);
+            assertThat(both.ask(LASER, 0, new DeviceRequest.GetConfiguration()))
+                    .isInstanceOf(DeviceReply.OfLaser.class);
+        }
+    }
 }

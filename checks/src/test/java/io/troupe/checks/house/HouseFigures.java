@@ -4,7 +4,9 @@ import com.sun.source.tree.ClassTree;
 import com.sun.source.tree.CompilationUnitTree;
 import com.sun.source.tree.MethodTree;
 import com.sun.source.util.JavacTask;
+import com.sun.source.util.SourcePositions;
 import com.sun.source.util.TreeScanner;
+import com.sun.source.util.Trees;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;
@@ -51,6 +53,9 @@ final class HouseFigures {
      * publish, reject, queue, thread. Each with a better one in the check's message.
      */
     static final Map<Pattern, String> HOUSE_WORDS = houseWords();
+
+    /** A method of main code is shorter. */
+    static final int METHOD_LINES = 60;
 
     /** Annotations of JUnit and jqwik that make a method a test, by their simple names. */
     private static final Set<String> TEST_ANNOTATIONS =
@@ -157,6 +162,34 @@ final class HouseFigures {
         for (SourceFile file : sources) {
             for (Comment comment : file.comments()) {
                 comment.linesOver(COMMENT_COLUMNS).forEach(line -> places.add(file.path() + ":" + line));
+            }
+        }
+        return places;
+    }
+
+    /** Places of methods of main code that have {@value #METHOD_LINES} lines or more. */
+    static List<String> longMethods(Collection<SourceFile> sources) {
+        return sources.stream()
+                .filter(SourceFile::isMain)
+                .flatMap(file -> file.longMethods().stream().map(method -> file.path() + method))
+                .toList();
+    }
+
+    /** Places of comments of main code whose last line is a word or two: a formatter has broken the line before. */
+    static List<String> brokenComments(Collection<SourceFile> sources) {
+        List<String> places = new ArrayList<>();
+        for (SourceFile file : sources.stream().filter(SourceFile::isMain).toList()) {
+            Comment before = null;
+            for (Comment comment : file.comments()) {
+                boolean continues = before != null
+                        && comment.text().startsWith("//")
+                        && before.text().startsWith("//")
+                        && comment.firstLine() == before.firstLine() + 1
+                        && before.text().length() > 60;
+                if (continues && comment.text().substring(2).strip().split(" ").length <= 2) {
+                    places.add(file.path() + ":" + comment.firstLine() + " " + comment.text());
+                }
+                before = comment;
             }
         }
         return places;
@@ -388,7 +421,8 @@ final class HouseFigures {
             int testMethods,
             List<TopLevelType> types,
             List<Comment> comments,
-            Set<String> names) {
+            Set<String> names,
+            List<String> longMethods) {
         private static final Pattern IDENTIFIER = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]*");
         private static final Pattern IMPORT = Pattern.compile("(?m)^\\s*import\\s[^;]*;");
 
@@ -407,15 +441,34 @@ final class HouseFigures {
             try (var manager = compiler.getStandardFileManager(null, null, null)) {
                 var objects = manager.getJavaFileObjectsFromPaths(files);
                 var task = (JavacTask) compiler.getTask(null, manager, null, List.of("-proc:none"), null, objects);
+                var positions = Trees.instance(task).getSourcePositions();
                 for (CompilationUnitTree unit : task.parse()) {
                     Path file = Path.of(unit.getSourceFile().toUri());
-                    sources.add(of(root.relativize(file), Files.readString(file), unit));
+                    sources.add(of(root.relativize(file), Files.readString(file), unit, longMethods(unit, positions)));
                 }
             }
             return sources;
         }
 
-        private static SourceFile of(Path path, String text, CompilationUnitTree unit) {
+        /** The methods and constructors of {@value #METHOD_LINES} lines or more, with their first line and length. */
+        private static List<String> longMethods(CompilationUnitTree unit, SourcePositions positions) {
+            List<String> found = new ArrayList<>();
+            new TreeScanner<Void, Void>() {
+                @Override
+                public Void visitMethod(MethodTree method, Void none) {
+                    long first = unit.getLineMap().getLineNumber(positions.getStartPosition(unit, method));
+                    long last = positions.getEndPosition(unit, method);
+                    long lines = last < 0 ? 0 : unit.getLineMap().getLineNumber(last) - first + 1; // -1: not written
+                    if (lines >= METHOD_LINES) {
+                        found.add(":" + first + " " + method.getName() + " has " + lines + " lines");
+                    }
+                    return super.visitMethod(method, none);
+                }
+            }.scan(unit, null);
+            return found;
+        }
+
+        private static SourceFile of(Path path, String text, CompilationUnitTree unit, List<String> longMethods) {
             List<Comment> comments = new ArrayList<>();
             String all = withoutComments(text, comments);
             String code = IMPORT.matcher(all).replaceAll("");
@@ -437,7 +490,8 @@ final class HouseFigures {
                     testMethods(unit),
                     types,
                     comments,
-                    names);
+                    names,
+                    longMethods);
         }
 
         private static int testMethods(CompilationUnitTree unit) {

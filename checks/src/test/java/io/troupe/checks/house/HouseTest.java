@@ -38,6 +38,12 @@ class HouseTest {
     }
 
     @Test
+    void methodsOfMainCode_haveFewerThan60Lines_andNoCommentEndsWithALonelyWord() {
+        assertThat(HouseFigures.longMethods(sources)).isEmpty();
+        assertThat(HouseFigures.brokenComments(sources)).isEmpty();
+    }
+
+    @Test
     void markdownPages_haveParagraphsOfOneLine_andNameThingsByTheirNouns() throws IOException {
         List<String> problems = new ArrayList<>();
         List<Path> pages = Repository.markdownPages();
@@ -137,8 +143,8 @@ class HouseTest {
     @Test
     void finder_findsHouseWords_butNotInCode() {
         var comment = new Comment(7, 0, "/** Whoever listens is told; {@code nobody()} is a name. */");
-        var file =
-                new SourceFile(Path.of("a/src/main/java/A.java"), "a", 9, 8, 0, List.of(), List.of(comment), Set.of());
+        var file = new SourceFile(
+                Path.of("a/src/main/java/A.java"), "a", 9, 8, 0, List.of(), List.of(comment), Set.of(), List.of());
         assertThat(HouseFigures.houseWordsIn(List.of(file)))
                 .hasSize(2)
                 .anyMatch(each -> each.startsWith("a/src/main/java/A.java:7: \"Whoever\", better: "))

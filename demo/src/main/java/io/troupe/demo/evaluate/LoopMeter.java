@@ -103,8 +103,7 @@ final class LoopMeter implements Meter {
         turns.extend(computed);
         if (track.loops < loops) {
             track.cycles.add(computed - track.beganComputing);
-            // in turn: a loop starts where the other service's loop ended; concurrently: where the service's previous
-            // one did
+            // in turn a loop starts where the other service's loop ended, concurrently where its own previous one did
             track.timeNanos += end - (inTurn ? lastEndNanos : track.endedCycle);
             track.endedCycle = end;
             lastEndNanos = end;

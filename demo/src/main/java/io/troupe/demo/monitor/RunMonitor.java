@@ -259,6 +259,18 @@ public final class RunMonitor {
         return seen.add(robot) || mode == Mode.PROMISE;
     }
 
+    private void ofServiceEnd(int robot) {
+        if (mode != Mode.SYNC) {
+            ended(robot);
+            return;
+        }
+        if (inCycle != null) {
+            failed(inCycle);
+            inCycle = null;
+        }
+        monitor.called("loop", "service" + (robot + 1) + ".end");
+    }
+
     /** Observes services, and passes everything on. */
     ServiceObserver services(ServiceObserver inner) {
         return new ServiceObserver() {
@@ -296,15 +308,7 @@ public final class RunMonitor {
 
             @Override
             public void serviceEnded(int robot, Service service) {
-                if (mode == Mode.SYNC) {
-                    if (inCycle != null) {
-                        failed(inCycle);
-                        inCycle = null;
-                    }
-                    monitor.called("loop", "service" + (robot + 1) + ".end");
-                } else {
-                    ended(robot);
-                }
+                ofServiceEnd(robot);
                 inner.serviceEnded(robot, service);
             }
 

@@ -12,14 +12,16 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * Reads worlds the same way in all commands. Warnings with their position go to standard error. Unknown names are
- * warnings only with {@code --lenient}.
+ * Reads worlds the same way in all commands. Warnings with their position go to standard error. What is unknown or
+ * cannot be used is a warning only with {@code --lenient}.
  */
 public final class WorldLoader {
     @Spec(Spec.Target.MIXEE)
     private CommandSpec spec;
 
-    @Option(names = "--lenient", description = "warn of unknown names in the world file, and go on")
+    @Option(
+            names = "--lenient",
+            description = "leave out what is unknown or cannot be used in the world file, and warn")
     private boolean lenient;
 
     /**

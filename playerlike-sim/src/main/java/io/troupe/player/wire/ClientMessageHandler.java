@@ -56,6 +56,8 @@ final class ClientMessageHandler {
         for (var device : connection.devices()) {
             devices.put(Place.of(device), device);
         }
+        outbox.onEmptyFrame(connection::answered);
+        outbox.inLockStep(connection::isWaitedFor);
     }
 
     // ---- to the client
@@ -259,8 +261,7 @@ final class ClientMessageHandler {
             outbox.unsubscribed(outside(device), reply);
             return;
         }
-        // The reply precedes the first data in the outbox, but is sent only after the devices have added the
-        // subscription.
+        // The reply precedes the first data in the outbox, but is sent only when the devices know the subscriber.
         outbox.cork();
         try {
             outbox.subscribed(outside(device), reply);

@@ -12,7 +12,10 @@ import java.util.Set;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.Semaphore;
 import java.util.concurrent.atomic.AtomicInteger;
+import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.locks.ReentrantLock;
+import java.util.function.BooleanSupplier;
+import java.util.function.LongConsumer;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -53,7 +56,11 @@ final class Outbox {
     private final Semaphore outputReady = new Semaphore(0);
     /** For the thread that reads: replies may have been taken. */
     private final Semaphore replySpace = new Semaphore(0);
+    /** The newest tick that needs no answer, because nothing of its frame was left for a client that waits for data. */
+    private final AtomicLong empty = new AtomicLong(PlayerConnection.NO_TICK);
 
+    private volatile LongConsumer emptyFrames = tick -> {};
+    private volatile BooleanSupplier lockStep = () -> false;
     private volatile boolean closed;
     private volatile int replyBytes; // written under the lock
 
@@ -68,14 +75,13 @@ final class Outbox {
     private boolean corked;
     private int dataWaiting;
     private long newestTick = PlayerConnection.NO_TICK;
-    private long endedTick = PlayerConnection.NO_TICK; // whose frame the client has received completely
+    private long endedTick = PlayerConnection.NO_TICK; // of which nothing is left to be sent
     private double timeSeconds;
 
     // ---- data from the devices
 
     /**
-     * Adds the messages of a frame, without waiting. A client in pull mode that has requested data gets the end of the
-     * frame even if its rules drop every message: the client answers that frame like any other, by its next request.
+     * Adds the messages of a frame, without waiting.
      *
      * @param messages from devices at the addresses that the client knows
      */
@@ -90,12 +96,31 @@ final class Outbox {
         wake(outputReady);
     }
 
+    /**
+     * Sets who is notified of the tick of a frame of which the rules left nothing, although the client waits for data:
+     * as from a real server, such a client gets nothing, not even the end of a frame, so it cannot answer. Called by
+     * any thread, without the lock.
+     */
+    void onEmptyFrame(LongConsumer listener) {
+        emptyFrames = listener;
+    }
+
     private void tryTakeIn() {
         if (lock.tryLock()) {
             try {
                 takeIn();
             } finally {
                 lock.unlock();
+            }
+            notifyOfEmptyFrame();
+        }
+    }
+
+    private void notifyOfEmptyFrame() {
+        if (empty.get() != PlayerConnection.NO_TICK) {
+            long tick = empty.getAndSet(PlayerConnection.NO_TICK);
+            if (tick != PlayerConnection.NO_TICK) {
+                emptyFrames.accept(tick);
             }
         }
     }
@@ -122,7 +147,12 @@ final class Outbox {
             }
         }
         if (mode == Delivery.PULL && dataRequested) {
-            endFrame();
+            if (held.isEmpty()) {
+                endedTick = newestTick;
+                empty.set(newestTick);
+            } else {
+                endFrame();
+            }
         } else if (mode == Delivery.PUSH) {
             release();
         }
@@ -172,6 +202,10 @@ final class Outbox {
         }
     }
 
+    /**
+     * Sends what is held, and the end of the frame. Only with data: libplayerc fails if the end of a frame follows its
+     * request without data in between.
+     */
     private void endFrame() {
         release();
         dataRequested = false;
@@ -188,27 +222,45 @@ final class Outbox {
         return locked(() -> timeSeconds);
     }
 
-    /** Adds a reply; everything added before is sent before it. */
-    void reply(WireMessage message) {
-        locked(() -> {
+    /** Sets whether the world waits for the client's answer to each frame. */
+    void inLockStep(BooleanSupplier whether) {
+        lockStep = whether;
+    }
+
+    /**
+     * Before a reply the waiting data are sent, as from a real server. In lock step they wait for the client's request
+     * for data: they are the frame that it answers, and many clients pass over data that they did not request.
+     */
+    private void release(boolean inLockStep) {
+        if (mode == Delivery.PUSH || !inLockStep) {
             release();
+        }
+    }
+
+    /** Adds a reply. */
+    void reply(WireMessage message) {
+        boolean inLockStep = lockStep.getAsBoolean(); // not under our lock
+        locked(() -> {
+            release(inLockStep);
             put(message);
             return true;
         });
     }
 
     /**
-     * Handles a request for data. Returns the tick that the client answers with it: the newest tick whose frame has
-     * ended. Data that were sent before a reply are not a frame yet. Their frame ends now, and the next request answers
-     * it.
+     * Handles a request for data. Returns the tick that the client answers with it: the newest of which it has got all
+     * data, either up to the end of a frame or before a reply.
      */
     long ask(WireMessage reply) {
         return locked(() -> {
+            if (held.isEmpty()) {
+                endedTick = newestTick;
+            }
             long answered = endedTick;
             put(reply);
             if (mode == Delivery.PULL) {
                 dataRequested = true;
-                if (newestTick > endedTick) {
+                if (!held.isEmpty()) {
                     endFrame();
                 }
             }
@@ -249,8 +301,9 @@ final class Outbox {
 
     /** Adds a subscription; the reply precedes its first data. */
     void subscribed(DeviceAddress device, WireMessage reply) {
+        boolean inLockStep = lockStep.getAsBoolean();
         locked(() -> {
-            release();
+            release(inLockStep);
             put(reply);
             return subscribed.add(device);
         });
@@ -262,6 +315,7 @@ final class Outbox {
 
     /** Removes a subscription and the queued data of the device. */
     void unsubscribed(DeviceAddress device, WireMessage reply) {
+        boolean inLockStep = lockStep.getAsBoolean();
         locked(() -> {
             subscribed.remove(device);
             for (var waiting : List.of(held, sending)) {
@@ -270,7 +324,7 @@ final class Outbox {
                         each -> each.data() != null && each.data().from().equals(device));
                 dataWaiting -= before - waiting.size();
             }
-            release();
+            release(inLockStep);
             put(reply);
             return true;
         });
@@ -348,13 +402,16 @@ final class Outbox {
     }
 
     private <T extends @Nullable Object> T locked(Supplier<T> action) {
+        T result;
         lock.lock();
         try {
             takeIn();
-            return action.get();
+            result = action.get();
         } finally {
             lock.unlock();
         }
+        notifyOfEmptyFrame();
+        return result;
     }
 
     /** The caller checks its condition again after this. */

@@ -80,7 +80,7 @@ final class RemoteConnection implements PlayerConnection {
         this.pending = new PendingReplies(clock);
         this.reader = Thread.ofPlatform()
                 .daemon()
-                .name("player-line-" + name)
+                .name("player-connection-" + name)
                 .unstarted(() -> new RemoteReader(this, name, socket, pending, frames).run());
     }
 
@@ -91,7 +91,7 @@ final class RemoteConnection implements PlayerConnection {
             if (ask(new PlayerRequest.DeviceList(), "the device list") instanceof PlayerReply.DeviceList list) {
                 devices = list.devices();
             } else {
-                throw new RequestFailedException(name + " refused to tell its devices");
+                throw new RequestFailedException(name + " refused the request for its list of devices");
             }
         } catch (RuntimeException e) {
             close();
@@ -243,7 +243,7 @@ final class RemoteConnection implements PlayerConnection {
 
     @Override
     public void close() {
-        end(new End("this line to " + name + " has been closed", false));
+        end(new End("the connection to " + name + " is closed", false));
         if (Thread.currentThread() != reader) {
             try {
                 reader.join();

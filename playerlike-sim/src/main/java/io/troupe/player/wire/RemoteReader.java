@@ -110,9 +110,12 @@ final class RemoteReader implements Runnable {
             if (header.type() == MessageType.NACK) {
                 LOG.log(Level.WARNING, "{0} refused to send data in pull mode", name);
                 frames.refused();
+            } else {
+                frames.granted().forEach(connection::deliver);
             }
             return; // the data follow
         }
+        frames.reply().forEach(connection::deliver);
         if (!pending.answer(message)) {
             LOG.log(Level.DEBUG, "{0}: {1} answers nothing that is waited for", name, message);
         }

@@ -96,15 +96,14 @@ final class ReplyCodec {
                         .string(property.property())
                         .int32(property.index())
                         .opaque(property.value().toArray());
-            case Colour colour ->
-                out.int32(colour.channel())
-                        .int32(colour.rmin())
-                        .int32(colour.rmax())
-                        .int32(colour.gmin())
-                        .int32(colour.gmax())
-                        .int32(colour.bmin())
-                        .int32(colour.bmax());
+            case Colour colour -> colour(out, colour);
         }
+    }
+
+    private static void colour(XdrWriter out, Colour colour) {
+        out.int32(colour.channel()).int32(colour.rmin()).int32(colour.rmax());
+        out.int32(colour.gmin()).int32(colour.gmax());
+        out.int32(colour.bmin()).int32(colour.bmax());
     }
 
     private static void bumper(XdrWriter out, Bumper bumper) {

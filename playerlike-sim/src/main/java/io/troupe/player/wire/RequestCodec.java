@@ -59,11 +59,7 @@ final class RequestCodec {
                 subtype(8, out.float32(pid.kp()).float32(pid.ki()).float32(pid.kd()));
             case SpeedProfile profile ->
                 subtype(9, out.float32(profile.speedMps()).float32(profile.accelerationMps2()));
-            case SetColour colour -> {
-                out.int32(colour.channel()).int32(colour.rmin()).int32(colour.rmax());
-                out.int32(colour.gmin()).int32(colour.gmax());
-                yield subtype(1, out.int32(colour.bmin()).int32(colour.bmax()));
-            }
+            case SetColour colour -> subtype(1, colour(out, colour));
             case SetImager imager -> {
                 out.int32(imager.brightness()).int32(imager.contrast());
                 yield subtype(2, out.int32(imager.colourMode()).int32(imager.autoGain()));
@@ -88,36 +84,30 @@ final class RequestCodec {
             case SetMarker set -> subtype(8, out.int32(set.id()));
             case GetPose get -> subtype(1, out.string(get.model()).float64(0, 0, 0));
             case SetPose set -> subtype(2, out.string(set.model()).float64(set.px(), set.py(), set.pa()));
-            case GetPose3d get -> {
-                out.string(get.model());
-                XdrStructures.pose3d(out, Pose3d.flat(0, 0, 0));
-                yield subtype(3, out.float64(0));
-            }
-            case SetPose3d set -> {
-                out.string(set.model());
-                XdrStructures.pose3d(out, set.pose());
-                yield subtype(4, out.float64(set.timeMicros()));
-            }
-            case GetProperty get ->
-                subtype(
-                        5,
-                        out.string(get.model())
-                                .string(get.property())
-                                .int32(get.index())
-                                .opaque(new byte[get.valueBytes()]));
-            case SetProperty set ->
-                subtype(
-                        6,
-                        out.string(set.model())
-                                .string(set.property())
-                                .int32(set.index())
-                                .opaque(set.value().toArray()));
+            case GetPose3d get -> subtype(3, pose3d(out, get.model(), Pose3d.flat(0, 0, 0), 0));
+            case SetPose3d set -> subtype(4, pose3d(out, set.model(), set.pose(), set.timeMicros()));
+            case GetProperty(var model, var property, int index, int valueBytes) ->
+                subtype(5, out.string(model).string(property).int32(index).opaque(new byte[valueBytes]));
+            case SetProperty(var model, var property, int index, var value) ->
+                subtype(6, out.string(model).string(property).int32(index).opaque(value.toArray()));
             case SetIntegerProperty property ->
                 subtype(SET_INTEGER_PROPERTY, out.string(property.key()).int32(property.value()));
             case Capability capability ->
                 subtype(CAPABILITY, out.int32(capability.type()).int32(capability.subtype()));
             case Unknown unknown -> unknown.subtype();
         };
+    }
+
+    private static XdrWriter colour(XdrWriter out, SetColour colour) {
+        out.int32(colour.channel()).int32(colour.rmin()).int32(colour.rmax());
+        out.int32(colour.gmin()).int32(colour.gmax());
+        return out.int32(colour.bmin()).int32(colour.bmax());
+    }
+
+    private static XdrWriter pose3d(XdrWriter out, String model, Pose3d pose, double timeMicros) {
+        out.string(model);
+        XdrStructures.pose3d(out, pose);
+        return out.float64(timeMicros);
     }
 
     private static int subtype(int subtype, XdrWriter written) {

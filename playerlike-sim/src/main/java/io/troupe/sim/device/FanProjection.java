@@ -332,18 +332,15 @@ final class FanProjection {
         double reachM = maxM + part.offsetM + MARGIN_M;
         int firstColumn = column(robotX - reachM);
         int lastColumn = column(robotX + reachM);
-        int lastRow = row(robotY + reachM);
-        int size = fan.size();
         int query = rays.nextQuery(segments.count);
-        int[] seenIn = rays.seenIn;
-        for (int row = row(robotY - reachM); row <= lastRow; row++) {
+        for (int row = row(robotY - reachM); row <= row(robotY + reachM); row++) {
             int end = edgeStarts[row * columns + lastColumn + 1];
             for (int k = edgeStarts[row * columns + firstColumn]; k < end; k++) {
                 int s = edges[k];
-                if (seenIn[s] == query) {
+                if (rays.seenIn[s] == query) {
                     continue;
                 }
-                seenIn[s] = query;
+                rays.seenIn[s] = query;
                 double ax = segments.x(s) - robotX;
                 double ay = segments.y(s) - robotY;
                 double edgeX = segments.dx(s);
@@ -366,7 +363,7 @@ final class FanProjection {
                 double leftA = cos * ay - sin * ax;
                 double aheadB = cos * bx + sin * by;
                 double leftB = cos * by - sin * bx;
-                for (int ray = 0; ray < size; ray++) {
+                for (int ray = 0; ray < fan.size(); ray++) {
                     double sideA = fan.dirX[ray] * leftA - fan.dirY[ray] * aheadA - part.aside[ray];
                     double sideB = fan.dirX[ray] * leftB - fan.dirY[ray] * aheadB - part.aside[ray];
                     // the body lies to the left of the edge: seen from outside, the edge runs from left to right

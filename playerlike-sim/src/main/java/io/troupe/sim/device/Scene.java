@@ -97,28 +97,16 @@ public final class Scene {
         Map<Integer, List<Integer>> fixedByColour = new LinkedHashMap<>();
         Map<Integer, List<Integer>> movingByColour = new LinkedHashMap<>();
         colours = new int[firstRobot + robotCount + cargoCount];
-        List<Outline> blocking = new ArrayList<>();
-        var fixed = new Segments();
-        var fixedOutlines = new FanProjection.Outlines();
-        List<Double> fixedX = new ArrayList<>();
-        List<Double> fixedY = new ArrayList<>();
+        var fixed = new Fixed();
         for (int i = 0; i < firstRobot; i++) {
             ObstacleSpec obstacle = obstacles.get(i);
-            var outline = new Outline(obstacle.shape(), obstacle.pose());
-            if (Arrays.binarySearch(movers, i) >= 0) {
-                paint(i, obstacle.colour(), obstacle.visible(), movingByColour);
-                continue;
-            }
-            int kinds = rayKinds(obstacle.blocksRangers(), obstacle.visible());
-            addRings(outline, i, kinds, fixed.count, fixedOutlines, fixedX, fixedY);
-            fixed.add(outline, i, kinds);
-            circles.set(i, outline.centreX(), outline.centreY(), outline);
-            paint(i, obstacle.colour(), obstacle.visible(), fixedByColour);
-            if (obstacle.blocksBodies()) {
-                blocking.add(outline);
+            boolean moves = Arrays.binarySearch(movers, i) >= 0;
+            paint(i, obstacle.colour(), obstacle.visible(), moves ? movingByColour : fixedByColour);
+            if (!moves) {
+                addFixed(i, obstacle, fixed);
             }
         }
-        walls = new NearestWalls(blocking);
+        walls = new NearestWalls(fixed.blocking);
         movingX = new double[robotCount + cargoCount + movers.length];
         movingY = new double[robotCount + cargoCount + movers.length];
         int cargo = firstRobot + robotCount;
@@ -130,17 +118,37 @@ public final class Scene {
             addMover(i, obstacles.get(movers[i]), robotCount + cargoCount + i);
         }
         showRobots();
-        Grid grid = gridAround(fixed, moving);
-        var fixedIndex = new CellIndex(grid, fixed);
+        Grid grid = gridAround(fixed.segments, moving);
+        var fixedIndex = new CellIndex(grid, fixed.segments);
         fixedIndex.rebuild();
         movingIndex = new CellIndex(grid, moving);
         caster = new RayCaster(grid, fixedIndex, movingIndex);
-        fixedProjection = new FanProjection(grid, fixed, fixedOutlines, false);
-        fixedProjection.sort(fixedX, fixedY);
+        fixedProjection = new FanProjection(grid, fixed.segments, fixed.outlines, false);
+        fixedProjection.sort(fixed.x, fixed.y);
         movingProjection = new FanProjection(grid, moving, movingOutlines(), true);
         fixedByColour.forEach((colour, things) -> fixedGroups.add(new ColourGroup(colour, things, circles)));
         movingByColour.forEach((colour, things) -> movingGroups.add(new ColourGroup(colour, things, circles)));
         refresh();
+    }
+
+    /** What stands still, while the scene is created. */
+    private static final class Fixed {
+        final Segments segments = new Segments();
+        final FanProjection.Outlines outlines = new FanProjection.Outlines();
+        final List<Double> x = new ArrayList<>();
+        final List<Double> y = new ArrayList<>();
+        final List<Outline> blocking = new ArrayList<>();
+    }
+
+    private void addFixed(int thing, ObstacleSpec obstacle, Fixed fixed) {
+        var outline = new Outline(obstacle.shape(), obstacle.pose());
+        int kinds = rayKinds(obstacle.blocksRangers(), obstacle.visible());
+        addRings(outline, thing, kinds, fixed.segments.count, fixed.outlines, fixed.x, fixed.y);
+        fixed.segments.add(outline, thing, kinds);
+        circles.set(thing, outline.centreX(), outline.centreY(), outline);
+        if (obstacle.blocksBodies()) {
+            fixed.blocking.add(outline);
+        }
     }
 
     private static boolean hasFinder(WorldSpec spec) {
@@ -201,11 +209,6 @@ public final class Scene {
         }
         int holder = carrierOf[body - robotCount];
         return holder == NOBODY ? movers[body - robotCount] : firstRobot + holder;
-    }
-
-    /** Number of obstacles that may move. */
-    public int moverCount() {
-        return movers.length;
     }
 
     /** Sets which robot's gripper holds a thing that moves; -1 = none. */

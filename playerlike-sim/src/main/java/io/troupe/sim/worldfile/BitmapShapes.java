@@ -20,20 +20,28 @@ final class BitmapShapes {
 
     private record Bitmap(Box box, List<Box> rectangles, List<List<Point>> outlines) {}
 
-    private final Map<Path, Bitmap> read = new HashMap<>();
+    /** The bitmaps that have been read. */
+    static final class Cache {
+        private final Map<Path, Bitmap> bitmaps = new HashMap<>();
+    }
+
     private final Path mainFile;
+    private final Cache cache;
+    private final Diagnostics diagnostics;
     private int pieces;
 
     /** @param mainFile the world file: bitmaps may be beside it */
-    BitmapShapes(Path mainFile) {
+    BitmapShapes(Path mainFile, Cache cache, Diagnostics diagnostics) {
         this.mainFile = mainFile;
+        this.cache = cache;
+        this.diagnostics = diagnostics;
     }
 
     /** The walls of a model's {@code bitmap}, around its pose point. */
     Shape shape(Entity model, double[] size) {
         SourcePosition where = model.whereOf("bitmap");
         Path file = SourceText.sibling(where.file(), mainFile, model.text("bitmap", ""), where);
-        Bitmap bitmap = read.computeIfAbsent(file, missing -> read(missing, where));
+        Bitmap bitmap = cache.bitmaps.computeIfAbsent(file, missing -> read(missing, where));
         double scaleX = size[0] / bitmap.box.width();
         double scaleY = size[1] / bitmap.box.height();
         if (scaleX < SMALLEST_PIXEL_M || scaleY < SMALLEST_PIXEL_M) {
@@ -60,8 +68,8 @@ final class BitmapShapes {
                         .toList());
     }
 
-    private static Bitmap read(Path file, SourcePosition where) {
-        Pixels pixels = BitmapFile.read(file, where);
+    private Bitmap read(Path file, SourcePosition where) {
+        Pixels pixels = BitmapFile.read(file, where, diagnostics);
         List<Box> rectangles = pixels.rectangles();
         if (rectangles.size() > MOST_PIECES) {
             throw new WorldFileException(

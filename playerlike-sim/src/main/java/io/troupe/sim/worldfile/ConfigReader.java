@@ -11,6 +11,8 @@ import java.util.ArrayList;
 import java.util.Collections;
 import java.util.LinkedHashSet;
 import java.util.List;
+import java.util.Map;
+import java.util.Objects;
 import java.util.Set;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
@@ -18,6 +20,15 @@ import org.jspecify.annotations.Nullable;
 /** Converts the tree of a Player {@code .cfg} file to a {@link Scenario}. */
 final class ConfigReader {
     private static final String STAGE = "stage";
+    /**
+     * Drivers of Player that offer a device of another driver by another interface: by name, the required interface.
+     */
+    private static final Map<String, Renaming> RENAMINGS = Map.of(
+            "rangertolaser", new Renaming(ProvidedInterfaces.RANGER, ProvidedInterfaces.LASER),
+            "lasertoranger", new Renaming(ProvidedInterfaces.LASER, ProvidedInterfaces.RANGER),
+            "sonartoranger", new Renaming(ProvidedInterfaces.SONAR, ProvidedInterfaces.RANGER));
+
+    private record Renaming(String required, String provided) {}
 
     private final WorldSpec world;
     private final Diagnostics diagnostics;
@@ -55,6 +66,9 @@ final class ConfigReader {
         Path worldFile = SourceText.sibling(file, simulation.text("worldfile", ""), where);
         var reader = new ConfigReader(loader.world(worldFile, where), diagnostics);
         drivers.forEach(reader::driver);
+        document.entities().stream()
+                .filter(driver -> RENAMINGS.containsKey(driver.text("name", "")))
+                .forEach(reader::rename);
         return new Scenario(reader.world, reader.devices);
     }
 
@@ -68,13 +82,16 @@ final class ConfigReader {
         if (!driver.has("name")) {
             throw new WorldFileException(driver.where(), "a driver needs a \"name\"; expected \"stage\"");
         }
+        if (RENAMINGS.containsKey(name)) {
+            return false; // read when the devices that it requires are known
+        }
         if (!mayBeStage(driver)) {
             diagnostics.warn(
                     driver.whereOf("name"),
                     "driver \"" + name + "\" is not run here and left out, and what it provides with it; expected"
                             + " \"stage\"");
         } else if (!name.equals(STAGE)) {
-            diagnostics.unknownName(
+            diagnostics.refuse(
                     driver.whereOf("name"), "unknown driver \"" + name + "\"; did you mean \"" + STAGE + "\"?");
         }
         return name.equals(STAGE);
@@ -118,6 +135,59 @@ final class ConfigReader {
                 provide(driver, entry, item);
             }
         }
+    }
+
+    /** Offers the device that a driver requires by the interface that it provides, too. */
+    private void rename(Entity driver) {
+        String name = driver.text("name", "");
+        Renaming renaming = Objects.requireNonNull(RENAMINGS.get(name));
+        ProvidesEntry provided = entry(driver, "provides", renaming.provided);
+        ProvidesEntry required = entry(driver, "requires", renaming.required);
+        if (provided == null || required == null) {
+            diagnostics.warn(
+                    driver.where(),
+                    "driver \"" + name + "\" is left out: expected provides [ \"" + renaming.provided
+                            + ":0\" ] requires [ \"" + renaming.required + ":0\" ]");
+            return;
+        }
+        Value.Text item = driver.texts("provides").getFirst();
+        DeviceBinding source = devices.stream()
+                .filter(each -> each.port() == required.port()
+                        && each.interfaceName().equals(renaming.required)
+                        && each.index() == required.index())
+                .findFirst()
+                .orElse(null);
+        if (source == null) {
+            diagnostics.warn(
+                    driver.whereOf("requires"),
+                    "driver \"" + name + "\" is left out: no driver provides " + renaming.required + ":"
+                            + required.index() + " on port " + required.port());
+            return;
+        }
+        requireFreeAddress(provided, item);
+        int ranger = ProvidedInterfaces.renamed(robot(source), source, renaming.provided);
+        if (ranger == ProvidedInterfaces.NO_SUCH) {
+            diagnostics.warn(
+                    driver.whereOf("requires"),
+                    "driver \"" + name + "\" is left out: a laser is one sensor, and " + renaming.required + ":"
+                            + required.index() + " of \"" + source.model() + "\" has several");
+            return;
+        }
+        devices.add(new DeviceBinding(
+                provided.port(), renaming.provided, provided.index(), source.model(), ranger, item.where()));
+    }
+
+    private RobotSpec robot(DeviceBinding device) {
+        return world.robots().stream()
+                .filter(candidate -> candidate.name().equals(device.model()))
+                .findFirst()
+                .orElseThrow();
+    }
+
+    private @Nullable ProvidesEntry entry(Entity driver, String key, String interfaceName) {
+        List<Value.Text> items = driver.texts(key);
+        ProvidesEntry entry = items.size() == 1 ? ProvidesEntry.parse(items.getFirst(), diagnostics) : null;
+        return entry != null && entry.interfaceName().equals(interfaceName) ? entry : null;
     }
 
     private void provide(Entity driver, ProvidesEntry entry, Value.Text item) {
@@ -243,7 +313,7 @@ final class ConfigReader {
                                 + Suggestions.sorted(ProvidedInterfaces.INTERFACES));
                 return false;
             }
-            diagnostics.unknownName(
+            diagnostics.refuse(
                     item.where(),
                     "unknown interface \"" + name + "\" in \"" + item.text() + '"'
                             + Suggestions.clauseWithAll(name, ProvidedInterfaces.INTERFACES));

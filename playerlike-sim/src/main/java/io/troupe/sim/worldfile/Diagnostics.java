@@ -8,7 +8,8 @@ import java.util.function.Consumer;
 
 /**
  * Reports problems in a file that need not stop its reading. A feature of Stage or Player that is not simulated here is
- * a warning. An unknown name is an error for a strict reader and a warning for a lenient one.
+ * a warning. An unknown name, or a value that cannot be used, is an error for a strict reader; a lenient one leaves it
+ * out with a warning.
  */
 final class Diagnostics {
     /** Limit of warnings: a file could cause one per word. */
@@ -59,12 +60,16 @@ final class Diagnostics {
                                 warning.where(), "more than " + MOST_WARNINGS + " warnings; no more are shown"));
     }
 
+    boolean isLenient() {
+        return lenient;
+    }
+
     /**
-     * Reports an unknown name, which a lenient reader leaves out.
+     * Reports an unknown name, or something else that a lenient reader leaves out or reads all the same.
      *
      * @throws WorldFileException if the reader is strict
      */
-    void unknownName(SourcePosition where, String problem) {
+    void refuse(SourcePosition where, String problem) {
         if (!lenient) {
             throw new WorldFileException(where, problem);
         }

@@ -63,7 +63,7 @@ record Entity(
     }
 
     double[] numbers(String key, double... otherwise) {
-        return value(key) instanceof Value.Tuple tuple
+        return value(key) instanceof Value.Tuple tuple && tuple.items().stream().allMatch(Value.Num.class::isInstance)
                 ? tuple.items().stream()
                         .mapToDouble(item -> ((Value.Num) item).value())
                         .toArray()
@@ -71,7 +71,7 @@ record Entity(
     }
 
     List<Value.Text> texts(String key) {
-        return value(key) instanceof Value.Tuple tuple
+        return value(key) instanceof Value.Tuple tuple && tuple.items().stream().allMatch(Value.Text.class::isInstance)
                 ? tuple.items().stream().map(Value.Text.class::cast).toList()
                 : List.of();
     }
@@ -110,6 +110,11 @@ record Entity(
             }
         }
         return colour;
+    }
+
+    /** This entity with other properties and children. */
+    Entity with(Map<String, Property> others, List<Entity> otherChildren) {
+        return new Entity(type, where, others, otherChildren, weight, values, depth);
     }
 
     private @Nullable Value value(String key) {

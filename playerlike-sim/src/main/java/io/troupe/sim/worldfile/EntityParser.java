@@ -115,7 +115,11 @@ final class EntityParser {
         Token base = cursor.expect(Kind.WORD, "an entity type or macro after define " + name.text());
         cursor.require(Kind.OPEN, "'(' after define " + name.text() + " " + base.text());
         if (Vocabulary.isType(name.text())) {
-            throw new WorldFileException(name.where(), "\"" + name.text() + "\" is a built-in entity type");
+            diagnostics.warn(
+                    name.where(),
+                    "macro \"" + name.text() + "\" has the name of an entity type: from here on \"" + name.text()
+                            + "\" is the macro, as in Stage"
+                            + (name.text().equals("block") ? ", also where the outline of a model is meant" : ""));
         }
         SourcePosition earlier = macroNames.putIfAbsent(name.text(), name.where());
         if (earlier != null && !earlier.equals(name.where())) {

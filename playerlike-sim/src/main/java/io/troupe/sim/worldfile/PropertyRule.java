@@ -1,6 +1,7 @@
 package io.troupe.sim.worldfile;
 
 import java.util.List;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Rule for the value of a property.
@@ -56,8 +57,13 @@ record PropertyRule(Form form, int least, int most, Index index, String withoutE
         return new PropertyRule(Form.ANY, 0, Integer.MAX_VALUE, Index.MAYBE, why);
     }
 
-    /** Throws unless the value has this form. */
-    void check(Property property) {
+    /**
+     * The property with a value of this form: of a tuple with too many numbers the first ones count, as in Stage.
+     *
+     * @param diagnostics null if that is not worth a warning
+     * @throws WorldFileException if the value does not have this form
+     */
+    Property checked(Property property, @Nullable Diagnostics diagnostics) {
         boolean indexed = property.index() != Property.NO_INDEX;
         if (indexed ? index == Index.NONE : index == Index.NEEDED) {
             throw new WorldFileException(
@@ -67,12 +73,22 @@ record PropertyRule(Form form, int least, int most, Index index, String withoutE
                                     + property.name() + "[1], .."
                             : "\"" + property.name() + "\" takes no index");
         }
+        if (form == Form.NUMBERS
+                && property.value() instanceof Value.Tuple(List<Value> items, var where)
+                && items.size() > most) {
+            if (diagnostics != null) {
+                diagnostics.warn(where, "\"" + property.key() + "\" is " + expected() + "; the others have no effect");
+            }
+            var first = new Value.Tuple(items.subList(0, most), where);
+            return checked(new Property(property.name(), property.index(), first, property.where()), null);
+        }
         if (!fits(property.value())) {
             throw new WorldFileException(
                     property.value().where(),
                     "\"" + property.key() + "\" must be " + expected() + ", not "
                             + property.value().shown());
         }
+        return property;
     }
 
     private boolean fits(Value value) {

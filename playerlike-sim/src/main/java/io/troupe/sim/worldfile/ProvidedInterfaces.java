@@ -16,10 +16,10 @@ final class ProvidedInterfaces {
     static final int DEFAULT_PORT = 6665;
     static final String SIMULATION = "simulation";
     private static final String POSITION = "position2d";
-    private static final String SONAR = "sonar";
+    static final String SONAR = "sonar";
     private static final String BLOBFINDER = "blobfinder";
-    private static final String LASER = "laser";
-    private static final String RANGER = "ranger";
+    static final String LASER = "laser";
+    static final String RANGER = "ranger";
     static final List<String> INTERFACES =
             List.of(SIMULATION, POSITION, SONAR, LASER, RANGER, BLOBFINDER, "fiducial", "bumper", "camera", "gripper");
 
@@ -83,6 +83,21 @@ final class ProvidedInterfaces {
             }
         }
         return -1;
+    }
+
+    static final int NO_SUCH = -2;
+
+    /**
+     * The value of {@link DeviceBinding#ranger} for a device that is offered by another interface, too;
+     * {@link #NO_SUCH} for a laser of several sensors.
+     */
+    static int renamed(RobotSpec robot, DeviceBinding device, String otherInterface) {
+        if (device.interfaceName().equals(SONAR)) {
+            return robot.sonar() == null ? device.ranger() : DeviceBinding.SONAR_RING;
+        }
+        boolean oneSensor = device.ranger() >= 0
+                && robot.rangers().get(device.ranger()).sensors().size() == 1;
+        return otherInterface.equals(LASER) && !oneSensor ? NO_SUCH : device.ranger();
     }
 
     private static String interfaceOf(RangerSpec ranger) {

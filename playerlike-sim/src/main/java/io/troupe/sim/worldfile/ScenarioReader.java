@@ -28,9 +28,10 @@ import java.util.function.Consumer;
  * <p><b>Errors.</b> {@link WorldFileException}, which begins with {@code file:line:column} where there is one: names
  * that neither Stage nor Player knows, wrong values, missing files, robots outside the walls. Settings of Stage's
  * window or speed are accepted without effect. Features of Stage or Player that are not simulated here are left out
- * with a warning that has a position: other devices (fiducial, gripper, bumper, camera, ..), energy, programs in
- * {@code ctrl}, other drivers and interfaces of Player, a second ring of sonars. A lenient reader leaves out unknown
- * names too, with a warning. A robot that overlaps something at the start causes a warning: it stalls there.
+ * with a warning that has a position: energy, radio, speech, programs in {@code ctrl}, sensors that are on no robot,
+ * other drivers and interfaces of Player, a second ring of sonars. A lenient reader leaves out unknown names too, and
+ * values, shapes and entities that cannot be used, with a warning; only a file that breaks the grammar, or is missing,
+ * is then an error. A robot that overlaps something at the start causes a warning: it stalls there.
  */
 public final class ScenarioReader {
     private ScenarioReader() {}
@@ -54,8 +55,8 @@ public final class ScenarioReader {
     }
 
     /**
-     * As {@link #read(Path, Consumer)}, leniently: an unknown name is left out with a warning, instead of ending the
-     * reading.
+     * As {@link #read(Path, Consumer)}, leniently: what is unknown or cannot be used is left out with a warning,
+     * instead of ending the reading. At most 200 things of a world are left out because they cannot be used.
      */
     public static Scenario readLeniently(Path file, Consumer<WorldFileWarning> warnings) {
         return read(file, Diagnostics.lenient(requireNonNull(warnings, "warnings")));

@@ -3,7 +3,6 @@ package io.troupe.sim.worldfile;
 import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Shape;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
 import java.util.List;
@@ -18,11 +17,12 @@ final class ShapeReader {
 
     private final Units units;
     private final BitmapShapes bitmaps;
+    private final Diagnostics diagnostics;
 
-    /** @param mainFile the world file: bitmaps may be beside it */
-    ShapeReader(Units units, Path mainFile) {
+    ShapeReader(Units units, BitmapShapes bitmaps, Diagnostics diagnostics) {
         this.units = units;
-        bitmaps = new BitmapShapes(mainFile);
+        this.bitmaps = bitmaps;
+        this.diagnostics = diagnostics;
     }
 
     /** Width and depth of the body, {@code {x, y}}. */
@@ -103,8 +103,10 @@ final class ShapeReader {
         return outlines;
     }
 
-    private static Shape blocks(List<Entity> blocks, double[] size) {
-        List<List<Point>> outlines = blocks.stream().map(BlockReader::read).toList();
+    private Shape blocks(List<Entity> blocks, double[] size) {
+        List<List<Point>> outlines = blocks.stream()
+                .map(block -> BlockReader.read(block, diagnostics))
+                .toList();
         Box drawn = Box.around(outlines);
         if (drawn.width() <= 0 || drawn.height() <= 0) {
             throw new WorldFileException(blocks.getFirst().where(), "the block has no area: its points lie on a line");
@@ -149,7 +151,7 @@ final class ShapeReader {
 
         private BlockReader() {}
 
-        static List<Point> read(Entity block) {
+        static List<Point> read(Entity block, Diagnostics diagnostics) {
             int count = count(block);
             var outline = new ArrayList<Point>();
             for (int i = 0; i < count; i++) {
@@ -161,8 +163,7 @@ final class ShapeReader {
                 }
                 outline.add(point);
             }
-            checkDistinct(block, outline);
-            return outline;
+            return distinct(block, outline, diagnostics);
         }
 
         private static int count(Entity block) {
@@ -185,16 +186,26 @@ final class ShapeReader {
             return count;
         }
 
-        private static void checkDistinct(Entity block, List<Point> outline) {
+        /** The outline without points that equal the next one; an outline that returns to its start is common. */
+        private static List<Point> distinct(Entity block, List<Point> outline, Diagnostics diagnostics) {
+            var distinct = new ArrayList<Point>();
             for (int i = 0; i < outline.size(); i++) {
                 int next = (i + 1) % outline.size();
-                if (outline.get(i).equals(outline.get(next))) {
-                    throw new WorldFileException(
-                            block.whereOf(Property.key("point", Math.max(i, next))),
-                            "point[" + i + "] and point[" + next
-                                    + "] are the same; a block's outline closes by itself");
+                if (!outline.get(i).equals(outline.get(next))) {
+                    distinct.add(outline.get(i));
+                    continue;
                 }
+                diagnostics.warn(
+                        block.whereOf(Property.key("point", Math.max(i, next))),
+                        "point[" + i + "] and point[" + next
+                                + "] of a block are the same, and count once: an outline closes by itself");
             }
+            if (distinct.size() < 3) {
+                throw new WorldFileException(
+                        block.whereOf("points"),
+                        "a block needs 3 to " + MOST_POINTS + " different points, not " + distinct.size());
+            }
+            return distinct;
         }
 
         /** Throws if the outline crosses or touches itself. */

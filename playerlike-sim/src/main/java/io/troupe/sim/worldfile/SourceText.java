@@ -127,9 +127,11 @@ final class SourceText {
     /** The first candidate that is a file, or else the one beside the naming file if something else is there. */
     static Optional<Path> find(Path file, Path first, List<Path> folders, String name, SourcePosition namedAt) {
         Path beside = sibling(file, name, namedAt);
+        // of a path in another installation of Stage its file name
+        Path inFolder = beside.isAbsolute() && beside.equals(Path.of(name)) ? beside.getFileName() : Path.of(name);
         return Stream.concat(
                         Stream.of(beside, sibling(first, name, namedAt)),
-                        folders.stream().map(folder -> folder.resolve(name).normalize()))
+                        folders.stream().map(folder -> folder.resolve(inFolder).normalize()))
                 .filter(Files::isRegularFile)
                 .findFirst()
                 .or(() -> Optional.of(beside).filter(Files::exists));

@@ -128,6 +128,7 @@ final class Vocabulary {
             all(numbers(3, 4), "velocity", "localization_origin", "odom_error"),
             all(numbers(8, 8), "velocity_bounds", "acceleration_bounds"),
             all(NUMBER, "wheelbase"),
+            all(withoutEffect("has no effect, here or in Stage: write velocity_bounds"), "max_speed"),
             all(
                     withoutEffect("has no effect here: a client asks for a limit to its commands by itself"),
                     "watchdog_timeout"));
@@ -149,7 +150,8 @@ final class Vocabulary {
             all(WHOLE, "samples"),
             all(TEXT, "color"),
             all(numbers(4, 4), "color_rgba"),
-            all(withoutEffect("has no effect, here or in Stage 4: write range and fov"), "view"));
+            all(withoutEffect("has no effect, here or in Stage 4: write range and fov"), "view"),
+            all(withoutEffect("has no effect, here or in Stage 4: write range"), "range_min", "range_max"));
 
     private static final Map<String, PropertyRule> LASER_PROPERTIES = union(
             MODEL_PROPERTIES,
@@ -167,8 +169,10 @@ final class Vocabulary {
             all(withoutEffect("is an obsolete name which Stage ignores; write colors"), "channels"),
             all(withoutEffect("is an obsolete name which Stage ignores; write range"), "range_max"));
 
-    private static final Map<String, PropertyRule> FIDUCIAL_PROPERTIES =
-            union(MODEL_PROPERTIES, all(NUMBER, "range_min", "range_max", "range_max_id", "fov"));
+    private static final Map<String, PropertyRule> FIDUCIAL_PROPERTIES = union(
+            MODEL_PROPERTIES,
+            all(NUMBER, "range_min", "range_max", "range_max_id", "fov"),
+            all(withoutEffect("has no effect, here or in Stage: write range_max"), "range"));
 
     private static final Map<String, PropertyRule> BUMPER_PROPERTIES =
             union(MODEL_PROPERTIES, all(WHOLE, "bcount"), all(array(3, 4), "bpose"), all(numberOrArray(), "blength"));

@@ -4,6 +4,8 @@ import io.troupe.common.text.Suggestions;
 import java.util.Collection;
 import java.util.Collections;
 import java.util.IdentityHashMap;
+import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.TreeSet;
 
@@ -15,6 +17,10 @@ final class VocabularyCheck {
     private final Set<Property> checkedInMacros = Collections.newSetFromMap(new IdentityHashMap<>());
 
     private final Set<Property> checkedInUse = Collections.newSetFromMap(new IdentityHashMap<>());
+    /** What stands for a property that is wrong: nothing, or its usable part. */
+    private final Map<Property, Optional<Property>> corrections = new IdentityHashMap<>();
+
+    private final Set<Entity> misplaced = Collections.newSetFromMap(new IdentityHashMap<>());
 
     private VocabularyCheck(Document document, Diagnostics diagnostics) {
         this.document = document;
@@ -24,8 +30,10 @@ final class VocabularyCheck {
     /**
      * Reports everything that is not in the vocabulary. Macros are checked too. A known property without effect is
      * reported only where a macro is used, so that include files with more content than a world needs can be read.
+     *
+     * @return the document without what a lenient reader leaves out, and with tuples of the expected length
      */
-    static void check(Document document, Diagnostics diagnostics) {
+    static Document check(Document document, Diagnostics diagnostics) {
         var check = new VocabularyCheck(document, diagnostics);
         for (Entity macro : document.macros().values()) {
             if (!Vocabulary.isType(macro.type())) {
@@ -35,6 +43,11 @@ final class VocabularyCheck {
             }
         }
         check.inside(document.root(), true);
+        return check.corrections.isEmpty() && check.misplaced.isEmpty()
+                ? document
+                : document.with(
+                        property -> check.corrections.getOrDefault(property, Optional.of(property)),
+                        entity -> !check.misplaced.contains(entity));
     }
 
     private void inside(Entity entity, boolean used) {
@@ -55,7 +68,7 @@ final class VocabularyCheck {
         }
         PropertyRule rule = type.properties().get(property.word());
         if (rule == null) {
-            diagnostics.unknownName(
+            diagnostics.refuse(
                     property.where(),
                     "unknown property \"" + property.name() + "\" of " + entity.type()
                             + Suggestions.clauseOrAll(property.name(), type.usefulProperties()));
@@ -67,7 +80,23 @@ final class VocabularyCheck {
             }
             return;
         }
-        rule.check(property);
+        try {
+            Property usable = rule.checked(property, used ? diagnostics : null);
+            if (usable != property) {
+                corrections.put(property, Optional.of(usable));
+            }
+        } catch (WorldFileException e) {
+            leaveOut(e);
+            corrections.put(property, Optional.empty());
+        }
+    }
+
+    /** Throws the exception again if the reader is strict. */
+    private void leaveOut(WorldFileException e) {
+        if (!diagnostics.isLenient()) {
+            throw e;
+        }
+        diagnostics.warn(e.where().orElseThrow(), e.problem() + "; it is left out");
     }
 
     /** False for entities that are left out. */
@@ -92,10 +121,12 @@ final class VocabularyCheck {
             return false;
         }
         if (Vocabulary.isType(child.type())) {
-            throw new WorldFileException(
+            leaveOut(new WorldFileException(
                     child.where(),
                     "\"" + child.type() + "\" cannot stand in a " + parent.type() + "; it belongs in a "
-                            + String.join(" or a ", Vocabulary.holdersOf(child.type())));
+                            + String.join(" or a ", Vocabulary.holdersOf(child.type()))));
+            misplaced.add(child);
+            return false;
         }
         unknownType(child, parentType.children());
         return false;
@@ -104,7 +135,7 @@ final class VocabularyCheck {
     private void unknownType(Entity entity, Collection<String> builtIn) {
         var known = new TreeSet<>(builtIn);
         known.addAll(document.macros().keySet());
-        diagnostics.unknownName(
+        diagnostics.refuse(
                 entity.where(),
                 "unknown entity \"" + entity.type() + '"' + Suggestions.clauseOrAll(entity.type(), known));
     }

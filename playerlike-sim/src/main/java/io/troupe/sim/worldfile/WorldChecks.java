@@ -69,7 +69,7 @@ final class WorldChecks {
         Stream.concat(robots.stream(), ghostRobots).forEach(body -> checkReach(body, USABLE_WITHIN_M));
         Stream.concat(walls.stream(), ghostWalls).forEach(body -> checkReach(body, WALLS_WITHIN_M));
         reportOverlaps(robots, walls, diagnostics);
-        checkArena(world.robots(), walls);
+        checkArena(world.robots(), walls, diagnostics);
     }
 
     private static void checkNames(WorldSpec world) {
@@ -124,7 +124,7 @@ final class WorldChecks {
         }
     }
 
-    private static void checkArena(List<RobotSpec> robots, List<Body> walls) {
+    private static void checkArena(List<RobotSpec> robots, List<Body> walls, Diagnostics diagnostics) {
         var pieces = new ArrayList<List<Point>>();
         walls.forEach(wall -> pieces.addAll(wall.pieces));
         Box arena = Box.around(pieces);
@@ -134,7 +134,7 @@ final class WorldChecks {
         // separate obstacles in the open are no arena
         if (outside.isPresent() && Enclosure.isClosed(arena, pieces)) {
             RobotSpec robot = outside.get();
-            throw new WorldFileException(
+            diagnostics.refuse(
                     robot.where(),
                     "robot \"" + robot.name() + "\" at ("
                             + inMetres(robot.pose().x()) + ", "

@@ -9,12 +9,21 @@ public final class WorldFileException extends SourceException {
 
     private static final int LONGEST_PROBLEM = 2_000;
 
+    private final String problem;
+
     public WorldFileException(SourcePosition where, String problem) {
         super(where, shortened(problem));
+        this.problem = shortened(problem);
     }
 
     public WorldFileException(String problem) {
         super(shortened(problem), null);
+        this.problem = shortened(problem);
+    }
+
+    /** The message without the position. */
+    String problem() {
+        return problem;
     }
 
     /** Limits a problem to a readable length: it may quote a word of any length, or list any number of names. */

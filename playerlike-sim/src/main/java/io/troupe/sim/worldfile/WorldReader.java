@@ -1,5 +1,6 @@
 package io.troupe.sim.worldfile;
 
+import io.troupe.common.text.SourcePosition;
 import io.troupe.sim.model.ObstacleSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
@@ -13,6 +14,8 @@ import java.util.TreeMap;
 /** Converts the tree of a {@code .world} file to a {@link WorldSpec}. */
 final class WorldReader {
     private static final int LONGEST_INTERVAL_MILLIS = 60_000;
+    /** Limit of what a lenient reader leaves out: it reads the world anew each time. */
+    private static final int MOST_LEFT_OUT = 200;
 
     private final Units units;
     private final Dialect dialect;
@@ -23,21 +26,48 @@ final class WorldReader {
     private final List<ObstacleSpec> obstacles = new ArrayList<>();
     private final Map<String, Integer> unnamed = new TreeMap<>();
 
-    private WorldReader(Units units, Dialect dialect, Diagnostics diagnostics, Path mainFile, boolean intensities) {
+    private WorldReader(
+            Units units, Dialect dialect, Diagnostics diagnostics, ShapeReader shapes, boolean intensities) {
         this.units = units;
         this.dialect = dialect;
         this.diagnostics = diagnostics;
-        this.shapes = new ShapeReader(units, mainFile);
+        this.shapes = shapes;
         this.robotReader = new RobotReader(units, dialect, shapes, diagnostics, intensities);
     }
 
-    /** Reads and checks the world of a parsed file. */
+    /**
+     * Reads and checks the world of a parsed file. A lenient reader leaves out each property or else entity that cannot
+     * be used, and reads the rest again.
+     */
     static WorldSpec read(Document document, Diagnostics diagnostics) {
-        VocabularyCheck.check(document, diagnostics);
+        Document rest = VocabularyCheck.check(document, diagnostics);
+        var bitmaps = new BitmapShapes.Cache();
+        for (int leftOut = 0; ; leftOut++) {
+            try {
+                return world(rest, diagnostics, bitmaps);
+            } catch (WorldFileException e) {
+                SourcePosition where = e.where().orElse(null);
+                Document.Without without = where == null || !diagnostics.isLenient() ? null : rest.without(where);
+                if (where == null || without == null) {
+                    throw e;
+                }
+                if (leftOut == MOST_LEFT_OUT) {
+                    throw new WorldFileException(
+                            where,
+                            e.problem() + "; more than " + MOST_LEFT_OUT + " things of this world cannot be used");
+                }
+                diagnostics.warn(where, e.problem() + "; " + without.leftOut() + " is left out");
+                rest = without.document();
+            }
+        }
+    }
+
+    private static WorldSpec world(Document document, Diagnostics diagnostics, BitmapShapes.Cache bitmaps) {
         Entity root = document.root();
         Dialect dialect = Dialect.of(root, diagnostics);
-        var reader = new WorldReader(
-                Units.of(root), dialect, diagnostics, root.where().file(), dialect.hasBright(root));
+        var shapes = new ShapeReader(
+                Units.of(root), new BitmapShapes(root.where().file(), bitmaps, diagnostics), diagnostics);
+        var reader = new WorldReader(Units.of(root), dialect, diagnostics, shapes, dialect.hasBright(root));
         for (Entity entity : document.entities()) {
             switch (entity.type()) {
                 case "position" -> reader.robot(entity);

@@ -104,7 +104,7 @@ class ConversationTest {
                 }
                 at = to;
             }
-            // data flushed by a reply are answered with the frame that ends after them
+            // data sent before a reply are answered by the next request for data
             client.ask(new PlayerRequest.NextData());
             client.sync(); // wait until the answer has arrived
             assertThat(ranger.answers).containsExactly(PlayerConnection.NO_TICK, 23L);
@@ -281,28 +281,6 @@ class ConversationTest {
         served.close();
         served = Served.open(port);
         assertThat(Hex.text(driveInCurves())).isEqualTo(Hex.text(first));
-    }
-
-    @Test
-    void rulesThatLeaveNothing_leaveTheEndOfEachFrame_whichHasToBeAnswered() throws Exception {
-        try (var runner = SimulationRunner.start(served.simulation, 1, snapshot -> {});
-                var client = RawClient.greeted(served.port())) {
-            client.ask(new PlayerRequest.DataMode(Delivery.PULL));
-            client.ask(new PlayerRequest.AddRule(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.IGNORE)));
-            client.subscribe(POSITION2D);
-            for (int frame = 0; frame < 20; frame++) {
-                client.ask(new PlayerRequest.NextData());
-                client.next(MessageType.SYNCH, 1, 1);
-                // every reply has the time of the newest frame: the world waits for this client's answer
-                assertThat(client.sync().header().timeSeconds()).isEqualTo(frame / 10.0);
-            }
-            client.ask(new PlayerRequest.AddRule(new ReplaceRule(-1, -1, 1, -1, ReplaceRule.ACCEPT)));
-            client.ask(new PlayerRequest.NextData());
-            assertThat(client.next(MessageType.DATA, 4, 1).header().timeSeconds())
-                    .isEqualTo(2.0);
-            client.next(MessageType.SYNCH, 1, 1);
-            assertThat(runner.isRunning()).isTrue();
-        }
     }
 
     // ---- what a real server with Stage does and the protocol does not lead one to expect

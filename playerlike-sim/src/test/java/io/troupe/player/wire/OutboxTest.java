@@ -144,15 +144,40 @@ class OutboxTest {
     }
 
     @Test
-    void pull_dataSentBeforeAReply_areAnsweredOnlyWhenTheirFrameHasEnded() {
+    void pull_dataSentBeforeAReply_areAnsweredByTheNextRequestForData_withoutAnEnd() {
         pull();
         frame(0, position(0));
-        outbox.reply(reply(1)); // reply to a request that the client sent before it knew of the tick
+        outbox.reply(reply(1));
         assertThat(sent()).containsExactly("position 0", "ACK 1");
-        assertThat(ask()).as("answered").isEqualTo(PlayerConnection.NO_TICK);
-        assertThat(sent()).as("the end of what was sent").containsExactly("ACK 4", "SYNCH 1 0");
         assertThat(ask()).as("answered").isZero();
-        assertThat(sent()).containsExactly("ACK 4");
+        assertThat(sent()).as("no end without data").containsExactly("ACK 4");
+        frame(1, position(1));
+        outbox.reply(reply(1));
+        assertThat(sent()).containsExactly("position 1", "SYNCH 1 0", "ACK 1");
+    }
+
+    @Test
+    void pull_inLockStep_dataWaitForTheirRequest_whateverIsRepliedBefore() {
+        outbox.inLockStep(() -> true);
+        pull();
+        frame(0, position(0));
+        outbox.reply(reply(1));
+        outbox.subscribed(SONAR, reply(3));
+        outbox.unsubscribed(SONAR, reply(3));
+        assertThat(sent()).containsExactly("ACK 1", "ACK 3", "ACK 3");
+        assertThat(ask()).as("answered").isEqualTo(PlayerConnection.NO_TICK);
+        assertThat(sent()).containsExactly("ACK 4", "position 0", "SYNCH 1 0");
+        assertThat(ask()).as("answered").isZero();
+    }
+
+    @Test
+    void pull_dataSentBeforeASubscription_areAnsweredByTheNextRequestForData_withoutAnEnd() {
+        pull();
+        frame(0, position(0));
+        outbox.subscribed(SONAR, reply(3));
+        assertThat(ask()).as("answered").isZero();
+        outbox.unsubscribed(SONAR, reply(3));
+        assertThat(sent()).containsExactly("position 0", "ACK 3", "ACK 4", "ACK 3");
     }
 
     @Test
@@ -221,17 +246,36 @@ class OutboxTest {
     }
 
     @Test
-    void pull_frameOfWhichNothingIsLeft_endsAllTheSame_whetherAskedBeforeOrAfter() {
+    void pull_frameOfWhichNothingIsLeft_isNotSent_andNeedsNoAnswer() {
+        var unanswerable = new ArrayList<Long>();
+        outbox.onEmptyFrame(unanswerable::add);
         pull();
         rule(-1, -1, -1, ReplaceRule.IGNORE);
         frame(0, position(0));
-        assertThat(ask()).as("answered").isEqualTo(PlayerConnection.NO_TICK);
-        assertThat(sent()).containsExactly("ACK 4", "SYNCH 1 0");
-        assertThat(ask()).isZero();
+        assertThat(unanswerable).as("the client may still answer").isEmpty();
+        assertThat(ask()).as("answered").isZero();
+        assertThat(sent()).containsExactly("ACK 4");
         frame(1, position(1));
         frame(2, position(2));
-        assertThat(sent()).containsExactly("ACK 4", "SYNCH 1 0");
-        assertThat(ask()).isEqualTo(1);
+        assertThat(sent()).isEmpty();
+        assertThat(unanswerable).containsExactly(1L, 2L);
+        rule(-1, -1, -1, ReplaceRule.ACCEPT);
+        frame(3, position(3));
+        assertThat(sent()).containsExactly("position 3", "SYNCH 1 0");
+        assertThat(unanswerable).hasSize(2);
+    }
+
+    @Test
+    void pull_frameOfADeviceThatIsNotSubscribed_isNotSent_andNeedsNoAnswer() {
+        var unanswerable = new ArrayList<Long>();
+        outbox.onEmptyFrame(unanswerable::add);
+        push();
+        outbox.mode(Delivery.PULL);
+        ask();
+        sent();
+        frame(0, sonar());
+        assertThat(sent()).isEmpty();
+        assertThat(unanswerable).containsExactly(0L);
     }
 
     @Test

@@ -143,6 +143,28 @@ class RemoteConnectionTest implements PlayerConstants {
     }
 
     @Test
+    void pull_dataBeforeAReply_areAFrame_withoutARequestForData() {
+        server.on(1, 4, message -> {
+            server.send(server.ack(message, Content.NONE));
+            server.send(server.position(2), server.synch());
+        });
+        client.requestDataDeliveryMode(PLAYER_DATAMODE_PULL);
+        var pos = wheels();
+        server.on(1, 3, message -> {
+            server.send(server.position(1));
+            server.answer(message);
+        });
+        client.requestInterfaceSonar(0, PLAYER_OPEN_MODE);
+        client.readAll();
+        assertThat(pos.isDataReady()).isTrue();
+        assertThat(pos.getX()).isEqualTo(1);
+        assertThat(server.count(1, 4)).as("requests for data").isZero();
+        client.readAll();
+        assertThat(pos.getX()).isEqualTo(2);
+        assertThat(server.count(1, 4)).as("requests for data").isEqualTo(1);
+    }
+
+    @Test
     void pull_frameWithoutAnything_isReadAndAnswered() {
         server.on(1, 4, message -> {
             server.send(server.ack(message, Content.NONE));
@@ -343,7 +365,7 @@ class RemoteConnectionTest implements PlayerConstants {
         client.close();
         assertThat(threads(server)).isEmpty();
         fails(son::isDataReady, "this client is closed");
-        fails(son::queryGeometry, "has been closed");
+        fails(son::queryGeometry, "is closed");
     }
 
     private static List<Thread> threads(ScriptedSocket server) {

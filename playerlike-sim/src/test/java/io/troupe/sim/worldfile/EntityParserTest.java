@@ -122,7 +122,6 @@ class EntityParserTest extends WorldFiles {
             include pioneer | t.world:1:9: expected a file name in double quotes after include, found 'pioneer'
             define box | t.world:1:11: expected an entity type or macro after define box, found the end of the file
             define box model size [1 1] | t.world:1:18: expected '(' after define box model, found 'size'
-            define position model () | t.world:1:8: "position" is a built-in entity type
             model ( point[0.5] [1 2] ) | t.world:1:15: the index of "point" must be a whole number from 0, not 0.5
             model ( point[-1] [1 2] ) | t.world:1:15: the index of "point" must be a whole number from 0, not -1
             """)

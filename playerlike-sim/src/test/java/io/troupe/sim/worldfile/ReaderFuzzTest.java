@@ -5,16 +5,20 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.common.measure.Thorough;
 import java.io.IOException;
 import java.io.UncheckedIOException;
+import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.nio.file.StandardCopyOption;
 import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.List;
 import java.util.Random;
 import java.util.function.Function;
 import java.util.stream.Stream;
 import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.ValueSource;
 
 /**
  * Reads cut and randomly damaged copies of configurations and of all shipped worlds, random words and damaged images:
@@ -276,5 +280,22 @@ class ReaderFuzzTest extends WorldFiles {
             survivors += survives(file("cave.world"), "seed " + SEED + ", round " + round) ? 1 : 0;
         }
         assertThat(survivors).as("images that could be read").isBetween(Thorough.times(0, 1), IMAGES - 1);
+    }
+
+    @ParameterizedTest
+    @ValueSource(strings = {"P1 4 2 1 0 0 1 1 1 1 1 ", "P2 4 2 15 0 15 7 0 1 2 3 4 ", "P5 4 2 255\nabcdefgh"})
+    void netpbmImage_changedAtRandom_isReadOrRefused(String image) throws IOException {
+        byte[] whole = image.getBytes(StandardCharsets.ISO_8859_1);
+        Path world = file("pnm.world");
+        Files.writeString(world, "model ( bitmap \"t.pgm\" size [ 4 2 1 ] )");
+        var random = new Random(SEED);
+        int survivors = 0;
+        for (int round = 0; round < IMAGES; round++) {
+            byte[] damaged = Arrays.copyOf(whole, whole.length - random.nextInt(2));
+            damaged[random.nextInt(damaged.length)] = (byte) (random.nextBoolean() ? random.nextInt(256) : '9');
+            Files.write(file("t.pgm"), damaged);
+            survivors += survives(world, "seed " + SEED + ", round " + round) ? 1 : 0;
+        }
+        assertThat(survivors).as("images that could be read").isBetween(1, IMAGES - 1);
     }
 }

@@ -253,6 +253,65 @@ class ScenarioReaderTest extends WorldFiles {
                         + " ranger");
     }
 
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            rangertolaser | "laser:0" | "ranger:1" | laser:0 0
+            rangertolaser | "6666:laser:3" | ":ranger:1" | laser:3 0
+            lasertoranger | "ranger:7" | "laser:5" | ranger:7 2
+            sonartoranger | "ranger:7" | "sonar:0" | ranger:7 1
+            """)
+    void driverThatOnlyRenames_offersTheDeviceByTheOtherInterfaceToo(
+            String driver, String provides, String requires, String device) {
+        write("w.world", """
+                position ( name "full" ranger ( sensor ( samples 180 ) )
+                  ranger ( sensor ( samples 1 ) sensor ( samples 1 ) ) laser () )
+                """);
+        var warnings = new ArrayList<String>();
+        Scenario scenario = ScenarioReader.read(
+                write(
+                        "t.cfg",
+                        "driver ( name \"" + driver + "\" provides [ " + provides + " ] requires [ " + requires
+                                + " ] )\n" + STAGE
+                                + provides("\"ranger:1\" \"ranger:0\" \"sonar:0\" \"laser:5\"", "full")),
+                into(warnings));
+        assertThat(scenario.devices()).hasSize(6);
+        DeviceBinding renamed = scenario.devices().getLast();
+        assertThat(renamed.interfaceName() + ":" + renamed.index() + " " + renamed.ranger())
+                .isEqualTo(device);
+        assertThat(renamed.model()).isEqualTo("full");
+        assertThat(renamed.port()).isEqualTo(provides.contains("6666") ? 6666 : 6665);
+        assertThat(warnings).noneMatch(warning -> warning.contains(driver));
+    }
+
+    @Test
+    void ringOfSonars_isRenamedToARanger() {
+        String renaming = "driver ( name \"sonartoranger\" provides [ \"ranger:0\" ] requires [ \"sonar:0\" ] )";
+        assertThat(config(STAGE + provides("\"sonar:0\"", "full") + renaming).devices())
+                .extracting(device -> device.interfaceName() + ":" + device.index() + " " + device.ranger())
+                .containsExactly("simulation:0 0", "sonar:0 0", "ranger:0 " + DeviceBinding.SONAR_RING);
+    }
+
+    @ParameterizedTest
+    @CsvSource(delimiter = '|', quoteCharacter = '`', textBlock = """
+            "laser:0"  | "ranger:4" | t.cfg:3:63: driver "rangertolaser" is left out: no driver provides ranger:4 on port 6665
+            "laser:0"  | "ranger:0" | t.cfg:3:63: driver "rangertolaser" is left out: a laser is one sensor, and ranger:0 of "full" has several
+            "ranger:9" | "ranger:0" | t.cfg:3:1: driver "rangertolaser" is left out: expected provides [ "laser:0" ] requires [ "ranger:0" ]
+            """)
+    void driverThatRenamesWhatIsNotThere_isLeftOutWithAWarning(String provides, String requires, String warning) {
+        write("w.world", """
+                position ( name "full" ranger ( sensor ( samples 1 ) sensor ( samples 1 ) ) )
+                """);
+        var warnings = new ArrayList<String>();
+        Scenario scenario = ScenarioReader.read(
+                write(
+                        "t.cfg",
+                        STAGE + provides("\"ranger:0\"", "full") + "\ndriver ( name \"rangertolaser\" provides [ "
+                                + provides + " ] requires [ " + requires + " ] )"),
+                into(warnings));
+        assertThat(scenario.devices()).hasSize(2);
+        assertThat(warnings).containsExactly(warning);
+    }
+
     @Test
     void otherDriversAndInterfaces_areLeftOutWithAWarning_unknownOnesLeniently() {
         var warnings = new ArrayList<String>();

@@ -314,7 +314,7 @@ class ShapesTest extends WorldFiles {
         image.getRaster().setPixel(0, 0, Arrays.copyOf(levels, image.getRaster().getNumBands()));
         image.getRaster().setPixel(1, 0, new int[image.getRaster().getNumBands()]);
         save("t.png", image);
-        Pixels pixels = BitmapFile.read(file("t.png"), new SourcePosition(dir, 1, 1));
+        Pixels pixels = BitmapFile.read(file("t.png"), new SourcePosition(dir, 1, 1), Diagnostics.logged());
         assertThat(pixels.darkCount()).isEqualTo(1 + dark);
     }
 
@@ -353,14 +353,16 @@ class ShapesTest extends WorldFiles {
         assertThat(problem("gone.png", "")).startsWith("t.world:1:16: there is no file gone.png; looked in ");
         assertThat(world("model ( bitmap \"\" " + BLOCK + " )").obstacles()).hasSize(1);
         assertThat(problem("text.png", ""))
-                .isEqualTo("t.world:1:16: text.png is no image of a known format: PNG, GIF, BMP or JPEG");
+                .isEqualTo(
+                        "t.world:1:16: text.png is no image of a known format: PNG, GIF, BMP, JPEG, PGM, PBM or PPM");
         assertThat(problem("white.png", ""))
                 .isEqualTo("t.world:1:16: bitmap white.png has no dark pixel: walls are where the first channel is at"
                         + " most 127 of 255");
         assertThat(problem("half.png", "")).startsWith("t.world:1:16: ").contains("the image half.png");
         assertThat(problem("head.png", "")).startsWith("t.world:1:16: cannot read the image head.png: ");
         assertThat(problem("huge.png", ""))
-                .startsWith("t.world:1:16: bitmap huge.png is too large: 1879048195 x 2 pixels; the limit is 16000000");
+                .startsWith(
+                        "t.world:1:16: bitmap huge.png is too large: 1879048195 x 2 pixels; the limit is 400000000");
         assertThat(problem("dot.png", BLOCK))
                 .isEqualTo(
                         "t.world:1:16: a model has a \"bitmap\" or blocks, not both; the first block is at t.world:1:26");

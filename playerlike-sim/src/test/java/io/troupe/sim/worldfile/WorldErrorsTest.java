@@ -105,7 +105,7 @@ class WorldErrorsTest extends WorldFiles {
             points 4 point[0] [0 0] point[1] [1 0] point[2] [1 1] | t.world:1:24: "points" is 4, but point[3] is missing
             points 3 point[0] [0 0] point[1] [1 0] point[2] [1 1] point[3] [0 1] | t.world:1:24: "points" is 3, but 4 points are given
             points 3 point[0] [0 0] point[1] [1 0] point[3] [1 1] | t.world:1:24: "points" is 3, but point[2] is missing
-            points 4 point[0] [0 0] point[1] [1 0] point[2] [1 1] point[3] [0 0] | t.world:1:80: point[3] and point[0] are the same; a block's outline closes by itself
+            points 3 point[0] [0 0] point[1] [1 0] point[2] [1 0] | t.world:1:24: a block needs 3 to 1000 different points, not 2
             points 3 point[0] [0 0] point[1] [1 0] point[2] [2 0] | t.world:1:9: the block has no area: its points lie on a line
             points 4 point[0] [0 0] point[1] [1 1] point[2] [1 0] point[3] [0 1] | t.world:1:9: the block's outline crosses or touches itself: the edge from point[0] meets the edge from point[2]
             points 4 point[0] [0 0] point[1] [2 0] point[2] [1 0] point[3] [1 1] | t.world:1:9: the block's outline crosses or touches itself: the edge from point[0] meets the edge from point[1]
@@ -317,7 +317,7 @@ class WorldErrorsTest extends WorldFiles {
     // ---- the lenient reader
 
     @Test
-    void lenientReader_tellsEachThingOnceAndReadsTheRest_butRefusesWhatMakesNoSense() {
+    void lenientReader_tellsEachThingOnceAndReadsTheRest_butRefusesWhatBreaksTheGrammar() {
         var warnings = new ArrayList<String>();
         Path file = write("t.world", """
                 define pioneer position ( paint "matt" fiducial ( range_max 8 ) size [ 0.4 0.4 ] )
@@ -339,9 +339,9 @@ class WorldErrorsTest extends WorldFiles {
                         "t.world:3:1: unknown property \"speed\" of world file",
                         "t.world:4:26: a laser must hang on a robot (a position); on a model that stands still it is left"
                                 + " out");
-        Path wrong = write("t.world", "model ( size \"big\" )");
+        Path wrong = write("t.world", "model ( size [ 1 1 )");
         assertThat(problemOf(() -> ScenarioReader.readLeniently(wrong, warning -> {})))
-                .startsWith("t.world:1:14: \"size\" must be");
+                .startsWith("t.world:1:20: missing ']'");
     }
 
     // ---- where files are looked for
@@ -367,6 +367,7 @@ class WorldErrorsTest extends WorldFiles {
         Function<String, Optional<Path>> found =
                 name -> SourceText.find(from, file("t.world"), List.of(stage), name, new SourcePosition(from, 1, 1));
         assertThat(found.apply("only.inc")).contains(stage.resolve("only.inc"));
+        assertThat(found.apply(dir.resolve("gone/worlds/only.inc").toString())).contains(stage.resolve("only.inc"));
         assertThat(found.apply("wall.inc")).contains(file("wall.inc"));
         assertThat(found.apply("none.inc")).isEmpty();
     }

@@ -372,14 +372,13 @@ final class WiringNet {
         var pending = component + " is served " + target + where;
         draft.local(component, waiting, 0, new ComponentState.Asking(component, request));
         draft.local(component, pending, 0, new ComponentState.Unanswered(component, target));
-        var services = services(provider, call);
         draft.step(
                 component + " asks " + target + where,
                 Event.of(component).begins(component, request).seen(Kind.ASKED, component, target),
                 List.of(at(component, request.from())),
                 List.of(waiting));
         var both = Event.of(component, provider);
-        for (var service : services) {
+        for (var service : services(provider, call)) {
             var offer = service.offer();
             draft.step(
                     provider + " takes " + call + service.where() + " from " + caller,
@@ -405,15 +404,11 @@ final class WiringNet {
                                 List.of(waiting, at(provider, step.from())),
                                 List.of(at(component, state), at(provider, step.to())))));
         request.onTimeout().ifPresent(state -> {
-            var after = at(component, state);
             var event = caller + " times out: " + target;
             var seen = Event.of(component).seen(Kind.TIMED_OUT, component, target);
-            draft.step(event + " was not taken", seen, List.of(waiting), List.of(after));
-            draft.step(
-                    event + " is served in vain",
-                    seen,
-                    List.of(pending),
-                    List.of(after, abandoned(component, provider, call)));
+            draft.step(event + " was not taken", seen, List.of(waiting), List.of(at(component, state)));
+            var abandoned = List.of(at(component, state), abandoned(component, provider, call));
+            draft.step(event + " is served in vain", seen, List.of(pending), abandoned);
         });
         if (wiring.protocol(component).failsIn(request.from())) {
             fails(component, request.from(), caller + " fails waiting for " + target, List.of(waiting), List.of());

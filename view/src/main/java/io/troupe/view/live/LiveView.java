@@ -144,8 +144,7 @@ public final class LiveView implements AutoCloseable {
 
     /** The address of the page. */
     public String address() {
-        String host =
-                bound.isAnyLocalAddress() ? "localhost" : bound.isLoopbackAddress() ? "localhost" : literal(bound);
+        String host = bound.isAnyLocalAddress() || bound.isLoopbackAddress() ? "localhost" : literal(bound);
         return "http://" + host + ":" + port() + "/" + (token == null ? "" : "?t=" + token);
     }
 

@@ -1,17 +1,17 @@
 package io.troupe.view.live;
 
 import io.troupe.actor.time.Clock;
+import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.live.ViewCommand.Intervention;
+import io.troupe.view.tools.RecordedInterventions;
 import java.io.IOException;
-import java.math.BigDecimal;
-import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Deque;
 import java.util.List;
+import java.util.Map;
 import java.util.function.BooleanSupplier;
-import java.util.regex.Pattern;
 
 /**
  * Commands of viewers for a run whose loop is the caller's: before each interval the loop calls {@link #await}, which
@@ -30,9 +30,6 @@ public final class RunControl implements ViewControl {
     private static final List<String> TIME = List.of("pause", "resume", "step", "speed");
     static final List<String> ALL =
             List.of("pause", "resume", "step", "speed", "reset", "place", "drive", "release", "box", "unbox");
-
-    private static final Pattern RECORDED =
-            Pattern.compile("\\{\"t\":([0-9.]{1,20}),\"type\":\"intervention\",\"what\":\"([^\"]*)\"}");
 
     /** An intervention of a recorded run. */
     private record Scheduled(long timeMicros, Intervention intervention) {}
@@ -115,19 +112,15 @@ public final class RunControl implements ViewControl {
      * Repeats the interventions of a recorded run at the times at which they took effect, so that the same run follows.
      *
      * @param log a {@code run.jsonl}
-     * @param robots number of robots of the world
+     * @param settings what the header of the log must have, for example its seed
+     * @throws io.troupe.view.tools.RunFileException if the log is no run, or one in another world or with other
+     *     settings
      * @throws IllegalArgumentException if a line of the log is no intervention in such a world
      */
-    public synchronized void repeat(Path log, int robots) throws IOException {
-        int number = 0;
-        for (String line : Files.readAllLines(log)) {
-            number++;
-            var found = RECORDED.matcher(line);
-            if (found.matches()) {
-                scheduled.addLast(new Scheduled(
-                        new BigDecimal(found.group(1)).movePointRight(6).longValueExact(),
-                        parse(found.group(2), robots, log + ", line " + number)));
-            }
+    public synchronized void repeat(Path log, WorldSpec world, Map<String, String> settings) throws IOException {
+        for (var each : RecordedInterventions.read(log, world, settings)) {
+            Intervention intervention = parse(each.words(), world.robots().size(), log + ", line " + each.line());
+            scheduled.addLast(new Scheduled(each.timeMicros(), intervention));
         }
     }
 

@@ -15,6 +15,19 @@ interface RunListener {
     void happened(Event event) throws IOException;
 
     /**
+     * Something in the world is changed from outside.
+     *
+     * @param words the command, as the log has it
+     * @param line number of the line in the log
+     */
+    default void changed(long timeMicros, String words, int line) {}
+
+    /** False if {@link #read} need not be called, so that no sensors have to be computed. */
+    default boolean wantsReadings() {
+        return true;
+    }
+
+    /**
      * What the robots' sensors read at one time.
      *
      * @param services that control the robots, by robot; {@code none} and {@code several} are possible

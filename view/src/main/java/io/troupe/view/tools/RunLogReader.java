@@ -265,6 +265,7 @@ final class RunLogReader {
 
     private void intervention(JsonObject line) throws IOException, JsonObject.Problem {
         String what = line.text("what");
+        listener.changed(timeMicros, what, lineNumber);
         remark(Level.WARNING, 0, "changed from outside: " + what);
         List<String> words = List.of(what.split(" "));
         try {
@@ -417,7 +418,9 @@ final class RunLogReader {
         }
         poses.add(new PoseLine(pose, recordedM, line.text("service")));
         if (poses.size() == sensors.size()) {
-            listener.read(reading());
+            if (listener.wantsReadings()) {
+                listener.read(reading());
+            }
             poses.clear();
         }
     }

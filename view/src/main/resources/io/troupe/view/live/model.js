@@ -18,7 +18,11 @@ class Model {
   /** A trail has a gap where frames are farther apart: the way of the robot is not known. */
   static TRAIL_GAP_S = 2.5;
 
+  /** As many as the server keeps; a page beside a world that runs for days forgets the older ones. */
+  static MOST_EVENTS = 20_000;
+
   constructor() {
+    this.mostEvents = Model.MOST_EVENTS;
     this.clear();
   }
 
@@ -30,6 +34,8 @@ class Model {
     this.devices = new Map(); // what further devices read, by robot
     this.nextDevices = null; // they come before the readings of their frame
     this.events = [];
+    this.forgotten = 0; // number of older events
+    this.hands = []; // events that say who drives a robot
     this.trails = [];
     this.trailTime = 0; // of the newest frame
     this.drivers = new Map();
@@ -132,6 +138,11 @@ class Model {
         continue;
       }
       this.events.push(event);
+      if (this.events.length > this.mostEvents) {
+        const old = this.events.length >> 3;
+        this.events.splice(0, old);
+        this.forgotten += old;
+      }
       if (event.kind === "state") {
         this.state = event;
       } else if (event.kind === "boxes") {
@@ -139,6 +150,9 @@ class Model {
         this.boxes = event.boxes;
       } else if (event.kind === "driver") {
         this.drivers.set(event.robot - 1, event.node);
+        if (this.mostEvents === Infinity) {
+          this.hands.push(event);
+        }
       }
     }
   }
@@ -213,6 +227,17 @@ class Model {
   /** The boxes at a time, for a recorded run. */
   boxesAt(time) {
     return this.events.findLast(each => each.kind === "boxes" && each.t <= time + 1e-9)?.boxes ?? [];
+  }
+
+  /** Who drives which robot at a time, for a recorded run. */
+  driversAt(time) {
+    const drivers = new Map();
+    for (const event of this.hands) {
+      if (event.t <= time + 1e-9) {
+        drivers.set(event.robot - 1, event.node);
+      }
+    }
+    return drivers;
   }
 
   /** Changes of state, and what else happened to be shown, as text. */

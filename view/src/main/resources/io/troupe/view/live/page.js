@@ -134,9 +134,11 @@ class Page {
 
   listRobots() {
     const wanted = element("find").value.trim().toLowerCase();
-    const robots = [...this.model.world.robots.entries()]
-      .filter(([, robot]) => robot.name.toLowerCase().includes(wanted))
-      .slice(0, Page.MOST_LISTED);
+    const found = [...this.model.world.robots.entries()]
+      .filter(([, robot]) => robot.name.toLowerCase().includes(wanted));
+    const robots = found.slice(0, Page.MOST_LISTED);
+    element("unlisted").hidden = robots.length === found.length;
+    element("unlisted").textContent = `${robots.length} of ${found.length} robots are listed; find others by their names`;
     element("robots").replaceChildren(...robots.map(([index, robot]) => {
       const item = document.createElement("li");
       const button = document.createElement("button");
@@ -292,8 +294,9 @@ class Page {
     if (act?.shown) {
       act.shown.data = this.model.describe(act);
     }
-    for (; this.listed < this.model.events.length; this.listed++) {
-      const event = this.model.events[this.listed];
+    this.listed = Math.max(this.listed, this.model.forgotten);
+    for (; this.listed < this.model.forgotten + this.model.events.length; this.listed++) {
+      const event = this.model.events[this.listed - this.model.forgotten];
       if (!this.model.isListed(event)) {
         continue;
       }
@@ -742,6 +745,7 @@ class Film {
 
   constructor(page) {
     this.page = page;
+    page.model.mostEvents = Infinity; // what a file holds is bounded
     this.frames = [];
     this.readings = [];
     this.devices = [];
@@ -801,6 +805,7 @@ class Film {
     const next = this.frames[i + 1];
     this.page.model.frame = frame ?? null;
     this.page.model.boxes = this.page.model.boxesAt(this.now);
+    this.page.model.drivers = this.page.model.driversAt(this.now);
     this.page.model.readings = this.readings[i] ?? new Map();
     this.page.model.devices = this.devices[i] ?? new Map();
     if (!frame || !next) {

@@ -439,6 +439,8 @@ class BrowserTest {
             assertThat(page().get("troupe.model.frame.x.every(Number.isFinite)"))
                     .isEqualTo("true");
             assertThat(page().get("document.body.classList.contains('many')")).isEqualTo("true");
+            assertThat(page().get("document.querySelector('#unlisted').textContent"))
+                    .isEqualTo("200 of 1000 robots are listed; find others by their names");
             for (int i = 0; i < 1000; i++) {
                 simulation.world().command(i, 0.3, 0.2);
             }
@@ -487,6 +489,39 @@ class BrowserTest {
             page().await("/" + timeStateServices[2] + "/.test(" + robots + ")");
             picture("paper-state-" + timeStateServices[1] + ".png"); // as Figures 9 to 11 of the paper
         }
+    }
+
+    @Test
+    void pageBesideAWorld_keepsTheNewestEvents_andAFileKnowsWhoDroveAtEachTime() throws Exception {
+        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false)).onto(view);
+            viewed.moved(
+                    World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT).latest());
+            open(view);
+            page().await("troupe.model.frame !== null");
+            page().get(
+                            "troupe.model.addEvents(Array.from({length: 30000}, (_, i) => ({t: i / 10, kind: 'contact', robot: 1})))");
+            page().await("document.querySelector('#events li')?.dataset.time === '2999.9'");
+            assertThat(page().number("troupe.model.events.length")).isBetween(17_000.0, 20_000.0);
+            page().get("troupe.model.addEvents([{t: 3001, kind: 'contact', robot: 2}])");
+            page().await("document.querySelector('#events li').dataset.time === '3001'");
+        }
+        Path html = folder.resolve("run.html");
+        var file = new ViewFile();
+        var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false)).onto(file);
+        LiveRuns.run(folder.resolve("run.jsonl"), 12, viewed.listener(RecordedRun.Listener.NONE));
+        Files.writeString(html, file.html());
+        page().open(html.toUri().toString());
+        page().await("troupe.source.frames.length === 121");
+        page().get("troupe.model.addEvents([{t: 4, kind: 'driver', robot: 1, node: 'early'},"
+                + " {t: 8, kind: 'driver', robot: 1, node: 'late'}])");
+        var first = "document.querySelector('#robots button').lastChild.textContent";
+        scrubTo(5);
+        page().await(first + ".endsWith(', early')");
+        scrubTo(9);
+        page().await(first + ".endsWith(', late')");
+        scrubTo(1);
+        page().await("!" + first + ".includes(',')");
     }
 
     private static void scrubTo(int seconds) {

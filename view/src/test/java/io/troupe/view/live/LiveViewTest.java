@@ -188,7 +188,7 @@ class LiveViewTest {
         LiveRuns.run(first, 15, intervening(control, viewed.listener(RecordedRun.Listener.NONE), plan));
 
         var repeating = new RunControl(0, false);
-        repeating.repeat(first, 2);
+        repeating.repeat(first, LiveRuns.ARENA.world(), Map.of());
         var shown = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, repeating);
         LiveRuns.run(again, 15, shown.listener(RecordedRun.Listener.NONE));
 

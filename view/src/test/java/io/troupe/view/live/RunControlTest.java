@@ -5,9 +5,11 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.time.ManualClock;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.WorldSpec;
 import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.List;
+import java.util.Map;
 import java.util.concurrent.atomic.AtomicInteger;
 import java.util.function.BooleanSupplier;
 import org.junit.jupiter.api.Test;
@@ -103,23 +105,32 @@ class RunControlTest {
     @Test
     void log_isRepeatedAtItsTimes_andItsErrorsHaveALineNumber(@TempDir Path folder) throws Exception {
         Path log = folder.resolve("run.jsonl");
+        WorldSpec world = LiveRuns.ARENA.world();
         Files.write(
                 log,
                 List.of(
-                        "{\"t\":0.0,\"type\":\"header\"}",
+                        header(world.name()),
                         "{\"t\":0.3,\"type\":\"intervention\",\"what\":\"release 1\"}",
                         "{\"t\":0.5,\"type\":\"intervention\",\"what\":\"reset\"}"));
         var control = new RunControl(wall, 0, false);
-        control.repeat(log, 2);
+        control.repeat(log, world, Map.of("seed", "1"));
         assertThat(control.await(200_000, NEVER)).isEmpty();
         assertThat(control.await(300_000, NEVER)).containsExactly(new ViewCommand.Release(0));
         assertThat(control.await(500_000, NEVER)).containsExactly(new ViewCommand.Reset());
-        Files.writeString(log, "{\"t\":0.3,\"type\":\"intervention\",\"what\":\"pause\"}\n");
-        assertThatThrownBy(() -> control.repeat(log, 2)).hasMessageContaining("line 1: 'pause' changes nothing");
-        assertThatThrownBy(() -> {
-                    Files.writeString(log, "{\"t\":0.3,\"type\":\"intervention\",\"what\":\"release 9\"}\n");
-                    control.repeat(log, 2);
-                })
-                .hasMessageContaining("line 1: robot '9'");
+        for (String wrong : List.of("pause", "release 9")) {
+            Files.write(
+                    log,
+                    List.of(
+                            header(world.name()),
+                            "{\"t\": 0.3, \"type\": \"intervention\", \"what\": \"" + wrong + "\"}"));
+            assertThatThrownBy(() -> control.repeat(log, world, Map.of("seed", "1")))
+                    .hasMessageContaining("line 2: ")
+                    .hasMessageContaining(wrong.equals("pause") ? "'pause' changes nothing" : "robot '9'");
+        }
+    }
+
+    private static String header(String world) {
+        return "{\"t\":0.0,\"type\":\"header\",\"format\":\"troupe-run\",\"version\":1,\"world\":\"" + world
+                + "\",\"robots\":2,\"seed\":1}";
     }
 }
