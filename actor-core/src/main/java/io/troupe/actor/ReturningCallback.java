@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.internal.CancellationFlag;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import java.util.ArrayDeque;
@@ -35,7 +36,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     private final Callback<T> reader;
     private final SpaceHome home;
     private final @Nullable Incarnation owner;
-    private final @Nullable Stream<T> stream; // if the reader is one
+    private final @Nullable CancellationFlag flag; // of a reader of this library
     private final boolean mayCancel; // the reader, by an isCancelled() of its class
     private final @Nullable NewestResults<T> newest; // only if the reader does not receive every result
     private volatile boolean usedByOtherThreads;
@@ -48,8 +49,9 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         this.reader = reader;
         this.home = home;
         this.owner = owner;
-        this.stream = reader instanceof Stream<T> receiving ? receiving : null;
-        this.mayCancel = stream == null && OWN_IS_CANCELLED.get(reader.getClass());
+        Stream<T> stream = reader instanceof Stream<T> receiving ? receiving : null;
+        this.flag = stream != null ? stream::isCancelled : reader instanceof CancellationFlag own ? own : null;
+        this.mayCancel = flag == null && OWN_IS_CANCELLED.get(reader.getClass());
         this.newest = stream != null && stream.backlog().isBounded()
                 ? new NewestResults<>(home, stream.backlog().most(), stream::noteSkipped)
                 : null;
@@ -125,7 +127,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
             fail(error);
         } else {
             checkNotEnded();
-            if (!isCancelled()) {
+            if (!isKnownAsGone()) {
                 noteReturned();
                 if (!queue(new Result(Kind.VALUE, result))) {
                     rejectLeftovers();
@@ -196,7 +198,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
     }
 
     private boolean isKnownAsGone() {
-        return readerGone || owner != null && owner.isOver() || stream != null && stream.isCancelled();
+        return readerGone || owner != null && owner.isOver() || flag != null && flag.isCancelled();
     }
 
     /** Makes the reader note on its space whether it has cancelled. */

@@ -2,6 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.internal.CancellationFlag;
 import io.troupe.bus.Address;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.internal.CborItem;
@@ -21,7 +22,7 @@ import org.jspecify.annotations.Nullable;
  * {@link #isCancelled}. The end is sent again until the reader has confirmed it, because a reader that has not got it
  * would wait for ever.
  */
-final class OutgoingStream implements Callback<@Nullable Object> {
+final class OutgoingStream implements Callback<@Nullable Object>, CancellationFlag {
     static final int MOST_UNANSWERED = 256;
     static final int MOST_BUFFERED = 1_024;
     private static final Duration LIMIT = Duration.ofSeconds(10); // of the answer to an item

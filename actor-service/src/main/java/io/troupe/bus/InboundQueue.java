@@ -2,6 +2,7 @@ package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.internal.CancellationFlag;
 import io.troupe.actor.Topic;
 import io.troupe.actor.promise.Promise;
 import java.util.ArrayDeque;
@@ -171,7 +172,7 @@ abstract class InboundQueue {
         discard(rest, why);
     }
 
-    private final class Signal implements Callback<InboundQueue> {
+    private final class Signal implements Callback<InboundQueue>, CancellationFlag {
         @Override
         public void accept(@Nullable InboundQueue queue, @Nullable Throwable error) {
             Objects.requireNonNull(queue).drain();

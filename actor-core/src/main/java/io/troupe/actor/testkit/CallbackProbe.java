@@ -1,6 +1,7 @@
 package io.troupe.actor.testkit;
 
 import io.troupe.actor.Callback;
+import io.troupe.actor.internal.CancellationFlag;
 import java.util.ArrayList;
 import java.util.Collections;
 import java.util.List;
@@ -23,12 +24,12 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Errors.</b> A result or an end after the end throws an {@link IllegalStateException} to the sender.
  */
-public final class CallbackProbe<T extends @Nullable Object> implements Callback<T> {
+public final class CallbackProbe<T extends @Nullable Object> implements Callback<T>, CancellationFlag {
     private final TestSpace test;
     private final List<T> results = new ArrayList<>();
     private @Nullable String end;
     private @Nullable Throwable error;
-    private boolean cancelled;
+    private volatile boolean cancelled;
 
     CallbackProbe(TestSpace test) {
         this.test = test;
