@@ -255,6 +255,10 @@ class SimulationTest {
         for (int i = 0; i < 3; i++) {
             push.subscribe(Interfaces.POSITION2D, i);
         }
+        // alone in its tick: a later command may replace it
+        push.tell(Interfaces.POSITION2D, 0, new DeviceCommand.GoTo(1, 1, 0, 0, 0, 0, true));
+        push.ask(Interfaces.POSITION2D, 0, new DeviceRequest.SetOdometry(1, 2, 3)); // behind the command
+        hash.update(simulation.tick());
         Consumer<Snapshot> observer = snapshot -> {
             hash.update(snapshot);
             enough.countDown();
