@@ -382,8 +382,8 @@ class ActorPoolTest extends InTestSpace {
     @Test
     void callbackOfABroadcast_whoseCallIsCancelledInTheMailbox_fails() {
         CallbackProbe<Integer> numbers = test.callback();
-        var watched = watched();
-        test.run(() -> watched.broadcast().ask(numbers).cancel());
+        var one = ActorPool.on(spaces.subList(0, 1), Watched.class, Source::new, ActorSettings.DEFAULT);
+        test.run(() -> one.broadcast().ask(numbers).cancel());
         runQueued();
         assertThat(numbers.expectFailed()).isInstanceOf(CancellationException.class);
     }
