@@ -150,7 +150,8 @@ public final class ActorPool<A> implements AutoCloseable {
      * customer, robot or file. A call of a method without arguments throws {@link UnsupportedOperationException}, one
      * with an array as its first argument {@link IllegalArgumentException}.
      *
-     * @throws ActorTypeException if the first argument of a method is an array: equal ones would select different actors
+     * @throws ActorTypeException if the first argument of a method is an array: equal ones would select different
+     *     actors
      */
     public A byFirstArgument() {
         if (arrayKey != null) {

@@ -102,8 +102,8 @@ public final class Probe<A> {
     }
 
     /**
-     * Fulfils the oldest pending request, even if its caller has cancelled it, and runs what follows from that. A suspend
-     * function of Kotlin without a result is answered by null.
+     * Fulfils the oldest pending request, even if its caller has cancelled it, and runs what follows from that. A
+     * suspend function of Kotlin without a result is answered by null.
      */
     public void answer(@Nullable Object value) {
         OpenRequest request = oldest("answer(" + value + ")");
