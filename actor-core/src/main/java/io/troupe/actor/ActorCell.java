@@ -17,6 +17,7 @@ import java.util.ArrayDeque;
 import java.util.IdentityHashMap;
 import java.util.Map;
 import java.util.Objects;
+import java.util.concurrent.CancellationException;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
 
@@ -49,7 +50,7 @@ final class ActorCell extends Recipient {
     private Incarnation life;
     private boolean starting;
     private boolean begun;
-    private boolean stopped;
+    private volatile boolean stopped;
 
     @Nullable
     ActorCell before;
@@ -155,7 +156,12 @@ final class ActorCell extends Recipient {
 
     @Override
     public @Nullable Object returning(@Nullable Object callback) {
-        return ReturningCallback.wrap((Callback<?>) callback, space);
+        if (callback instanceof BroadcastCallback<?> shared) {
+            return shared.share();
+        }
+        return callback instanceof BroadcastCallback.Share<?> share
+                ? share // the actor that received it passes it on
+                : ReturningCallback.wrap((Callback<?>) callback, space);
     }
 
     @Override
@@ -179,6 +185,17 @@ final class ActorCell extends Recipient {
     @Override
     protected Incarnation life() {
         return life;
+    }
+
+    /** True when the actor has stopped, for ever; any thread. */
+    boolean hasStopped() {
+        return stopped;
+    }
+
+    /** Makes this cell one that never has an actor: it rejects the calls of a pool whose actors have all stopped. */
+    void standForPool() {
+        stopped = true;
+        exceptional().standsForPool = true;
     }
 
     /** Fulfilled when the actor has stopped; any thread. */
@@ -389,6 +406,9 @@ final class ActorCell extends Recipient {
     }
 
     private String whyStopped() {
+        if (exceptional != null && exceptional.standsForPool) {
+            return "all actors of the " + this + " have stopped";
+        }
         return space.isStopping() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
     }
 
@@ -461,7 +481,7 @@ final class ActorCell extends Recipient {
         } catch (Throwable noMemory) {
             error = noMemory;
         }
-        space.reports().rejectCall(call, this, reason, error);
+        rejectCall(call, reason, error);
     }
 
     @Override
@@ -528,6 +548,7 @@ final class ActorCell extends Recipient {
         if (call instanceof Request<?> request && (request.isDone() || request.shed())) {
             noteDropped(call);
             space.reports().skip(request); // cancelled or given up while queued
+            endBroadcasts(request, new CancellationException("a call was cancelled or given up before it began"));
         } else if (target == null) {
             noteDropped(call);
             reject(call);
@@ -608,7 +629,21 @@ final class ActorCell extends Recipient {
         } catch (Throwable noMemory) {
             error = ActorStoppedException.withoutMemory(false);
         }
+        rejectCall(call, reason, error);
+    }
+
+    private void rejectCall(Node call, String reason, Throwable error) {
         space.reports().rejectCall(call, this, reason, error);
+        endBroadcasts(call, error);
+    }
+
+    /** Ends the callbacks of broadcasts among the arguments of a call that is not begun; throws nothing. */
+    private void endBroadcasts(Node call, Throwable error) {
+        try {
+            BroadcastCallback.abandon(call, error);
+        } catch (Throwable broken) {
+            space.reports().error(Trouble.THE_END_OF_A_CALLBACK, this, broken);
+        }
     }
 
     private static Object nameOf(Node call) {
@@ -797,6 +832,7 @@ final class ActorCell extends Recipient {
         private boolean byActor; // the actor holds its calls back
         private boolean stopHeld; // a stop is queued among the held calls
         private boolean releasing;
+        private boolean standsForPool; // see standForPool()
         private @Nullable Timer restartTimer; // the timer of the pause before a restart
         private @Nullable Share share; // only if the space has a quota for its actors
 

@@ -168,8 +168,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
 
     /** Without what Kotlin's compiler adds: the mark of value classes, and the continuation. */
     static String signature(Method method) {
-        int mark = method.getName().indexOf('-');
-        return (mark < 0 ? method.getName() : method.getName().substring(0, mark))
+        return SuspendingCalls.nameOf(method)
                 + Arrays.stream(SuspendingCalls.parameters(method))
                         .map(Class::getSimpleName)
                         .collect(Collectors.joining(", ", "(", ")"));

@@ -7,6 +7,7 @@ import io.troupe.actor.internal.Router;
 import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
+import java.util.function.IntConsumer;
 import org.objectweb.asm.ClassWriter;
 import org.objectweb.asm.Label;
 import org.objectweb.asm.MethodVisitor;
@@ -32,11 +33,15 @@ import org.objectweb.asm.Type;
  *     }
  * }
  * }
+ *
+ * <p>An argument that is a callback is replaced before the first call, {@code a0 = (Callback) router.callback(a0)}, and
+ * {@code router.called(a0)} follows the last one.
  */
 final class PoolProxyGenerator {
     static final String ROUTER_FIELD = "troupe$router";
     private static final String ROUTER = Type.getInternalName(Router.class);
     private static final String ROUTER_DESCRIPTOR = Type.getDescriptor(Router.class);
+    private static final String CALLBACK = Type.getInternalName(Callback.class);
     private static final String PROMISE_DESCRIPTOR = Type.getDescriptor(Promise.class);
 
     private final Class<?> type;
@@ -90,10 +95,18 @@ final class PoolProxyGenerator {
         }
         first(code, method, kind, router);
         code.visitVarInsn(ISTORE, number);
-        call(code, method, router, number);
         if (kind == Kind.SUSPENDING) {
+            call(code, method, router, number);
             code.visitInsn(ARETURN);
         } else {
+            forEachCallback(method, local -> {
+                code.visitVarInsn(ALOAD, router);
+                code.visitVarInsn(ALOAD, local);
+                routerCall(code, "callback", "(Ljava/lang/Object;)Ljava/lang/Object;");
+                code.visitTypeInsn(CHECKCAST, CALLBACK);
+                code.visitVarInsn(ASTORE, local);
+            });
+            call(code, method, router, number);
             loop(code, method, kind, router, number, answer);
         }
         ProxyGenerator.finish(code);
@@ -158,10 +171,26 @@ final class PoolProxyGenerator {
         }
         code.visitJumpInsn(GOTO, again);
         code.visitLabel(end);
+        forEachCallback(method, local -> {
+            code.visitVarInsn(ALOAD, router);
+            code.visitVarInsn(ALOAD, local);
+            routerCall(code, "called", "(Ljava/lang/Object;)V");
+        });
         if (isRequest) {
             code.visitVarInsn(ALOAD, answer);
         }
         code.visitInsn(isRequest ? ARETURN : RETURN);
+    }
+
+    /** Calls an action with the local variable of each argument that is a callback. */
+    private static void forEachCallback(Method method, IntConsumer action) {
+        int local = 1;
+        for (Type argument : Type.getArgumentTypes(method)) {
+            if (argument.getInternalName().equals(CALLBACK)) {
+                action.accept(local);
+            }
+            local += argument.getSize();
+        }
     }
 
     private static void routerCall(MethodVisitor code, String name, String descriptor) {

@@ -9,10 +9,13 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.CallbackProbe;
+import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Objects;
+import java.util.concurrent.CancellationException;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.atomic.AtomicInteger;
@@ -184,6 +187,270 @@ class ActorPoolTest extends InTestSpace {
         test.run(() -> pool.broadcast().count(numbers));
         runQueued();
         assertThat(numbers.results()).containsExactlyInAnyOrder(0, 1, 2);
+    }
+
+    private void stopMember(int number) {
+        spaces.get(number).stop(pool.actors().get(number));
+        runQueued();
+    }
+
+    @Test
+    void roundRobin_passesOverActorsThatHaveStopped_withEqualSharesForTheOthers() {
+        assertThat(pool.living()).isEqualTo(3);
+        stopMember(1);
+        assertThat(pool.living()).isEqualTo(2);
+        List<Integer> numbers = new ArrayList<>();
+        for (int call = 0; call < 6; call++) {
+            numbers.add(get(pool.roundRobin().number()));
+        }
+        assertThat(numbers).containsExactly(0, 2, 0, 2, 0, 2);
+    }
+
+    @Test
+    void byFirstArgument_movesOnlyTheKeysOfAnActorThatHasStopped_toAllOthers() {
+        List<String> keys = IntStream.range(0, 300).mapToObj(key -> "robot " + key).toList();
+        Map<String, Integer> before = actorsOf(keys);
+        stopMember(1);
+        Map<String, Integer> after = actorsOf(keys);
+        assertThat(after).allSatisfy((key, actor) -> {
+            int mine = before.get(key);
+            assertThat(actor).isNotEqualTo(1);
+            assertThat(mine == 1 || mine == actor).as(key).isTrue();
+        });
+        long moved = before.values().stream().filter(actor -> actor == 1).count();
+        assertThat(keys.stream().filter(key -> before.get(key) == 1 && after.get(key) == 0))
+                .hasSizeBetween((int) moved / 4, (int) moved * 3 / 4);
+        stopMember(0);
+        assertThat(actorsOf(keys).values()).containsOnly(2);
+    }
+
+    /** Which actor has each key; also that {@code actor(key)} answers that one. */
+    private Map<String, Integer> actorsOf(List<String> keys) {
+        Map<String, Integer> actors = new HashMap<>();
+        for (String key : keys) {
+            Integer actor = get(pool.byFirstArgument().key(key));
+            assertThat(get(pool.actor(key).number())).isEqualTo(actor);
+            actors.put(key, actor);
+        }
+        return actors;
+    }
+
+    @Test
+    void broadcast_reachesThoseThatLive() {
+        stopMember(0);
+        assertThat(get(pool.broadcast().number())).isEqualTo(1);
+        pool.broadcast().note("all");
+        runQueued();
+        assertThat(log).containsExactlyInAnyOrder("1 all", "2 all");
+    }
+
+    @Test
+    void call_ofAPoolWhoseActorsHaveAllStopped_isRejectedWithTheNameOfThePool() {
+        List<DeadLetter> letters = new ArrayList<>();
+        List<ActorSpace> own = IntStream.range(0, 2)
+                .mapToObj(number -> ActorSpace.create(SpaceSettings.named("own-" + number)
+                        .withOnDeadLetter(letters::add)
+                        .withoutThread()))
+                .toList();
+        var ended = ActorPool.on(own, Worker.class, () -> new Working(0), ActorSettings.named("smith"));
+        ended.close();
+        own.forEach(ActorSpace::runQueued);
+        assertThat(ended.living()).isZero();
+        CallbackProbe<Integer> numbers = test.callback();
+        for (Worker proxy : List.of(ended.roundRobin(), ended.byFirstArgument(), ended.broadcast(), ended.actor("x"))) {
+            Promise<Integer> answer = proxy.fail(1);
+            answer.handle((value, error) -> error);
+            proxy.note("lost");
+            own.forEach(ActorSpace::runQueued);
+            assertThat(answer.error())
+                    .isInstanceOf(ActorStoppedException.class)
+                    .hasMessage("Worker.fail(int) of pool of 2 smith was not begun: all actors of the pool of 2 smith have stopped");
+        }
+        test.run(() -> ended.broadcast().count(numbers));
+        own.forEach(ActorSpace::runQueued);
+        assertThat(numbers.expectFailed()).hasMessageContaining("pool of 2 smith");
+        assertThat(letters).hasSize(5).first().extracting(DeadLetter::actor).isEqualTo("pool of 2 smith");
+        own.forEach(ActorSpace::close);
+    }
+
+    @Test
+    void create_takesSettingsOfTheActors_andARestartedActorKeepsItsPlace() throws Exception {
+        var starts = new AtomicInteger();
+        var settings = ActorSettings.named("smith").withSupervision(Supervision.restart(1, Duration.ofHours(1)));
+        try (var smiths = ActorPool.create(
+                1,
+                SpaceSettings.named("forge").withOnError((where, error) -> log.add(error.getMessage())),
+                Poisoned.class,
+                () -> () -> {
+                    throw new IllegalStateException("poisoned " + starts.incrementAndGet());
+                },
+                settings)) {
+            ActorSpace space = smiths.spaces().getFirst();
+            Promise<ActorEnd> end = space.whenStopped(smiths.actors().getFirst());
+            smiths.roundRobin().swallow();
+            smiths.roundRobin().swallow();
+            assertThat(end.get(LONG).toString()).contains("poisoned 2");
+            assertThat(smiths.living()).isZero();
+            assertThat(smiths).hasToString("pool of [smith]");
+        }
+    }
+
+    interface Poisoned {
+        void swallow();
+    }
+
+    /** Keeps its callback. */
+    private static final class Source implements Watched {
+        private @Nullable Callback<Integer> numbers;
+
+        @Override
+        public void watch(Callback<Integer> next) {
+            numbers = next;
+        }
+
+        @Override
+        public Promise<Integer> ask(Callback<Integer> next) {
+            return Promise.of(1);
+        }
+    }
+
+    interface Watched {
+        void watch(Callback<Integer> next);
+
+        Promise<Integer> ask(Callback<Integer> next);
+    }
+
+    private final List<Source> sources = new ArrayList<>();
+    private ActorPool<Watched> watched() {
+        return ActorPool.on(
+                spaces,
+                Watched.class,
+                () -> {
+                    var source = new Source();
+                    sources.add(source);
+                    return source;
+                },
+                ActorSettings.DEFAULT);
+    }
+
+    private Callback<Integer> given(int actor) {
+        return Objects.requireNonNull(sources.get(actor).numbers);
+    }
+
+    @Test
+    void callbackOfABroadcast_endsWithTheLastActor_andReceivesAllResults() {
+        CallbackProbe<Integer> numbers = test.callback();
+        test.run(() -> watched().broadcast().watch(numbers));
+        runQueued();
+        for (int actor = 0; actor < SIZE; actor++) {
+            numbers.expectOpen();
+            given(actor).next(actor);
+            given(actor).finish();
+            runQueued();
+        }
+        assertThat(numbers.results()).containsExactly(0, 1, 2);
+        numbers.expectFinished();
+        assertThatThrownBy(() -> given(0).next(3)).hasMessageContaining("finished or failed before");
+    }
+
+    @Test
+    void callbackOfABroadcast_endsWithTheFirstError_andTheOtherActorsSeeThat() {
+        CallbackProbe<Integer> numbers = test.callback();
+        test.run(() -> watched().broadcast().watch(numbers));
+        runQueued();
+        given(0).next(1);
+        given(1).fail(new IllegalStateException("no light"));
+        assertThat(given(0).isCancelled()).isTrue();
+        given(0).next(2);
+        given(0).finish();
+        given(2).fail(new IllegalStateException("later"));
+        runQueued();
+        assertThat(numbers.results()).containsExactly(1);
+        assertThat(numbers.expectFailed()).hasMessage("no light");
+    }
+
+    @Test
+    void callbackOfABroadcast_thatAnActorRejects_fails() {
+        CallbackProbe<Integer> numbers = test.callback();
+        var watched = watched();
+        spaces.get(1).stop(watched.actors().get(1)); // the call comes behind this
+        test.run(() -> watched.broadcast().watch(numbers));
+        runQueued();
+        assertThat(numbers.expectFailed()).isInstanceOf(ActorStoppedException.class);
+    }
+
+    @Test
+    void callbackOfABroadcast_whoseCallIsCancelledInTheMailbox_fails() {
+        CallbackProbe<Integer> numbers = test.callback();
+        var one = ActorPool.on(spaces.subList(0, 1), Watched.class, Source::new, ActorSettings.DEFAULT);
+        test.run(() -> one.broadcast().ask(numbers).cancel());
+        runQueued();
+        assertThat(numbers.expectFailed()).isInstanceOf(CancellationException.class);
+    }
+
+    @Test
+    void streamOfABroadcast_keepsItsBacklog_andItsCancellationIsSeenByAll() {
+        List<Object> seen = new ArrayList<>();
+        var stream = new Callback.Stream<Integer>(Backlog.newest(2), seen::add, end -> seen.add("end"));
+        test.run(() -> watched().broadcast().watch(stream));
+        runQueued();
+        for (int number = 0; number < 9; number++) {
+            given(number % SIZE).next(number);
+        }
+        runQueued();
+        assertThat(seen).containsExactly(7, 8);
+        stream.cancel();
+        assertThat(given(0).isCancelled() && given(1).isCancelled() && given(2).isCancelled())
+                .isTrue();
+        runQueued();
+        assertThat(seen).containsExactly(7, 8, "end");
+    }
+
+    @Test
+    void callbackOfABroadcast_fromOutside_runsOnOneSpace_andMayBePassedOn() {
+        List<Object> seen = new ArrayList<>();
+        watched().broadcast().watch(new Callback.Stream<>(
+                number -> seen.add(number + " on " + ActorSpace.current()), end -> seen.add("end")));
+        runQueued();
+        for (int actor = 0; actor < SIZE; actor++) {
+            Callback<Integer> mine = given(actor);
+            spaces.get(actor).execute(() -> pool.roundRobin().count(mine)); // the share of this actor goes on
+        }
+        runQueued();
+        assertThat(seen).containsExactlyInAnyOrder("0 on space-0", "1 on space-0", "2 on space-0");
+        for (int actor = 0; actor < SIZE; actor++) {
+            given(actor).finish();
+        }
+        runQueued();
+        assertThat(seen).last().isEqualTo("end");
+    }
+
+    interface Store {
+        void put(byte[] key, String value);
+
+        Promise<String> find(String name);
+    }
+
+    interface AnyKey<K> {
+        void put(K key);
+    }
+
+    interface Files extends AnyKey<Object> {}
+
+    @Test
+    void byFirstArgument_refusesArrays_asTheyAreNotEqual() {
+        var stores = ActorPool.on(spaces, Store.class, () -> null, ActorSettings.DEFAULT);
+        assertThatThrownBy(stores::byFirstArgument)
+                .isInstanceOf(ActorTypeException.class)
+                .hasMessage("Store.put(byte[], String) of actor type " + Store.class.getName()
+                        + " has an array as its first argument, by which byFirstArgument() cannot choose, because"
+                        + " arrays with equal contents are not equal: let a String, number or record come first, or"
+                        + " call actor(key)");
+        assertThatThrownBy(() -> pool.actor(new byte[1]))
+                .hasMessage("the key is an array, byte[], expected a value with an equals(..) of its own: "
+                        + "a String, number or record");
+        var files = ActorPool.on(spaces, Files.class, () -> null, ActorSettings.DEFAULT);
+        assertThatThrownBy(() -> files.byFirstArgument().put(new int[1])).hasMessageContaining("the key is an array");
     }
 
     @Test

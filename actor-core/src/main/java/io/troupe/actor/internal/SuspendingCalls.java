@@ -45,6 +45,13 @@ public abstract class SuspendingCalls {
         return Found.CALLS != null;
     }
 
+    /** The name of a method in the source code, without the mark of value classes that Kotlin's compiler adds. */
+    public static String nameOf(Method method) {
+        String name = method.getName();
+        int mark = name.indexOf('-');
+        return mark < 0 ? name : name.substring(0, mark);
+    }
+
     /** The parameter types of a method, without the continuation of a suspend function. */
     public static Class<?>[] parameters(Method method) {
         Class<?>[] all = method.getParameterTypes();

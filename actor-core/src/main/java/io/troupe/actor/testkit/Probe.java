@@ -1,6 +1,7 @@
 package io.troupe.actor.testkit;
 
 import io.troupe.actor.Callback;
+import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.lang.reflect.Method;
@@ -22,7 +23,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Created by {@link TestSpace#probe}; {@link #actor} is passed to the code under test. It is an
  * ordinary actor of that space. A call is written as in dead letters, {@code greet(Ann)}, with {@code callback} for a
- * {@link Callback}.
+ * {@link Callback}. A suspend function of Kotlin is a request like those that return a promise.
  *
  * {@snippet :
  * Probe<Shop> shop = test.probe(Shop.class);
@@ -100,7 +101,10 @@ public final class Probe<A> {
         }
     }
 
-    /** Fulfils the oldest pending request, even if its caller has cancelled it, and runs what follows from that. */
+    /**
+     * Fulfils the oldest pending request, even if its caller has cancelled it, and runs what follows from that. A
+     * suspend function of Kotlin without a result is answered by null.
+     */
     public void answer(@Nullable Object value) {
         OpenRequest request = oldest("answer(" + value + ")");
         Class<?> wanted = answerType(request.method);
@@ -109,7 +113,7 @@ public final class Probe<A> {
                     + " answers a " + wanted.getName());
         }
         unanswered.remove();
-        request.answer.resolve(value);
+        request.answer.resolve(value == null && SuspendingCalls.isUnit(wanted) ? SuspendingCalls.unit() : value);
         test.runQueued();
     }
 
@@ -170,17 +174,22 @@ public final class Probe<A> {
     }
 
     private @Nullable Object handle(Method method, @Nullable Object @Nullable [] given) {
-        List<@Nullable Object> arguments =
-                given == null ? List.of() : Collections.unmodifiableList(Arrays.asList(given.clone()));
-        String text =
-                method.getName() + arguments.stream().map(Probe::show).collect(Collectors.joining(", ", "(", ")"));
+        boolean isSuspending = SuspendingCalls.isSuspending(method);
+        List<@Nullable Object> arguments = given == null
+                ? List.of()
+                : Collections.unmodifiableList(
+                        Arrays.asList(Arrays.copyOf(given, SuspendingCalls.parameters(method).length)));
+        String text = SuspendingCalls.nameOf(method)
+                + arguments.stream().map(Probe::show).collect(Collectors.joining(", ", "(", ")"));
         calls.add(new Call(text, arguments));
-        if (method.getReturnType() != Promise.class) {
+        if (!isSuspending && method.getReturnType() != Promise.class) {
             return null;
         }
         var answer = new Deferred<@Nullable Object>();
         unanswered.add(new OpenRequest(text, method, answer));
-        return answer;
+        return isSuspending
+                ? SuspendingCalls.await(answer, Objects.requireNonNull(given)[arguments.size()]) // its continuation
+                : answer;
     }
 
     private static String show(@Nullable Object argument) {
@@ -191,11 +200,13 @@ public final class Probe<A> {
         return inBrackets.substring(1, inBrackets.length() - 1);
     }
 
-    /** The type of the promise's value, as far as it is known at run time. */
+    /** The type of the answer, as far as it is known at run time. */
     private static Class<?> answerType(Method method) {
-        Type answer = method.getGenericReturnType() instanceof ParameterizedType promise
-                ? promise.getActualTypeArguments()[0]
-                : Object.class;
+        Type answer = SuspendingCalls.isSuspending(method)
+                ? SuspendingCalls.result(method)
+                : method.getGenericReturnType() instanceof ParameterizedType promise
+                        ? promise.getActualTypeArguments()[0]
+                        : Object.class;
         if (answer instanceof ParameterizedType generic) {
             answer = generic.getRawType();
         }

@@ -196,6 +196,18 @@ class SpacesGuideTest extends InTestSpace {
     }
 
     @Test
+    void pool_hasSettingsForItsActors() {
+        ActorSettings settings =
+                ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofMinutes(1)));
+        ActorPool<Finder> finders =
+                ActorPool.create(2, SpaceSettings.named("finder"), Finder.class, BlobFinder::new, settings);
+        int living = finders.living(); // 2: none has stopped
+        assertThat(living).isEqualTo(2);
+        finders.close();
+        assertThat(finders.living()).isZero();
+    }
+
+    @Test
     void metrics_countWhatWasLost() {
         ActorSpace space = test.space();
         Camera camera = test.spawn(Camera.class, UsbCamera::new);

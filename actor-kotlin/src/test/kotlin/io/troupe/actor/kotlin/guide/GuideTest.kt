@@ -28,7 +28,6 @@ import java.time.Duration
 import java.util.concurrent.TimeoutException
 import kotlin.time.Duration.Companion.minutes
 import kotlin.time.Duration.Companion.seconds
-import kotlinx.coroutines.CompletableDeferred
 import kotlinx.coroutines.Dispatchers
 import kotlinx.coroutines.async
 import kotlinx.coroutines.delay
@@ -262,26 +261,18 @@ class GuideTest : InTestSpace() {
         assertThat(log).containsExactly("red ends", "blue ends", "red ends", "green ends")
     }
 
-    // ---- a stand-in, of the page on testing
-
-    class CameraOfTheTest : Camera {
-        val picture = CompletableDeferred<Set<String>>()
-
-        override suspend fun shoot() = picture.await()
-    }
-
     @Test
-    fun cameras_whoseAnswerTheTestCompletes() {
-        val left = CameraOfTheTest()
-        val right = CameraOfTheTest()
-        val lookout = test.spawn<Camera> { Lookout(left, right) }
+    fun cameras_ofWhichProbesAnswer() {
+        val left = test.probe(Camera::class.java)
+        val right = test.probe(Camera::class.java)
+        val lookout = test.spawn<Camera> { Lookout(left.actor(), right.actor()) }
 
         val seen = test.space().scope.promise { lookout.shoot() }
-        left.picture.complete(setOf("red"))
-        test.runQueued()
+        left.expectCall("shoot()")
+        left.answer(setOf("red"))
         assertThat(seen.isDone).isFalse() // it waits for the other camera
 
-        right.picture.completeExceptionally(IOException("no light"))
+        right.reject(IOException("no light"))
         assertThat(test.error(seen)).hasMessage("no light")
     }
 
