@@ -40,8 +40,8 @@ import org.jspecify.annotations.Nullable;
  * {@link #byFirstArgument} with equal first arguments keep their order; calls that go to different actors have none.
  *
  * <p><b>Cost.</b> A call of a proxy is a call of the chosen actor's proxy, after that choice, which reads one volatile
- * field of the actor. {@link #roundRobin}
- * counts in one counter, which many threads that call at the same time contend for.
+ * field of the actor. {@link #roundRobin} counts in one counter, which many threads that call at the same time contend
+ * for.
  */
 public final class ActorPool<A> implements AutoCloseable {
     private final List<ActorSpace> spaces;
@@ -237,8 +237,7 @@ public final class ActorPool<A> implements AutoCloseable {
                     .map(actor -> (ActorCell) ((ActorProxy) actor).troupe$cell())
                     .toArray(ActorCell[]::new);
             String name = "pool of " + actors.size() + " " + cells[0].label();
-            var end = new ActorCell(
-                    spaces.getFirst().home, type, 0, () -> null, ActorSettings.named(name));
+            var end = new ActorCell(spaces.getFirst().home, type, 0, () -> null, ActorSettings.named(name));
             A endProxy = ActorType.of(type).newProxy(end);
             end.bind(endProxy);
             end.standForPool();

@@ -59,8 +59,8 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     private static final Duration CLOSING_TIME = Duration.ofSeconds(10);
 
     private static final class Global {
-        static final ActorSpace SPACE = open(
-                new SpaceHome(SpaceSettings.named("actor-space"), ClassLoader.getSystemClassLoader()), false);
+        static final ActorSpace SPACE =
+                open(new SpaceHome(SpaceSettings.named("actor-space"), ClassLoader.getSystemClassLoader()), false);
     }
 
     final SpaceHome home;

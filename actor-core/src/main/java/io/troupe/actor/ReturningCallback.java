@@ -21,7 +21,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         FAIL_EVEN_IF_CLOSED
     }
 
-    /** Whether a class of readers has an {@code isCancelled()} of its own; most are lambdas. */
+    /** Whether a class of readers implements {@code isCancelled()}; most are lambdas, which do not. */
     private static final ClassValue<Boolean> OWN_IS_CANCELLED = new ClassValue<>() {
         @Override
         protected Boolean computeValue(Class<?> type) {

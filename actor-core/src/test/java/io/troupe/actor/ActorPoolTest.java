@@ -208,7 +208,8 @@ class ActorPoolTest extends InTestSpace {
 
     @Test
     void byFirstArgument_movesOnlyTheKeysOfAnActorThatHasStopped_toAllOthers() {
-        List<String> keys = IntStream.range(0, 300).mapToObj(key -> "robot " + key).toList();
+        List<String> keys =
+                IntStream.range(0, 300).mapToObj(key -> "robot " + key).toList();
         Map<String, Integer> before = actorsOf(keys);
         stopMember(1);
         Map<String, Integer> after = actorsOf(keys);
@@ -264,7 +265,8 @@ class ActorPoolTest extends InTestSpace {
             own.forEach(ActorSpace::runQueued);
             assertThat(answer.error())
                     .isInstanceOf(ActorStoppedException.class)
-                    .hasMessage("Worker.fail(int) of pool of 2 smith was not begun: all actors of the pool of 2 smith have stopped");
+                    .hasMessage(
+                            "Worker.fail(int) of pool of 2 smith was not begun: all actors of the pool of 2 smith have stopped");
         }
         test.run(() -> ended.broadcast().count(numbers));
         own.forEach(ActorSpace::runQueued);
@@ -321,6 +323,7 @@ class ActorPoolTest extends InTestSpace {
     }
 
     private final List<Source> sources = new ArrayList<>();
+
     private ActorPool<Watched> watched() {
         return ActorPool.on(
                 spaces,
@@ -409,8 +412,10 @@ class ActorPoolTest extends InTestSpace {
     @Test
     void callbackOfABroadcast_fromOutside_runsOnOneSpace_andMayBePassedOn() {
         List<Object> seen = new ArrayList<>();
-        watched().broadcast().watch(new Callback.Stream<>(
-                number -> seen.add(number + " on " + ActorSpace.current()), end -> seen.add("end")));
+        watched()
+                .broadcast()
+                .watch(new Callback.Stream<>(
+                        number -> seen.add(number + " on " + ActorSpace.current()), end -> seen.add("end")));
         runQueued();
         for (int actor = 0; actor < SIZE; actor++) {
             Callback<Integer> mine = given(actor);

@@ -71,7 +71,7 @@ class ReaderCodeTest {
         serving.close();
     }
 
-    /** A reader that says whether it has cancelled by code of a user. */
+    /** A reader whose code determines whether it has cancelled. */
     private abstract static class Asked implements Callback<Integer> {
         final Queue<String> threads = new ConcurrentLinkedQueue<>();
 
@@ -134,7 +134,7 @@ class ReaderCodeTest {
         assertThat(problems).containsExactly("reading: bug of a reader");
     }
 
-    /** The reader waits for somebody who publishes, as with a lock of a model. */
+    /** The reader waits for a publisher, as with a lock of a model. */
     @Test
     void publishers_holdNoLockWhileCodeOfAUserRuns() throws Exception {
         var topic = Topic.<Integer>of(serving, "values");

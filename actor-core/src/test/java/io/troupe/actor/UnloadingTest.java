@@ -128,7 +128,7 @@ class UnloadingTest {
                     throw new ClassNotFoundException(name);
                 }
                 byte[] bytes = in.readAllBytes();
-                // a domain of its own, as each jar has
+                // a separate domain, as each jar has
                 return defineClass(name, bytes, 0, bytes.length, new ProtectionDomain(null, null, this, null));
             } catch (IOException failure) {
                 throw new ClassNotFoundException(name, failure);

@@ -348,21 +348,7 @@ final class PnmlReader {
                 }
                 case "inscription" -> weight = number(plain(number(element)), 1, "the weight of " + arc);
                 case "name" -> name = orEmpty(text());
-                case "type", "arctype", "tagged" -> {
-                    var attribute = xml.getAttributeValue(null, "value");
-                    var value = attribute == null ? text() : attribute;
-                    if (PnmlDialect.isInhibitor(element, value)) {
-                        kinds.add("inhibitor");
-                    } else {
-                        requireNeutral(element, value, arc);
-                        if (!element.equals("tagged")) {
-                            kinds.add("normal");
-                        }
-                    }
-                    if (attribute != null) {
-                        skip();
-                    }
-                }
+                case "type", "arctype", "tagged" -> readKind(element, arc, kinds);
                 default -> throw unexpected(arc);
             }
             if (!seen.add(element)) {
@@ -382,6 +368,22 @@ final class PnmlReader {
         }
         var inhibits = kinds.contains("inhibitor");
         document.add(new PnmlDocument.Link(id.isBlank() ? from + " -> " + to : id, from, to, weight, inhibits, start));
+    }
+
+    private void readKind(String element, String arc, Set<String> kinds) throws XMLStreamException {
+        var attribute = xml.getAttributeValue(null, "value");
+        var value = attribute == null ? text() : attribute;
+        if (PnmlDialect.isInhibitor(element, value)) {
+            kinds.add("inhibitor");
+        } else {
+            requireNeutral(element, value, arc);
+            if (!element.equals("tagged")) {
+                kinds.add("normal");
+            }
+        }
+        if (attribute != null) {
+            skip();
+        }
     }
 
     /** The kinds that the attributes of an arc name; {@link #requireAttributes} has checked them. */

@@ -87,16 +87,9 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     }
 
     /**
-     * True if nobody waits for the outcome any more, so that the work for it can be dropped: it is settled, or the
-     * callers of each request that it answers have cancelled or timed out, and nothing else listens. A request may be
-     * cancelled at any time: ask again before each piece of work. Any thread.
-     *
-     * {@snippet :
-     * Job next = jobs.removeFirst();
-     * if (!next.answer().isAbandoned()) {
-     *     next.answer().resolve(run(next));
-     * }
-     * }
+     * True if no caller waits for the outcome any more, so that the work for it can be dropped: it is settled, or the
+     * callers of each request that it answers have cancelled or timed out, and there is no other listener. Callers may
+     * cancel at any time: an actor with a queue of jobs asks before it begins each of them. Any thread.
      */
     public boolean isAbandoned() {
         return isGivenUp();

@@ -197,8 +197,7 @@ class SpacesGuideTest extends InTestSpace {
 
     @Test
     void pool_hasSettingsForItsActors() {
-        ActorSettings settings =
-                ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofMinutes(1)));
+        ActorSettings settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofMinutes(1)));
         ActorPool<Finder> finders =
                 ActorPool.create(2, SpaceSettings.named("finder"), Finder.class, BlobFinder::new, settings);
         int living = finders.living(); // 2: none has stopped

@@ -33,7 +33,7 @@ final class ModelStream {
         return over || readerGone || owner != null && owner.over;
     }
 
-    /** No more results are received from now on; the reader hears of the end on its behalf. */
+    /** No more results are received from now on; the reader is notified of the end on its behalf. */
     void cancel() {
         if (cancellable && !over) {
             over = true;

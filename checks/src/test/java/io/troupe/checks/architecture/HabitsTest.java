@@ -26,6 +26,8 @@ class HabitsTest {
             "io.troupe.actor.ActorSpace$Global.SPACE", // the global space
             "io.troupe.actor.ActorType.ACTORS", // the cache of generated classes
             "io.troupe.actor.ActorType.POOLS", // the same for pools
+            // which classes of callbacks have their own isCancelled()
+            "io.troupe.actor.ReturningCallback.OWN_IS_CANCELLED",
             "io.troupe.actor.HelperThreads.POOL", // threads for bodies, shared by all spaces
             "io.troupe.actor.Watchdog.LOOKS", // the one thread that watches all spaces
             "io.troupe.actor.HandlerTurn.OTHERS", // the handlers that a thread runs, one set per thread
