@@ -8,6 +8,7 @@ import java.nio.file.Path;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
+import java.util.function.Supplier;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -68,12 +69,15 @@ class FirstUseTest {
 
     /** Uses a pool's proxy for the first time where a stack ends, and again further up until that succeeds. */
     static final class EndOfTheStack {
+        /** Linked before the stack ends: the JVM remembers a lambda that could not be linked. */
+        private static final Supplier<Greeter> FACTORY = Plain::new;
+
         private boolean failed;
         private boolean made;
 
         public static void main(String[] arguments) throws Exception {
             try (var space = ActorSpace.create(SpaceSettings.named("members"))) {
-                space.spawn(Greeter.class, Plain::new); // other classes of the library have been used
+                space.spawn(Greeter.class, FACTORY); // other classes of the library have been used
                 var first = new EndOfTheStack();
                 var thread = new Thread(null, () -> first.recurse(space, 0), "deep", 300_000);
                 thread.start();
@@ -85,7 +89,7 @@ class FirstUseTest {
         }
 
         private static ActorPool<Greeter> pool(ActorSpace space) {
-            return ActorPool.on(List.of(space), Greeter.class, Plain::new, ActorSettings.DEFAULT);
+            return ActorPool.on(List.of(space), Greeter.class, FACTORY, ActorSettings.DEFAULT);
         }
 
         private int recurse(ActorSpace space, int frame) {
