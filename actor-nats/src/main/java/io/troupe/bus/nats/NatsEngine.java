@@ -311,6 +311,9 @@ final class NatsEngine implements BusEngine {
             close();
             throw (BusException) taken.getCause();
         } catch (TimeoutException silent) {
+            if (opened.getStatus() != Connection.Status.CONNECTED) {
+                throw cannotConnect("the connection broke before the name was claimed", silent);
+            }
             close();
             throw taken("and does not answer; it may hang, or be cut off");
         } catch (InterruptedException interrupted) {
