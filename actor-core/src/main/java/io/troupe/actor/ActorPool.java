@@ -337,7 +337,7 @@ public final class ActorPool<A> implements AutoCloseable {
             if (firstArgument != null && firstArgument.getClass().isArray()) {
                 throw new IllegalArgumentException("the key is an array, "
                         + firstArgument.getClass().getSimpleName()
-                        + ", expected a value with an equals(..) of its own: a String, number or record");
+                        + ", expected a value whose equals(..) compares contents: a String, number or record");
             }
             int hash = firstArgument == null ? 0 : firstArgument.hashCode() * SPREAD;
             int number = Math.floorMod(hash ^ hash >>> 16, members.size());

@@ -103,7 +103,7 @@ final class BroadcastCallback<T extends @Nullable Object> implements Callback<T>
             if (error != null) {
                 fail(error);
             } else if (ended.get()) {
-                throw alreadyEnded();
+                throw ReturningCallback.alreadyEnded();
             } else {
                 whole.accept(result, null);
             }
@@ -121,7 +121,7 @@ final class BroadcastCallback<T extends @Nullable Object> implements Callback<T>
 
         private void end(Runnable ending) {
             if (!ended.compareAndSet(false, true)) {
-                throw alreadyEnded();
+                throw ReturningCallback.alreadyEnded();
             }
             try {
                 ending.run();
@@ -129,10 +129,6 @@ final class BroadcastCallback<T extends @Nullable Object> implements Callback<T>
                 ended.set(false);
                 throw notQueued;
             }
-        }
-
-        private static IllegalStateException alreadyEnded() {
-            return new IllegalStateException("this callback has been finished or failed before: nothing can follow");
         }
 
         @Override

@@ -234,7 +234,7 @@ final class ReturningCallback<T extends @Nullable Object> implements Callback<T>
         }
     }
 
-    private static IllegalStateException alreadyEnded() {
+    static IllegalStateException alreadyEnded() {
         return new IllegalStateException("this callback has been finished or failed before: nothing can follow");
     }
 

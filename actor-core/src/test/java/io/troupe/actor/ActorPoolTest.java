@@ -452,7 +452,7 @@ class ActorPoolTest extends InTestSpace {
                         + " arrays with equal contents are not equal: let a String, number or record come first, or"
                         + " call actor(key)");
         assertThatThrownBy(() -> pool.actor(new byte[1]))
-                .hasMessage("the key is an array, byte[], expected a value with an equals(..) of its own: "
+                .hasMessage("the key is an array, byte[], expected a value whose equals(..) compares contents: "
                         + "a String, number or record");
         var files = ActorPool.on(spaces, Files.class, () -> null, ActorSettings.DEFAULT);
         assertThatThrownBy(() -> files.byFirstArgument().put(new int[1])).hasMessageContaining("the key is an array");
