@@ -10,7 +10,6 @@ import java.nio.file.Files;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.atomic.AtomicInteger;
 import java.util.regex.Matcher;
 import java.util.regex.Pattern;
 import java.util.stream.Stream;
@@ -22,7 +21,6 @@ import org.junit.jupiter.api.io.TempDir;
  */
 public abstract class CommandLineBench {
     protected static final String ARENA = "--world worlds/paper-arena.world ";
-    private static final AtomicInteger NEXT_PORT = new AtomicInteger(7_665);
     private static final Pattern FILE = Pattern.compile("DIR/?([\\w./-]*\\w)?");
 
     protected final StringWriter out = new StringWriter();
@@ -53,7 +51,7 @@ public abstract class CommandLineBench {
 
     /** Writes the arena as DIR/arena.cfg, at a port that no other world in this JVM has; returns the port. */
     protected final int arenaAtOwnPort() throws IOException {
-        int port = NEXT_PORT.getAndIncrement();
+        int port = OwnPort.next();
         Path worlds = Path.of("worlds").toAbsolutePath();
         String arena = Files.readString(worlds.resolve("paper-arena.cfg"))
                 .replaceAll("\"(?=[a-z0-9]+:\\d+\")", "\"" + port + ":")

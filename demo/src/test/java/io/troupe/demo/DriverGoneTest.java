@@ -35,6 +35,7 @@ import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Pose;
+import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.ScenarioReader;
 import java.io.IOException;
 import java.net.InetAddress;
@@ -58,6 +59,8 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -67,13 +70,14 @@ import org.junit.jupiter.params.provider.EnumSource;
  * Until then the world runs in lock step, so no message is in transit at that time.
  */
 @Timeout(value = 10, unit = TimeUnit.MINUTES)
+@Execution(ExecutionMode.CONCURRENT)
 class DriverGoneTest {
-    private static final int PORT = 6665;
     private static final int HALF_A_SECOND_TICKS = 5;
     private static final Velocity TURNING = new Velocity(0, 0.3);
 
-    private final Simulation simulation =
-            Simulation.open(ScenarioReader.read(Path.of("worlds", "paper-arena.cfg")), WorldSettings.DEFAULT);
+    private final Scenario scenario = OwnPort.of(ScenarioReader.read(Path.of("worlds", "paper-arena.cfg")));
+    private final int port = scenario.robotPort().orElseThrow();
+    private final Simulation simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
 
     DriverGoneTest() {
         var looking = new DataSink() {
@@ -83,7 +87,7 @@ class DriverGoneTest {
             @Override
             public void lost(String reason) {}
         };
-        var onlooker = PlayerPorts.find(PORT).orElseThrow().connect(looking, null);
+        var onlooker = PlayerPorts.find(port).orElseThrow().connect(looking, null);
         onlooker.answers(false);
         onlooker.devices().stream()
                 .filter(device -> device.interfaceCode() == Interfaces.POSITION2D.code())
@@ -149,7 +153,7 @@ class DriverGoneTest {
 
     private SubsumptionRun start(Mode mode, Service ofRobot1, Service ofRobot2) throws InterruptedException {
         var table = SubsumptionTable.forRobots(2).when(NamedColours.BLUE, ofRobot1, ofRobot2);
-        return SubsumptionRun.start(settings(mode, PORT, table.allowFinal().build(), (state, seenBy) -> {}));
+        return SubsumptionRun.start(settings(mode, port, table.allowFinal().build(), (state, seenBy) -> {}));
     }
 
     @ParameterizedTest
@@ -211,10 +215,10 @@ class DriverGoneTest {
     @EnumSource
     @Timeout(60)
     void portWithoutAWorld_isToldAtTheStart(Mode mode) {
-        var nowhere = settings(mode, PORT - 1, SubsumptionTable.ofThePaper(), (state, seenBy) -> {});
+        var nowhere = settings(mode, 6_664, SubsumptionTable.ofThePaper(), (state, seenBy) -> {});
         assertThatThrownBy(() -> SubsumptionRun.start(nowhere))
                 .isInstanceOf(PlayerException.class)
-                .hasMessageContaining("6665");
+                .hasMessageContaining("" + port);
     }
 
     private ActorSpace space() {
@@ -238,7 +242,7 @@ class DriverGoneTest {
     @Test
     void spaceThatIsClosed() {
         try (var space = space()) {
-            drive(space, PORT);
+            drive(space, port);
             awaitMoving(0);
             end(space);
             assertStandsAfterHalfASecond(0);
@@ -248,7 +252,7 @@ class DriverGoneTest {
     @Test
     void actorThatIsStopped() {
         try (var space = space()) {
-            var services = drive(space, PORT);
+            var services = drive(space, port);
             awaitMoving(0);
             space.stop(services);
             assertStandsAfterHalfASecond(0);
@@ -259,7 +263,7 @@ class DriverGoneTest {
     void spaceThatAnotherActorHolds_andItsServiceDrivesAgainAfterThat() {
         var goesOn = new CountDownLatch(1);
         try (var space = space()) {
-            drive(space, PORT);
+            drive(space, port);
             awaitMoving(0);
             space.execute(() -> await(goesOn));
             assertStandsAfterHalfASecond(0);
@@ -277,7 +281,7 @@ class DriverGoneTest {
             }
         };
         var table = SubsumptionTable.ofThePaper();
-        try (var run = SubsumptionRun.start(settings(Mode.PROMISE, PORT, table, failing))) {
+        try (var run = SubsumptionRun.start(settings(Mode.PROMISE, port, table, failing))) {
             for (int tick = 0; tick < 3_000 && states.get() < 2; tick++) {
                 simulation.tick(); // the newest snapshot still has the speeds of the previous reading
             }
@@ -292,7 +296,7 @@ class DriverGoneTest {
 
     private void start(ActorSpace space, Bus bus, Supplier<Behaviour> law) throws Exception {
         var plan = ApplicationPlan.named("turning")
-                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", PORT, List.of(1), false)))
+                .with("robots", PlayerComponent.of(new PlayerComponent.Settings("localhost", port, List.of(1), false)))
                 .with("turner", BehaviourComponent.of("turner", "turning", List.of(), law))
                 .needing("turning", "player")
                 .needing("robot1", "turning");
@@ -363,7 +367,7 @@ class DriverGoneTest {
     void connectionThatIsCutWithoutAWord_endsTheServiceWithAnErrorToo(Cut cut) throws Exception {
         var driving = new Service("driving", false, () -> senses -> Optional.of(TURNING));
         var table = SubsumptionTable.forRobots(1).when(NamedColours.BLUE, driving);
-        try (var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0);
+        try (var tcp = TcpServer.open(PlayerPorts.find(port).orElseThrow(), 0);
                 var cable = new Cable(tcp.port());
                 var run = SubsumptionRun.start(settings(
                         Mode.PROMISE,
@@ -452,7 +456,7 @@ class DriverGoneTest {
 
     @Test
     void processThatIsFrozen_drivesAgainWhenItGoesOn_andOneThatIsKilled() throws Exception {
-        try (var tcp = TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0)) {
+        try (var tcp = TcpServer.open(PlayerPorts.find(port).orElseThrow(), 0)) {
             var process = CommandLineBench.jvm("-XX:TieredStopAtLevel=1", Driver.class, List.of("" + tcp.port()))
                     .redirectError(ProcessBuilder.Redirect.INHERIT)
                     .start();

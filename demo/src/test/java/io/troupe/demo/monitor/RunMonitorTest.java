@@ -10,6 +10,7 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.common.measure.Thorough;
+import io.troupe.demo.OwnPort;
 import io.troupe.petri.wiring.Conformance;
 import io.troupe.petri.wiring.ProtocolEvent;
 import io.troupe.petri.wiring.WiringCheck;
@@ -46,6 +47,8 @@ import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -56,12 +59,14 @@ import org.junit.jupiter.params.provider.EnumSource;
  * seconds are two minutes for each mode.
  */
 @Timeout(600)
+@Execution(ExecutionMode.CONCURRENT)
 class RunMonitorTest {
     private static final int SEEDS = Integer.getInteger("monitor.seeds", Thorough.times(2, 4));
     private static final double SECONDS = Integer.getInteger("monitor.seconds", 10);
     private static final double LONG_SECONDS = 150; // with several switches
-    private static final Scenario SCENARIO = ScenarioReader.read(Path.of("worlds/paper-arena.cfg"));
     private static final int ROBOTS = 2;
+
+    private final Scenario scenario = OwnPort.of(ScenarioReader.read(Path.of("worlds/paper-arena.cfg")));
 
     @TempDir
     private Path directory;
@@ -214,7 +219,7 @@ class RunMonitorTest {
                     .withMode(mode)
                     .withSeed(seed)
                     .withSeconds(fault == Fault.STOP_FAILS || fault == Fault.REPORT_FAILS ? LONG_SECONDS : 10);
-            var run = new RecordedRun(SCENARIO, SubsumptionTable.ofThePaper(), settings);
+            var run = new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings);
             try (var log = new RunLog(directory.resolve("run.jsonl"))) {
                 var failure =
                         catchThrowable(() -> run.run(log, new RunMonitor(mode, ROBOTS, monitor).listener(faulty)));
@@ -249,7 +254,7 @@ class RunMonitorTest {
                 .withSeconds(seconds)
                 .withReconnection(reconnects);
         try (var log = new RunLog(directory.resolve("run.jsonl"))) {
-            new RecordedRun(SCENARIO, SubsumptionTable.ofThePaper(), settings)
+            new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings)
                     .run(log, new RunMonitor(mode, ROBOTS, monitor).listener(RecordedRun.Listener.NONE));
         }
         return monitor.events();
@@ -334,16 +339,17 @@ class RunMonitorTest {
     }
 
     /** Runs the services without a broker until the second switch, and returns the number of switches. */
-    private static int run(Mode mode, UnaryOperator<RobotServices> change) throws InterruptedException {
+    private int run(Mode mode, UnaryOperator<RobotServices> change) throws InterruptedException {
         var monitor = new RunMonitor(mode, ROBOTS);
         var switches = new int[1];
         var table = SubsumptionTable.ofThePaper();
-        try (var simulation = Simulation.open(SCENARIO, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
                 var space = ActorSpace.create(SpaceSettings.named("robots")
                         .withClock(simulation.clock())
                         .withCallObserver(monitor.calls()))) {
-            var settings =
-                    RobotServicesActor.Settings.ofThePaper().withObserver(monitor.services(ServiceObserver.NONE));
+            var settings = RobotServicesActor.Settings.ofThePaper()
+                    .withPort(scenario.robotPort().orElseThrow())
+                    .withObserver(monitor.services(ServiceObserver.NONE));
             RobotServices services = space.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
             Arbitrator.StateListener states = (State state, @Nullable Integer seenBy) -> {
                 if (seenBy != null) {

@@ -20,10 +20,13 @@ import java.util.ArrayList;
 import java.util.List;
 import javax.imageio.ImageIO;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.CsvSource;
 
 /** The worlds in {@code demo/worlds}: they are readable, offer the configured devices, and robots can move in them. */
+@Execution(ExecutionMode.CONCURRENT)
 class ShippedWorldsTest {
     private static final int TICKS_OF_10_SECONDS = 100;
 

@@ -9,6 +9,21 @@ public record Scenario(WorldSpec world, List<DeviceBinding> devices) {
         devices = List.copyOf(devices);
     }
 
+    /** The same world, with all its devices on another port: for a second world in one JVM. */
+    public Scenario withPort(int port) {
+        return new Scenario(
+                world,
+                devices.stream()
+                        .map(device -> new DeviceBinding(
+                                port,
+                                device.interfaceName(),
+                                device.index(),
+                                device.model(),
+                                device.ranger(),
+                                device.where()))
+                        .toList());
+    }
+
     /** The port on which the robots are offered: that of the first position2d; empty if there is none. */
     public OptionalInt robotPort() {
         return devices.stream()

@@ -48,6 +48,10 @@ import org.junit.jupiter.api.BeforeEach;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.api.io.TempDir;
+import org.junit.jupiter.api.parallel.Execution;
+import org.junit.jupiter.api.parallel.ExecutionMode;
+import org.junit.jupiter.api.parallel.ResourceLock;
+import org.junit.jupiter.api.parallel.ResourceLockTarget;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.EnumSource;
 
@@ -55,6 +59,8 @@ import org.junit.jupiter.params.provider.EnumSource;
  * The page in Chromium; skipped where there is none. With {@code -Dpictures=DIR} it writes the pictures of the guide.
  */
 @Timeout(600)
+@Execution(ExecutionMode.CONCURRENT)
+@ResourceLock(value = "the browser", target = ResourceLockTarget.CHILDREN)
 class BrowserTest {
     private static final char ARROW_UP = '\uE013';
     private static final char ESCAPE = '\uE00C';
@@ -429,7 +435,7 @@ class BrowserTest {
 
     @Test
     void thousandRobots_areDrawn() throws Exception {
-        var scenario = CrowdWorld.scenario(1000, 8);
+        var scenario = LiveRuns.atOwnPort(CrowdWorld.scenario(1000, 8));
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
                 var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
             var viewed = new ViewedRun(scenario.world(), new RunControl(0, false)).onto(view);
@@ -846,7 +852,7 @@ class BrowserTest {
     void reader_acceptsAnyCutting_andAnyBytes_withoutMoreThanAnError() throws Exception {
         List<byte[]> messages = new ArrayList<>();
         var world = new ViewedWorld(LiveRuns.ARENA.world(), List.of("a"), List.of());
-        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.DEFAULT)) {
+        try (var simulation = Simulation.open(LiveRuns.atOwnPort(LiveRuns.ARENA), WorldSettings.DEFAULT)) {
             Snapshot snapshot = simulation.tick();
             var frame = new ViewFrame(7, snapshot, new short[] {1, (short) 255}, 1.5);
             messages.add(ViewMessages.text(ViewMessages.WORLD, world.json()));
@@ -945,7 +951,8 @@ class BrowserTest {
 
     @Test
     void servedWorld_waitsForClients_untilThereIsOne_andWhenItIsGone() throws Exception {
-        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.DEFAULT);
+        var arena = LiveRuns.atOwnPort(LiveRuns.ARENA);
+        try (var simulation = Simulation.open(arena, WorldSettings.DEFAULT);
                 var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
             simulation.lockStep(false);
             var control = new SimulationControl(simulation, 1);
@@ -956,7 +963,7 @@ class BrowserTest {
                 control.runner(runner);
                 open(view);
                 page().await(rate + " === 'waits for clients'");
-                var client = new PlayerClient("localhost", 6665);
+                var client = new PlayerClient("localhost", arena.robotPort().orElseThrow());
                 try {
                     client.requestInterfacePosition2D(0, PlayerConstants.PLAYER_OPEN_MODE);
                     client.runThreaded(-1, -1);
@@ -986,7 +993,7 @@ class BrowserTest {
     @Test
     void office_isShown() throws Exception {
         Path world = LiveRuns.WORLDS.resolve("office.cfg");
-        var scenario = ScenarioReader.read(world);
+        var scenario = LiveRuns.atOwnPort(ScenarioReader.read(world));
         try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
                 var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
             var viewed = new ViewedRun(scenario.world(), new RunControl(0, false)).onto(view);

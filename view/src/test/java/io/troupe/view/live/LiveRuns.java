@@ -15,14 +15,22 @@ import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.Executors;
 import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
+import java.util.concurrent.atomic.AtomicInteger;
 
-/** Runs of the main job for the tests of the live page. */
+/** Runs of the main job for the tests of the live page, at ports of their own. */
 final class LiveRuns {
     static final Path WORLDS = Path.of("..", "demo", "worlds");
     static final Scenario ARENA = ScenarioReader.read(WORLDS.resolve("paper-arena.world"));
     static final SubsumptionTable TABLE = SubsumptionTable.ofThePaper();
 
+    private static final AtomicInteger NEXT_PORT = new AtomicInteger(7_665);
+
     private LiveRuns() {}
+
+    /** The same world, at a port that no other world in this JVM has: the tests in Chromium run beside the others. */
+    static Scenario atOwnPort(Scenario scenario) {
+        return scenario.withPort(NEXT_PORT.getAndIncrement());
+    }
 
     /** Runs the main job. */
     static void run(Path log, double seconds, RecordedRun.Listener listener) throws Exception {
@@ -31,13 +39,13 @@ final class LiveRuns {
 
     private static void run(Path log, RecordedRun.Settings settings, RecordedRun.Listener listener) throws Exception {
         try (var written = new RunLog(log)) {
-            new RecordedRun(ARENA, TABLE, settings).run(written, listener);
+            new RecordedRun(atOwnPort(ARENA), TABLE, settings).run(written, listener);
         }
     }
 
     /** The arena at the start. */
     static Snapshot start() {
-        try (var simulation = Simulation.open(ARENA, WorldSettings.DEFAULT)) {
+        try (var simulation = Simulation.open(atOwnPort(ARENA), WorldSettings.DEFAULT)) {
             return simulation.latest();
         }
     }
