@@ -33,6 +33,7 @@ class ActorSoakTest {
         TIME_LIMITS(PromiseRaces::timeLimits),
         SHARED_LIMITS(DeliveryRaces::sharedLimits),
         HELD_AND_POOLED(DeliveryRaces::heldAndPooled),
+        STOPPING_POOL(PoolRaces::stoppingMembers),
         NEWEST_ONLY(DeliveryRaces::newestOnly),
         END_OF_THE_STACK(ErrorRaces::endOfTheStack),
         FATAL_ERRORS(ErrorRaces::fatalErrors);
