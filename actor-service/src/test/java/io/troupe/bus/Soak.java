@@ -4,13 +4,13 @@ import java.time.Duration;
 import java.util.function.LongConsumer;
 
 /**
- * Repeats a test that looks for rare failures: a few rounds in every build, or for a third of {@code -Dsoak.minutes=10}
- * for each of the three soak tests. Starts with the round {@code -Dsoak.first=17}.
+ * Repeats a test that looks for rare failures: a few rounds in every build, or for a share of {@code -Dsoak.minutes=10}
+ * for each of the soak tests. Starts with the round {@code -Dsoak.first=17}.
  */
 public final class Soak {
     private static final long MINUTES = Long.getLong("soak.minutes", 0);
     private static final long FIRST = Long.getLong("soak.first", 0);
-    private static final int TESTS = 3;
+    private static final int TESTS = 4;
 
     private Soak() {}
 

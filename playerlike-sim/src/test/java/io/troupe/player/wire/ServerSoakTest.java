@@ -14,6 +14,7 @@ import java.util.Random;
 import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.atomic.AtomicBoolean;
 import java.util.concurrent.atomic.AtomicLong;
+import java.util.concurrent.locks.LockSupport;
 import java.util.logging.Level;
 import java.util.logging.Logger;
 import org.junit.jupiter.api.Test;
@@ -69,7 +70,8 @@ class ServerSoakTest {
                 new Kind("requests, replies read", ServerSoakTest::ask),
                 new Kind("garbage", ServerSoakTest::garbage),
                 new Kind("connections", ServerSoakTest::connect),
-                new Kind("subscribers that do not read", ServerSoakTest::subscribe));
+                new Kind("subscribers that do not read", ServerSoakTest::subscribe),
+                new Kind("newest frames only, read late", ServerSoakTest::readNewest));
         var threads = new ArrayList<Thread>();
         try (var served = Served.open();
                 var good = RawClient.greeted(served.port());
@@ -190,6 +192,28 @@ class ServerSoakTest {
     private static long subscribe(int port, Random random, AtomicBoolean stop) throws IOException {
         try (var client = RawClient.greeted(port)) {
             client.subscribe(Interfaces.BLOBFINDER);
+            return 10;
+        }
+    }
+
+    /** Frames that a replace rule conflates while the client does not read, in order of their times. */
+    private static long readNewest(int port, Random random, AtomicBoolean stop) throws IOException {
+        try (var client = RawClient.greeted(port)) {
+            client.ask(new PlayerRequest.AddRule(
+                    new ReplaceRule(-1, -1, MessageType.DATA.code(), -1, ReplaceRule.REPLACE)));
+            client.ask(new PlayerRequest.DataMode(Delivery.PUSH));
+            client.subscribe(Interfaces.BLOBFINDER);
+            double before = -1;
+            for (int i = 0; i < 10 && !stop.get(); i++) {
+                LockSupport.parkNanos(random.nextInt(2_000_000));
+                double now = client.next(MessageType.DATA, Interfaces.BLOBFINDER.code(), 1)
+                        .header()
+                        .timeSeconds();
+                if (now <= before) {
+                    throw new IllegalStateException("a frame of " + now + " s after one of " + before + " s");
+                }
+                before = now;
+            }
             return 10;
         }
     }
