@@ -1,15 +1,11 @@
 package io.troupe.actor;
 
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Schedule;
-import io.troupe.actor.time.Timer;
-import java.time.Duration;
-import java.util.function.BooleanSupplier;
-import java.util.function.Supplier;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Base class of an actor that needs access to its space, or that is called by its class instead of an interface
+ * Base class of an actor that needs its {@link #context}, or that is called by its class instead of an interface
  * ({@code class Demo3 extends Actor}).
  *
  * <p><b>Role.</b> Optional: any object can be the implementation of an actor interface. Created by the factory passed
@@ -21,7 +17,7 @@ import org.jspecify.annotations.Nullable;
  *
  *     @Override
  *     protected void started() {
- *         every(Duration.ofMinutes(1), () -> degrees++);
+ *         context().every(Duration.ofMinutes(1), () -> degrees++);
  *     }
  *
  *     public void set(int newDegrees) {
@@ -37,24 +33,32 @@ import org.jspecify.annotations.Nullable;
  * heater.set(20); // a message
  * }
  *
- * <p><b>Threads.</b> The space's thread; calling these methods from another thread throws
- * {@link IllegalStateException}.
+ * <p>It takes few names away from messages: {@link #self}, {@link #context}, and those of the hooks {@link #started} and
+ * {@link #stopped}, which are never messages. An actor type whose messages include {@code started()} or
+ * {@code stopped()} is refused with an {@link ActorTypeException}: a class at {@code spawn}, an interface when its
+ * implementation turns out to extend this class, which ends the actor as any factory that fails. (With parameters both
+ * are names like others.)
+ *
+ * <p><b>Threads.</b> The space's thread; {@link #self} throws {@link IllegalStateException} on another one.
  *
  * <p><b>Source.</b> Paper, Figures 17 and 20.
  */
 public abstract class Actor {
-    private final SpaceTimers.Keyed keyed = new SpaceTimers.Keyed();
-    private @Nullable ActorCell cell;
+    private @Nullable ActorContext context;
 
     protected Actor() {}
 
+    /** Makes this object the instance of an actor, before anything of it is started. */
     final void join(ActorCell mine) {
-        keyed.cancelAll(); // those of the previous incarnation, if the factory returns the same object again
-        if (cell != null && cell != mine) {
-            throw new ActorException("the factory of " + mine + " answered an object that is the actor " + cell
-                    + " already, expected one of its own");
+        ActorMethods.checkHooks(mine.type(), getClass());
+        if (context == null) {
+            context = new ActorContext(mine.life());
+        } else if (context.cell() == mine) {
+            context.begin(mine.life());
+        } else {
+            throw new ActorException("the factory of " + mine + " answered an object that is the actor "
+                    + context.cell() + " already, expected one of its own");
         }
-        cell = mine;
     }
 
     /**
@@ -66,12 +70,18 @@ public abstract class Actor {
      */
     @SuppressWarnings("unchecked") // the caller names the type with which it spawned this actor
     protected final <A> A self() {
-        return (A) java.util.Objects.requireNonNull(cell("self()").proxy());
+        ActorCell cell = joined("self()").cell();
+        cell.space().checkCurrent("self()");
+        return (A) Objects.requireNonNull(cell.proxy());
     }
 
-    /** The space of this actor. */
-    protected final ActorSpace space() {
-        return cell("space()").space().facade();
+    /**
+     * What this actor may do beside answering: its space, its timers, its end.
+     *
+     * @throws IllegalStateException before {@link #started}
+     */
+    protected final ActorContext context() {
+        return joined("context()");
     }
 
     /** Called before the first message. */
@@ -83,142 +93,13 @@ public abstract class Actor {
      */
     protected void stopped() {}
 
-    /**
-     * Stops this actor after the current message. Queued one-way messages become dead letters. Queued requests are
-     * rejected, and so are requests that have begun and are not yet answered.
-     */
-    protected final void stop() {
-        var mine = cell("stop()");
-        mine.space().dispatcher.afterTurn(mine::stop);
-    }
-
-    /**
-     * Holds this actor's calls back, from the next one until {@link #release}: for an actor that first has to connect.
-     * Timers, listeners and callbacks run meanwhile. The calls wait in the order in which they were sent, including
-     * those that this actor sends to itself, and occupy their places in a bounded mailbox.
-     *
-     * {@snippet :
-     * @Override
-     * protected void started() {
-     *     hold();
-     *     modem.connect().then(line -> {
-     *         connected = line;
-     *         release(); // now the calls that came meanwhile are served, in their order
-     *     });
-     * }
-     * }
-     *
-     * <p>Not counted: one {@link #release} suffices. A restart ends it, and so does {@link #started()} that throws. If
-     * the actor stops, the calls are rejected as at every end of an actor; {@link ActorSpace#stop} does not wait for
-     * them.
-     */
-    protected final void hold() {
-        cell("hold()").hold();
-    }
-
-    /** Ends {@link #hold}: the calls that were held back are served before later ones. No effect without it. */
-    protected final void release() {
-        cell("release()").release();
-    }
-
-    final SpaceTimers.Keyed keyedTimers() {
-        return keyed;
-    }
-
-    /**
-     * Runs a task once after a delay, unless this actor has stopped. A space with thousands of timers wakes for several
-     * of them at once, up to 2 ms late.
-     */
-    protected final Timer after(Duration delay, Runnable task) {
-        return cell("after(..)").setTimer(delay, Duration.ZERO, Schedule.FIXED_RATE, task);
-    }
-
-    /**
-     * Runs a task periodically, first after one period, until this actor has stopped; with the schedule
-     * {@link Schedule#FIXED_RATE}.
-     */
-    protected final Timer every(Duration period, Runnable task) {
-        return every(period, Schedule.FIXED_RATE, task);
-    }
-
-    /**
-     * Runs a task periodically, first after one period, until this actor has stopped.
-     *
-     * @param schedule the next run after one that was late or took long
-     */
-    protected final Timer every(Duration period, Schedule schedule, Runnable task) {
-        checkPeriod(period);
-        return cell("every(..)").setTimer(period, period, schedule, task);
-    }
-
-    /**
-     * Runs a task once after a delay, replacing the timer with that key: a previous timer that has not run yet is
-     * cancelled, even if it is already due. The timer is removed when it has run, and when this actor stops or
-     * restarts.
-     *
-     * @param key any object, compared by {@code equals}; private to this actor
-     */
-    protected final Timer after(Object key, Duration delay, Runnable task) {
-        return keyed.set(cell("after(..)"), key, delay, Duration.ZERO, Schedule.FIXED_RATE, task);
-    }
-
-    /**
-     * Like {@link #every(Duration, Runnable)}, replacing the timer with that key; see {@link #after(Object, Duration,
-     * Runnable)}.
-     */
-    protected final Timer every(Object key, Duration period, Runnable task) {
-        return every(key, period, Schedule.FIXED_RATE, task);
-    }
-
-    /**
-     * Like {@link #every(Duration, Schedule, Runnable)}, replacing the timer with that key; see {@link #after(Object,
-     * Duration, Runnable)}.
-     */
-    protected final Timer every(Object key, Duration period, Schedule schedule, Runnable task) {
-        checkPeriod(period);
-        return keyed.set(cell("every(..)"), key, period, period, schedule, task);
-    }
-
-    /** Cancels the timer with that key; false if there is none, or if it has run or was cancelled. */
-    protected final boolean cancelTimer(Object key) {
-        cell("cancelTimer(..)");
-        return keyed.cancel(key);
-    }
-
-    /** True if the timer with that key is set: it has not run for the last time and was not cancelled. */
-    protected final boolean isTimerActive(Object key) {
-        cell("isTimerActive(..)");
-        return keyed.isActive(key);
-    }
-
-    /**
-     * The {@code while} loop of the paper, one turn of the space per round: see
-     * {@link ActorSpace#repeatWhile(BooleanSupplier, Runnable)}.
-     */
-    protected final Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Runnable body) {
-        return space().repeatWhile(condition, body);
-    }
-
-    /** A loop whose next round begins when the promise of the previous round is fulfilled. */
-    protected final Promise<@Nullable Void> repeatWhile(
-            BooleanSupplier condition, Supplier<? extends Promise<?>> body) {
-        return space().repeatWhile(condition, body);
-    }
-
-    private static void checkPeriod(Duration period) {
-        if (period.isZero() || period.isNegative()) {
-            throw new IllegalArgumentException("the period is " + period + ", expected more than zero");
-        }
-    }
-
-    private ActorCell cell(String call) {
-        ActorCell mine = cell;
+    private ActorContext joined(String call) {
+        ActorContext mine = context;
         if (mine == null) {
             throw new IllegalStateException(
                     call + " of " + getClass().getName()
                             + " is for a spawned actor itself, from started() on: not for its constructor, and not through its proxy");
         }
-        mine.space().checkCurrent(call);
         return mine;
     }
 }

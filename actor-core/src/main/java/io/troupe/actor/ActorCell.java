@@ -10,7 +10,6 @@ import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Nodes;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.ArrayDeque;
@@ -253,15 +252,17 @@ final class ActorCell extends Recipient {
         if (made instanceof ActorProxy) {
             throw new ActorException("the factory of " + this + " answered a proxy, expected a new implementation");
         }
+        if (made instanceof Actor actor) {
+            actor.join(this);
+        }
         instance = made;
         implementation = held() == null ? direct(made) : null;
         if (made instanceof Actor actor) {
-            actor.join(this);
             actor.started();
         }
     }
 
-    /** See {@link Actor#hold}. */
+    /** See {@link ActorContext#hold}. */
     void hold() {
         if (instance == null) {
             return; // it has stopped: nothing is delivered any more
@@ -272,7 +273,7 @@ final class ActorCell extends Recipient {
         implementation = null;
     }
 
-    /** See {@link Actor#release}. */
+    /** See {@link ActorContext#release}. */
     void release() {
         if (exceptional != null && exceptional.byActor) {
             exceptional.byActor = false;
@@ -648,11 +649,6 @@ final class ActorCell extends Recipient {
 
     private static Object nameOf(Node call) {
         return call instanceof Request<?> request ? request.name() : call;
-    }
-
-    /** Sets a timer that ends with the current instance. */
-    Timer setTimer(Duration delay, Duration period, Schedule schedule, Runnable task) {
-        return space.timers().set(life, delay, period, schedule, task);
     }
 
     /** Runs an action on behalf of this actor; an exception is a failure of the actor. */

@@ -19,6 +19,7 @@ import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
+import java.util.Optional;
 import java.util.Set;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Future;
@@ -39,6 +40,8 @@ import org.jspecify.annotations.Nullable;
  * @param refused the methods of a class actor that are not public: calling one on a proxy throws
  */
 record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> refused) {
+    private static final HookMessages HOOK_MESSAGES = new HookMessages();
+
     /** A call of {@code from} is redirected to {@code to}. */
     record Bridge(Method from, Method to) {}
 
@@ -146,6 +149,32 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         return org.objectweb.asm.Type.getMethodDescriptor(method);
     }
 
+    /**
+     * Refuses an implementation that extends {@link Actor} if a message of its actor type is a hook too. A class actor
+     * is refused by {@link #of}.
+     */
+    static void checkHooks(Class<?> type, Class<?> implementation) {
+        if (type.isInterface()) {
+            HOOK_MESSAGES.get(type).ifPresent(name -> {
+                throw new ActorTypeException(type.getSimpleName() + "." + name + "() of actor type " + type.getName()
+                        + " is a message, and in its implementation " + implementation.getName()
+                        + " also the hook Actor." + name
+                        + "(): give the message another name, or let the implementation not extend Actor");
+            });
+        }
+    }
+
+    /** The name of a message of an interface that is a hook in an implementation that extends {@link Actor}. */
+    private static final class HookMessages extends ClassValue<Optional<String>> {
+        @Override
+        protected Optional<String> computeValue(Class<?> type) {
+            return Arrays.stream(type.getMethods())
+                    .filter(method -> !Modifier.isStatic(method.getModifiers()) && isLifecycle(method))
+                    .map(Method::getName)
+                    .min(Comparator.naturalOrder());
+        }
+    }
+
     /** Called by the actor's own cell only. */
     static boolean isLifecycle(Method method) {
         return method.getParameterCount() == 0
@@ -232,6 +261,12 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
                         method,
                         "is final, so that its proxy would run it on itself: remove final (in Kotlin, make it open)"
                                 + (isPublic ? "" : ", or make it private"));
+            }
+            if (isPublic && ActorMethods.isLifecycle(method)) {
+                throw MethodRules.wrong(
+                        type,
+                        method,
+                        "is public, which would make the hook of Actor a message too: make it protected, or give the message another name");
             }
             if (method.getName().equals("finalize") && method.getParameterCount() == 0) {
                 throw MethodRules.wrong(

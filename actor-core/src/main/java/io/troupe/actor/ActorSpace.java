@@ -3,7 +3,6 @@ package io.troupe.actor;
 import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.EventLoop;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
 import java.time.Duration;
@@ -55,7 +54,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Source.</b> Paper, section 1: mailbox and callback queue of each actor in a global actor space of a single
  * thread.
  */
-public final class ActorSpace extends EventLoop implements AutoCloseable {
+public final class ActorSpace implements AutoCloseable {
     private static final Duration CLOSING_TIME = Duration.ofSeconds(10);
 
     private static final class Global {
@@ -69,7 +68,6 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     private final AtomicInteger spawned = new AtomicInteger();
 
     private ActorSpace(SpaceHome home, boolean closeable) {
-        super(home);
         this.home = home;
         home.facade = this;
         this.closeable = closeable;
@@ -100,6 +98,44 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
     /** The space whose thread is calling, or null. */
     public static @Nullable ActorSpace current() {
         return Home.current() instanceof SpaceHome here ? here.facade() : null;
+    }
+
+    /**
+     * The space of an actor.
+     *
+     * {@snippet :
+     * ActorSpace.of(greeter).stop(greeter); // whichever of the spaces it is in
+     * }
+     *
+     * @param proxy what {@link #spawn} has returned, or one of {@link ActorPool#actors}
+     * @throws IllegalArgumentException for anything else, such as an implementation, or a proxy that chooses among the
+     *     actors of a pool
+     */
+    public static ActorSpace of(Object proxy) {
+        ActorCell cell = cellBehind(proxy);
+        if (cell == null) {
+            throw new IllegalArgumentException(
+                    "the value is a " + proxy.getClass().getName() + ", expected the proxy of an actor");
+        }
+        return cell.space().facade();
+    }
+
+    /**
+     * The internal side of this space.
+     *
+     * @hidden
+     */
+    public Home home() {
+        return home;
+    }
+
+    /**
+     * Creates a promise of this space that is settled by hand, on whichever thread it is called: listeners that are
+     * registered outside every space run here, and a rejection without a listener is reported here. See
+     * {@link Deferred} for the other ways to create one.
+     */
+    public <T extends @Nullable Object> Deferred<T> deferred() {
+        return new Deferred<>(home, null);
     }
 
     /**
@@ -146,7 +182,7 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
      * @return fulfilled with the reason when the actor has stopped; immediately if it has stopped already
      */
     public Promise<ActorEnd> whenStopped(Object proxy) {
-        var own = new Deferred<ActorEnd>(this); // a separate promise, so that each watcher may cancel its own
+        Deferred<ActorEnd> own = this.deferred(); // a separate promise, so that each watcher may cancel its own
         own.resolveFrom(cellOf(proxy).ended());
         return own;
     }
@@ -158,20 +194,23 @@ public final class ActorSpace extends EventLoop implements AutoCloseable {
      *     closed already. Each call returns a separate promise, which may be cancelled
      */
     public Promise<@Nullable Void> whenClosed() {
-        var own = new Deferred<@Nullable Void>(null);
+        Deferred<@Nullable Void> own = Deferred.unbound();
         own.resolveFrom(home.closing.closed());
         return own;
     }
 
     private ActorCell cellOf(Object proxy) {
-        Objects.requireNonNull(proxy, "proxy");
-        if (!(proxy instanceof ActorProxy actor
-                && actor.troupe$cell() instanceof ActorCell cell
-                && cell.space() == home)) {
+        ActorCell cell = cellBehind(proxy);
+        if (cell == null || cell.space() != home) {
             throw new IllegalArgumentException("not a proxy of an actor in space " + this + ": "
                     + proxy.getClass().getName());
         }
         return cell;
+    }
+
+    private static @Nullable ActorCell cellBehind(Object proxy) {
+        Objects.requireNonNull(proxy, "proxy");
+        return proxy instanceof ActorProxy actor && actor.troupe$cell() instanceof ActorCell cell ? cell : null;
     }
 
     private void checkOpen(String method, String argument) {

@@ -47,7 +47,7 @@ final class Closing {
     private final AtomicBoolean begun = new AtomicBoolean();
     private volatile boolean rejecting; // true while a thread rejects leftovers
     private final CountDownLatch ended = new CountDownLatch(1);
-    private final Deferred<@Nullable Void> closed = new Deferred<>(null);
+    private final Deferred<@Nullable Void> closed = Deferred.unbound();
     private final Drain last;
     private final List<Runnable> steps; // created in advance, so that closing needs little memory
     private int bodies;

@@ -7,8 +7,6 @@ import io.troupe.actor.time.Clock;
 import io.troupe.actor.time.Schedule;
 import io.troupe.actor.time.Timer;
 import java.time.Duration;
-import java.util.HashMap;
-import java.util.Map;
 import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
@@ -31,13 +29,17 @@ final class SpaceTimers {
         this.outside = new Outside(space);
     }
 
-    /** Sets a timer that ends with an incarnation of an actor; on the space's thread. */
+    /** Sets a timer that ends with an incarnation of an actor, at once if that is over; on the space's thread. */
     Timer set(Incarnation life, Duration delay, Duration period, Schedule schedule, Runnable task) {
         Objects.requireNonNull(delay, "delay");
         Objects.requireNonNull(period, "period");
         Objects.requireNonNull(task, "task");
         Timer timer = wheel.set(() -> life.run("a timer", task), Home.nanosOf(delay), Home.nanosOf(period), schedule);
-        life.own(timer);
+        if (life.isOver()) {
+            timer.cancel(); // else one with a period would stay for ever
+        } else {
+            life.own(timer);
+        }
         return timer;
     }
 
@@ -214,66 +216,6 @@ final class SpaceTimers {
                     space.reports().error(Trouble.A_DELAY, space, thrown);
                 }
             }
-        }
-    }
-
-    /**
-     * The keyed timers of one actor: at most one per key. On the space's thread.
-     *
-     * <p><b>Cost.</b> Amortized constant time: timers that were cancelled by their handle are removed whenever the map
-     * has doubled.
-     */
-    static final class Keyed {
-        private static final int SMALL = 16;
-
-        private @Nullable Map<Object, Timer> timers; // most actors have none
-        private int sweepAt = SMALL;
-
-        Timer set(ActorCell cell, Object key, Duration delay, Duration period, Schedule schedule, Runnable task) {
-            Objects.requireNonNull(key, "key");
-            Objects.requireNonNull(task, "task");
-            var known = timers == null ? timers = new HashMap<>() : timers;
-            boolean once = period.isZero();
-            Timer timer = cell.setTimer(delay, period, schedule, () -> {
-                if (once) {
-                    known.remove(key); // first, because the task may set the key again
-                }
-                task.run();
-            });
-            Timer before = known.put(key, timer);
-            if (before != null) {
-                before.cancel();
-            } else if (known.size() >= sweepAt) {
-                known.values().removeIf(each -> !each.isWaiting());
-                sweepAt = Math.max(SMALL, 2 * known.size());
-            }
-            return timer;
-        }
-
-        boolean cancel(Object key) {
-            Objects.requireNonNull(key, "key");
-            Timer timer = timers == null ? null : timers.remove(key);
-            return timer != null && timer.cancel();
-        }
-
-        boolean isActive(Object key) {
-            Objects.requireNonNull(key, "key");
-            Timer timer = timers == null ? null : timers.get(key);
-            return timer != null && timer.isWaiting();
-        }
-
-        void cancelAll() {
-            if (timers != null) {
-                timers.values().forEach(Timer::cancel);
-                timers.clear();
-            }
-        }
-
-        /**
-         * The number of stored timers: those that are waiting, and at most as many that were cancelled by their handle.
-         */
-        int size() {
-            return timers == null ? 0 : timers.size();
         }
     }
 }

@@ -178,7 +178,7 @@ class ActorSpaceTest extends InTestSpace {
     /** Promises whose callbacks are counted, and run an action. */
     private List<Deferred<Integer>> countedAnswers(int count, Runnable action) {
         var answers = IntStream.range(0, count)
-                .mapToObj(number -> new Deferred<Integer>(test.space()))
+                .mapToObj(number -> test.space().<Integer>deferred())
                 .toList();
         test.run(() -> answers.forEach(answer -> answer.thenRun(() -> {
             callbacks++;
@@ -188,7 +188,7 @@ class ActorSpaceTest extends InTestSpace {
     }
 
     private Deferred<Integer> loggedAnswer() {
-        var answer = new Deferred<Integer>(test.space());
+        Deferred<Integer> answer = test.space().deferred();
         test.run(() -> answer.then(value -> log.add("answer")));
         return answer;
     }
@@ -267,7 +267,7 @@ class ActorSpaceTest extends InTestSpace {
 
     @Test
     void endlessCallbacks_letMessagesAndTimersIn_after256() {
-        doer.run(me -> me.after(Duration.ofSeconds(1), () -> log.add("timer")));
+        doer.run(me -> me.context().after(Duration.ofSeconds(1), () -> log.add("timer")));
         test.runQueued();
         Runnable advance = () -> test.clock().advance(Duration.ofSeconds(1));
         for (Runnable other : List.<Runnable>of(poked::poke, () -> onAnotherThread(poked::poke), advance)) {
@@ -281,8 +281,8 @@ class ActorSpaceTest extends InTestSpace {
 
     @Test
     void messageOfTheInbox_waitsForNoneOfTheCallbacksThatAnEarlierOneLeadsTo() {
-        var many = new Deferred<String>(test.space());
-        var trigger = new Deferred<String>(test.space());
+        Deferred<String> many = test.space().deferred();
+        Deferred<String> trigger = test.space().deferred();
         test.run(() -> {
             for (int listener = 0; listener < 10_000; listener++) {
                 many.thenRun(() -> callbacks++);

@@ -138,7 +138,7 @@ class ActorSpaceThreadTest {
         try (var space = ActorSpace.create(SpaceSettings.named("timed").withClock(clock))) {
             var rang = new Deferred<Long>();
             Doer alarm = space.spawn(Doer.class, Doer::new);
-            alarm.run(me -> me.after(Duration.ofSeconds(5), () -> rang.resolve(clock.nanos())));
+            alarm.run(me -> me.context().after(Duration.ofSeconds(5), () -> rang.resolve(clock.nanos())));
             var set = new Deferred<String>();
             space.onIdle(() -> set.resolve("set"));
             set.get(LONG);
@@ -211,7 +211,7 @@ class ActorSpaceThreadTest {
     @Test
     void listenerThatTakesTooLong_isReportedAsAMessageIs() throws Exception {
         stallOf(space -> {
-            var deferred = new Deferred<String>(space);
+            Deferred<String> deferred = space.deferred();
             var end = deferred.thenRun(this::holdTheThread);
             deferred.resolve("now");
             end.get(LONG);
@@ -334,7 +334,7 @@ class ActorSpaceThreadTest {
     void thousandsOfBodies_mayWaitAtATime() throws Exception {
         int bodies = 2_000;
         try (var space = space("many-bodies")) {
-            var gate = new Deferred<Integer>(space);
+            Deferred<Integer> gate = space.deferred();
             var ends = new ArrayList<Promise<Integer>>();
             for (int number = 0; number < bodies; number++) {
                 ends.add(space.sequential(gate::await));

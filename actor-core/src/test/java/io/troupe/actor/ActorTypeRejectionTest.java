@@ -74,6 +74,13 @@ class ActorTypeRejectionTest extends InTestSpace {
               FinalPackageHelper.help(int) of actor type @ | or make it private
             public class FinalStart extends Actor { @Override protected final void started() {} }
               FinalStart.started() of actor type @ | is final
+            public class PublicStop extends Actor { @Override public void stopped() {} }
+              PublicStop.stopped() of actor type @ | hook of Actor | make it protected, or give the message another name
+            interface Race { void started(); }
+            public class Runner extends Actor implements Race { @Override public void started() {} }
+              Runner.started() of actor type @ | hook of Actor | another name
+            public class Sprinter extends Runner {}
+              Runner.started() of actor type @ | hook of Actor
             public class FinalText extends Actor { @Override public final String toString() { return "text"; } }
               FinalText.toString() of actor type @ | is final
             public class Finalized extends Actor { @Override protected void finalize() {} }

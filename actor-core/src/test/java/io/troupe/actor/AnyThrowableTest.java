@@ -62,7 +62,7 @@ class AnyThrowableTest {
 
         @Override
         protected void started() {
-            after(Duration.ZERO, kind::raise);
+            context().after(Duration.ZERO, kind::raise);
             Promise.done().thenRun(kind::raise);
             kind.raise();
         }
@@ -118,7 +118,7 @@ class AnyThrowableTest {
             failing.run(me -> kind.raise());
             space.stop(failing);
             failing.run(me -> kind.raise()); // a dead letter
-            new Deferred<Integer>(space).reject(kind.make()); // without a listener
+            space.<Integer>deferred().reject(kind.make()); // without a listener
             assertThat(answerOf(space).get(LONG)).isEqualTo(1);
             assertThat(space.metrics().errors()).isPositive();
         }
@@ -280,7 +280,7 @@ class AnyThrowableTest {
     void await_atTheEndOfTheBodysStack_keepsTheBatonInOneHand() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("deep-body"))) {
             for (int round = 0; round < 2; round++) {
-                var gate = new Deferred<Integer>(space);
+                Deferred<Integer> gate = space.deferred();
                 Promise<Boolean> body = space.sequential(() -> {
                     var deep = new Deep(gate::await);
                     deep.recurse();

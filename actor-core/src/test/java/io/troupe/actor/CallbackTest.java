@@ -175,7 +175,7 @@ class CallbackTest extends InTestSpace {
         Doer reader = test.spawn(Doer.class, Doer::new, ActorSettings.named("reader"));
         reader.run(me -> {
             Consumer<Integer> noteOwner = result ->
-                    log.add(result + " on behalf of " + me.space().home.owner());
+                    log.add(result + " on behalf of " + me.context().space().home.owner());
             named.each(noteOwner);
             named.give((result, error) -> noteOwner.accept(result), results -> results.next(0));
         });

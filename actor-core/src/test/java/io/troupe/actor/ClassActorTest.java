@@ -94,7 +94,7 @@ class ClassActorTest extends InTestSpace {
     public class Walker extends Stepping {
         @Override
         public void step() {
-            stop();
+            context().stop();
             log.add("step"); // the message is processed to its end
         }
 
@@ -157,12 +157,12 @@ class ClassActorTest extends InTestSpace {
 
     private class Clockwork extends Actor {
         @Override
-        public void started() {
+        protected void started() {
             log.add("started");
         }
 
         @Override
-        public void stopped() {
+        protected void stopped() {
             log.add("stopped");
         }
 
@@ -172,7 +172,7 @@ class ClassActorTest extends InTestSpace {
     }
 
     @Test
-    void startedAndStopped_throwOnAProxy_evenIfPublic() {
+    void startedAndStopped_throwOnAProxy() {
         Clockwork proxy = test.spawn(Clockwork.class, Clockwork::new);
         for (Runnable call : List.<Runnable>of(proxy::started, proxy::stopped)) {
             assertThatThrownBy(call::run)

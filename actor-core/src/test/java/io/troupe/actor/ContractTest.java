@@ -137,13 +137,13 @@ class ContractTest extends InTestSpace {
     @Test
     void actorOnlyMethods_ofASpawnedActor_throwOnAForeignThread() {
         var escaped = new Doer();
-        test.spawn(Doer.class, () -> escaped).run(me -> log.add("on its own thread in " + me.space()));
+        test.spawn(Doer.class, () -> escaped).run(me -> log.add("on its own thread in " + me.context().space()));
         test.runQueued();
         assertThat(log).containsExactly("on its own thread in test-space");
-        assertThatThrownBy(escaped::space)
+        assertThatThrownBy(() -> escaped.context().space())
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("space()");
-        assertThatThrownBy(() -> escaped.after(Duration.ofSeconds(1), () -> {}))
+        assertThatThrownBy(() -> escaped.context().after(Duration.ofSeconds(1), () -> {}))
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("after(..)");
     }

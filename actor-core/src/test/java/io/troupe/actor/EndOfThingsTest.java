@@ -47,7 +47,7 @@ class EndOfThingsTest extends InTestSpace {
         assertThat(test.takeProblems()).hasSize(1);
         test.spawn(Doer.class, Starting::new).run(me -> {
             Promise.done().thenRun(() -> log.add("callback of the stopped actor"));
-            me.stop();
+            me.context().stop();
         });
         test.runQueued();
         assertThat(log).containsExactly("started", "started", "started");
@@ -57,9 +57,9 @@ class EndOfThingsTest extends InTestSpace {
 
     @Test
     void loop_ofAnActorThatStops_endsAtItsNextRound() {
-        var step = new Deferred<Integer>(test.space());
+        Deferred<Integer> step = test.space().deferred();
         var loop = new AtomicReference<Promise<?>>();
-        worker.run(me -> loop.set(me.repeatWhile(() -> true, () -> step)));
+        worker.run(me -> loop.set(me.context().repeatWhile(() -> true, () -> step)));
         test.runQueued();
         stop(worker);
         step.resolve(1);
@@ -80,7 +80,7 @@ class EndOfThingsTest extends InTestSpace {
 
     @Test
     void rejection_whoseOnlyListenerHasStopped_isReported() {
-        var source = new Deferred<String>(test.space());
+        Deferred<String> source = test.space().deferred();
         worker.run(me -> source.thenAccept(value -> log.add("heard " + value)));
         test.runQueued();
         stop(worker);
@@ -92,11 +92,11 @@ class EndOfThingsTest extends InTestSpace {
     @Test
     void timers_ofAnActorThatStops_leaveTheWheelAtOnce() {
         worker.run(me -> {
-            me.every(SECOND, () -> {});
-            me.after("once", HOUR, () -> {});
-            me.every("again", SECOND, () -> {});
+            me.context().every(SECOND, () -> {});
+            me.context().after("once", HOUR, () -> {});
+            me.context().every("again", SECOND, () -> {});
             for (int timer = 0; timer < 20; timer++) {
-                me.after(HOUR, () -> {});
+                me.context().after(HOUR, () -> {});
             }
         });
         test.runQueued();
@@ -107,7 +107,7 @@ class EndOfThingsTest extends InTestSpace {
 
     @Test
     void timer_cancelledOnAnotherThread_throwsAndNamesTheThread() {
-        var timer = test.get(worker.ask(me -> Promise.of(me.after(HOUR, () -> {}))));
+        var timer = test.get(worker.ask(me -> Promise.of(me.context().after(HOUR, () -> {}))));
         assertThatThrownBy(timer::cancel)
                 .isInstanceOf(IllegalStateException.class)
                 .hasMessageContaining("on the thread of its space only");
@@ -285,7 +285,7 @@ class EndOfThingsTest extends InTestSpace {
     @Test
     void delayAndTimeLimit_inASpaceThatIsClosed_areEnded() {
         Promise<@Nullable Void> delay = space.delay(HOUR);
-        Promise<String> limited = new Deferred<String>(space).orTimeout(HOUR);
+        Promise<String> limited = space.<String>deferred().orTimeout(HOUR);
         delay.exceptionally(error -> null);
         limited.exceptionally(error -> "");
         space.runQueued();

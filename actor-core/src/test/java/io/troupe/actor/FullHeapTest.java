@@ -254,7 +254,7 @@ class FullHeapTest {
             Promise<String> open = other.open();
             Promise<String> never = other.open();
             other.thread().get(PATIENCE);
-            Promise<String> limited = new Deferred<String>(healthy).orTimeout(Duration.ofMillis(1_500));
+            Promise<String> limited = healthy.<String>deferred().orTimeout(Duration.ofMillis(1_500));
             var gate = new CountDownLatch(1);
             other.stall(gate); // until everything is queued: this thread must not need memory later
             hog.fill();

@@ -243,7 +243,7 @@ class HandlersThatSendTest {
     @Test
     void close_withListenersWithoutEnd_ends_andSaysSo() {
         var space = ActorSpace.create(settings().withOnError((where, error) -> errors.add(error)));
-        var opened = new Deferred<Integer>(space);
+        Deferred<Integer> opened = space.deferred();
         opened.thenRun(this::again);
         space.execute(() -> {
             space.close();

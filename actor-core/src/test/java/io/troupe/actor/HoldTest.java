@@ -28,17 +28,17 @@ class HoldTest extends InTestSpace {
         protected void started() {
             log.add("started");
             connect();
-            every("beat", Duration.ofSeconds(1), () -> log.add("beat"));
+            context().every("beat", Duration.ofSeconds(1), () -> log.add("beat"));
         }
 
         private void connect() {
-            hold();
+            context().hold();
             var mine = new Deferred<String>();
             lines.add(mine);
             mine.then(there -> {
                 line = there;
                 log.add("connected to " + there);
-                release();
+                context().release();
             });
         }
 
@@ -55,7 +55,7 @@ class HoldTest extends InTestSpace {
         }
 
         public void releaseAgain() {
-            release();
+            context().release();
         }
     }
 
@@ -164,7 +164,7 @@ class HoldTest extends InTestSpace {
         class Broken extends Actor {
             @Override
             protected void started() {
-                hold();
+                context().hold();
                 throw new IllegalStateException("no modem");
             }
 
@@ -228,8 +228,8 @@ class HoldTest extends InTestSpace {
         }
 
         private void pause() {
-            hold();
-            after(Duration.ofMillis(1), this::release);
+            context().hold();
+            context().after(Duration.ofMillis(1), context()::release);
         }
 
         public void pass(int sender, int number) {

@@ -60,8 +60,8 @@ class InheritedLimitTest extends InTestSpace {
     void limit_isNotInheritedByMessagesTimersAndTasks() {
         test.get(within(() -> shop.ask(me -> {
             store.run(other -> log.add("message " + ActorSpace.timeLeft()));
-            me.after(Duration.ZERO, () -> log.add("timer " + ActorSpace.timeLeft()));
-            me.space().execute(() -> log.add("task " + ActorSpace.timeLeft()));
+            me.context().after(Duration.ZERO, () -> log.add("timer " + ActorSpace.timeLeft()));
+            me.context().space().execute(() -> log.add("task " + ActorSpace.timeLeft()));
             return Promise.done();
         })));
         test.runQueued();
@@ -74,8 +74,8 @@ class InheritedLimitTest extends InTestSpace {
         Promise<String> answer = within(() -> shop.ask(me -> {
             asked.add(store.ask(other -> never()));
             store.run(other -> {
-                other.hold();
-                other.after(LIMIT.multipliedBy(2), other::release);
+                other.context().hold();
+                other.context().after(LIMIT.multipliedBy(2), other.context()::release);
             });
             asked.add(store.ask(other -> {
                 log.add("begun");
@@ -129,13 +129,13 @@ class InheritedLimitTest extends InTestSpace {
     @Test
     void limitWithinAnother_isTheShorterOne() {
         Promise<@Nullable Duration> shorter =
-                within(() -> shop.ask(me -> me.space().within(SECOND, () -> store.ask(it -> left()))));
+                within(() -> shop.ask(me -> me.context().space().within(SECOND, () -> store.ask(it -> left()))));
         Promise<@Nullable Duration> longer =
-                within(() -> shop.ask(me -> me.space().within(LONG, () -> store.ask(it -> left()))));
+                within(() -> shop.ask(me -> me.context().space().within(LONG, () -> store.ask(it -> left()))));
         assertThat(values(shorter, longer)).containsExactly(SECOND, LIMIT);
         Promise<@Nullable Duration> later = within(() -> shop.ask(me -> test.space()
                 .delay(SECOND)
-                .thenCompose(over -> me.space().within(LONG, () -> store.ask(it -> left())))));
+                .thenCompose(over -> me.context().space().within(LONG, () -> store.ask(it -> left())))));
         test.advance(SECOND);
         assertThat(test.get(later)).isEqualTo(LIMIT.minus(SECOND));
     }
@@ -284,7 +284,7 @@ class InheritedLimitTest extends InTestSpace {
     void sequentialBody_hasTheLimit_alsoAfterItHasWaited_andOthersDoNotGetIt() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("limited"))) {
             Doer actor = space.spawn(Doer.class, Doer::new);
-            var gate = new Deferred<Boolean>(space);
+            Deferred<Boolean> gate = space.deferred();
             Promise<Boolean> answer = space.within(
                     LONG,
                     () -> space.sequential(() -> {

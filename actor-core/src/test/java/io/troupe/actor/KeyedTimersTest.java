@@ -29,8 +29,8 @@ class KeyedTimersTest extends InTestSpace {
 
     @Test
     void timerWithAnEqualKey_replacesTheOneThatWaits() {
-        run(me -> me.after(List.of("beep", 1), SECOND, () -> log.add("first")));
-        run(me -> me.after(List.of("beep", 1), SECOND.multipliedBy(2), () -> log.add("second")));
+        run(me -> me.context().after(List.of("beep", 1), SECOND, () -> log.add("first")));
+        run(me -> me.context().after(List.of("beep", 1), SECOND.multipliedBy(2), () -> log.add("second")));
         advanceSeconds(5);
         assertThat(log).containsExactly("second");
     }
@@ -38,9 +38,9 @@ class KeyedTimersTest extends InTestSpace {
     @Test
     void timer_asText_saysWhenItIsDue() {
         run(me -> {
-            var timer = me.every("key", SECOND, () -> {});
+            var timer = me.context().every("key", SECOND, () -> {});
             log.add(timer.toString());
-            log.add(me.after(SECOND, () -> {}).toString());
+            log.add(me.context().after(SECOND, () -> {}).toString());
             timer.cancel();
             log.add(timer.toString());
         });
@@ -54,26 +54,26 @@ class KeyedTimersTest extends InTestSpace {
     @Test
     void timer_isActive_untilItHasRunForTheLastTimeOrWasCancelled() {
         run(me -> {
-            me.after("once", SECOND, () -> log.add("once " + me.isTimerActive("once")));
-            me.every("again", SECOND, () -> log.add("again " + me.isTimerActive("again")));
-            me.after("handle", SECOND, () -> {}).cancel();
-            log.add(me.isTimerActive("once") + " " + me.isTimerActive("handle") + " " + me.isTimerActive("none"));
+            me.context().after("once", SECOND, () -> log.add("once " + me.context().isTimerActive("once")));
+            me.context().every("again", SECOND, () -> log.add("again " + me.context().isTimerActive("again")));
+            me.context().after("handle", SECOND, () -> {}).cancel();
+            log.add(me.context().isTimerActive("once") + " " + me.context().isTimerActive("handle") + " " + me.context().isTimerActive("none"));
         });
         advanceSeconds(1);
-        run(me -> log.add(me.isTimerActive("once") + " " + me.isTimerActive("again")));
-        run(me -> me.cancelTimer("again"));
-        run(me -> log.add("" + me.isTimerActive("again")));
+        run(me -> log.add(me.context().isTimerActive("once") + " " + me.context().isTimerActive("again")));
+        run(me -> me.context().cancelTimer("again"));
+        run(me -> log.add("" + me.context().isTimerActive("again")));
         assertThat(log).containsExactly("true false false", "once false", "again true", "false true", "false");
     }
 
     @Test
     void timersWithOtherKeys_ofOtherActors_orWithoutAKey_areLeftAlone() {
         Doer other = test.spawn(Doer.class, Doer::new);
-        other.run(me -> me.after("key", SECOND, () -> log.add("another's")));
+        other.run(me -> me.context().after("key", SECOND, () -> log.add("another's")));
         run(me -> {
-            me.after(SECOND, () -> log.add("without a key"));
-            me.after("other key", SECOND, () -> log.add("other key"));
-            me.after("key", SECOND, () -> log.add("key"));
+            me.context().after(SECOND, () -> log.add("without a key"));
+            me.context().after("other key", SECOND, () -> log.add("other key"));
+            me.context().after("key", SECOND, () -> log.add("key"));
         });
         advanceSeconds(1);
         assertThat(log).containsExactly("another's", "without a key", "other key", "key");
@@ -83,7 +83,7 @@ class KeyedTimersTest extends InTestSpace {
     @ValueSource(booleans = {false, true})
     void replacedTimer_thatIsDueInTheSamePass_doesNotRun(boolean periodic) {
         run(me -> {
-            me.after(SECOND, () -> set(me, periodic, "new"));
+            me.context().after(SECOND, () -> set(me, periodic, "new"));
             set(me, periodic, "old");
         });
         advanceSeconds(1);
@@ -94,9 +94,9 @@ class KeyedTimersTest extends InTestSpace {
 
     private void set(Doer me, boolean periodic, String text) {
         if (periodic) {
-            me.every("key", SECOND, () -> log.add(text));
+            me.context().every("key", SECOND, () -> log.add(text));
         } else {
-            me.after("key", SECOND, () -> log.add(text));
+            me.context().after("key", SECOND, () -> log.add(text));
         }
     }
 
@@ -114,23 +114,23 @@ class KeyedTimersTest extends InTestSpace {
 
     private void backOff() {
         log.add("turn");
-        instance.after("key", SECOND.multipliedBy(10), this::backOff);
+        instance.context().after("key", SECOND.multipliedBy(10), this::backOff);
     }
 
     @Test
     void task_maySetItsOwnKeyAnew() {
-        run(me -> me.after("key", SECOND, this::backOff));
+        run(me -> me.context().after("key", SECOND, this::backOff));
         advanceSeconds(10);
         assertThat(log).containsExactly("turn");
         advanceSeconds(10);
         advanceSeconds(10);
         assertThat(log).containsExactly("turn", "turn", "turn");
-        assertThat(instance.keyedTimers().size()).isOne();
+        assertThat(instance.context().keyedTimers()).isOne();
     }
 
     @Test
     void task_mayCancelItsOwnPeriod() {
-        run(me -> me.every("key", SECOND, () -> log.add("cancelled: " + me.cancelTimer("key"))));
+        run(me -> me.context().every("key", SECOND, () -> log.add("cancelled: " + me.context().cancelTimer("key"))));
         advanceSeconds(5);
         assertThat(log).containsExactly("cancelled: true");
     }
@@ -138,16 +138,16 @@ class KeyedTimersTest extends InTestSpace {
     @Test
     void cancelTimer_returnsWhetherOneWasGoingToRun() {
         run(me -> {
-            log.add("unknown: " + me.cancelTimer("key"));
+            log.add("unknown: " + me.context().cancelTimer("key"));
             set(me, false, "never");
-            log.add("waiting: " + me.cancelTimer("key"));
-            log.add("cancelled: " + me.cancelTimer("key"));
-            me.after("key", SECOND, () -> log.add("never")).cancel();
-            log.add("cancelled by its handle: " + me.cancelTimer("key"));
+            log.add("waiting: " + me.context().cancelTimer("key"));
+            log.add("cancelled: " + me.context().cancelTimer("key"));
+            me.context().after("key", SECOND, () -> log.add("never")).cancel();
+            log.add("cancelled by its handle: " + me.context().cancelTimer("key"));
             set(me, false, "ran");
         });
         advanceSeconds(1);
-        run(me -> log.add("over: " + me.cancelTimer("key")));
+        run(me -> log.add("over: " + me.context().cancelTimer("key")));
         assertThat(log)
                 .containsExactly(
                         "unknown: false",
@@ -165,8 +165,8 @@ class KeyedTimersTest extends InTestSpace {
             throw new IllegalStateException("on purpose");
         });
         assertThat(test.takeProblems()).hasSize(1);
-        assertThat(instance.keyedTimers().size()).isZero();
-        run(me -> log.add("waiting: " + me.cancelTimer("key")));
+        assertThat(instance.context().keyedTimers()).isZero();
+        run(me -> log.add("waiting: " + me.context().cancelTimer("key")));
         run(me -> set(me, false, "new"));
         advanceSeconds(3);
         assertThat(log).containsExactly("waiting: false", "new");
@@ -176,23 +176,23 @@ class KeyedTimersTest extends InTestSpace {
     void finishedTimers_areNotRemembered() {
         run(me -> {
             for (int i = 0; i < 1_000; i++) {
-                me.after(i, SECOND, () -> {});
+                me.context().after(i, SECOND, () -> {});
             }
         });
-        assertThat(instance.keyedTimers().size()).isEqualTo(1_000);
+        assertThat(instance.context().keyedTimers()).isEqualTo(1_000);
         advanceSeconds(1);
-        assertThat(instance.keyedTimers().size()).isZero();
+        assertThat(instance.context().keyedTimers()).isZero();
     }
 
     @Test
     void timersCancelledByTheirHandle_doNotPileUp() {
         run(me -> {
-            me.after("kept", SECOND, () -> log.add("kept"));
+            me.context().after("kept", SECOND, () -> log.add("kept"));
             for (int i = 0; i < 10_000; i++) {
-                me.after(i, SECOND, () -> log.add("cancelled")).cancel();
+                me.context().after(i, SECOND, () -> log.add("cancelled")).cancel();
             }
         });
-        assertThat(instance.keyedTimers().size()).isLessThanOrEqualTo(16);
+        assertThat(instance.context().keyedTimers()).isLessThanOrEqualTo(16);
         advanceSeconds(1);
         assertThat(log).containsExactly("kept");
     }
@@ -206,17 +206,17 @@ class KeyedTimersTest extends InTestSpace {
         String period = "the period is PT0S, expected more than zero";
         run(me -> {
             set(me, false, "kept");
-            rejects(IllegalArgumentException.class, period, () -> me.every("key", Duration.ZERO, () -> {}));
-            rejects(NullPointerException.class, "task", () -> me.after("key", SECOND, null));
-            rejects(NullPointerException.class, "key", () -> me.after(null, SECOND, () -> {}));
-            rejects(NullPointerException.class, "key", () -> me.cancelTimer(null));
+            rejects(IllegalArgumentException.class, period, () -> me.context().every("key", Duration.ZERO, () -> {}));
+            rejects(NullPointerException.class, "task", () -> me.context().after("key", SECOND, null));
+            rejects(NullPointerException.class, "key", () -> me.context().after(null, SECOND, () -> {}));
+            rejects(NullPointerException.class, "key", () -> me.context().cancelTimer(null));
         });
         assertThatThrownBy(() -> set(instance, false, "elsewhere"))
                 .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("after(..) belongs on the thread of space test-space");
-        assertThatThrownBy(() -> instance.cancelTimer("key"))
+                .hasMessageContaining("context().after(..) of Doer#1 belongs on the thread of space test-space");
+        assertThatThrownBy(() -> instance.context().cancelTimer("key"))
                 .isInstanceOf(IllegalStateException.class)
-                .hasMessageContaining("cancelTimer(..) belongs on the thread of space test-space");
+                .hasMessageContaining("context().cancelTimer(..) of Doer#1 belongs on the thread of space test-space");
         advanceSeconds(1);
         assertThat(log).containsExactly("kept");
     }

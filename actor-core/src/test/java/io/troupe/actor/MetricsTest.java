@@ -101,7 +101,7 @@ class MetricsTest extends InTestSpace {
     void actors_lookedAtAgainAndAgainFromOutside_areSeenToGo() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("watched"))) {
             Worker worker = space.spawn(Worker.class, () -> Runnable::run);
-            var begun = new Deferred<Boolean>(space);
+            Deferred<Boolean> begun = space.deferred();
             space.execute(() -> begun.resolve(true));
             begun.get(Duration.ofSeconds(30));
             SpaceMetrics metrics = space.metrics();

@@ -28,7 +28,7 @@ class OpenRequestsTest extends InTestSpace {
         }
 
         public Promise<String> inABody() {
-            return space().sequential(() -> later("").await());
+            return context().space().sequential(() -> later("").await());
         }
 
         public Promise<String> forward(Desk other) {
@@ -36,7 +36,7 @@ class OpenRequestsTest extends InTestSpace {
         }
 
         public Promise<Integer> work() {
-            stop();
+            context().stop();
             return Promise.of(1);
         }
 
@@ -45,7 +45,7 @@ class OpenRequestsTest extends InTestSpace {
         }
 
         public void end() {
-            stop();
+            context().stop();
         }
 
         @Override
@@ -192,7 +192,7 @@ class OpenRequestsTest extends InTestSpace {
     @Test
     @Timeout(60)
     void stop_onAThreadOfItsOwn_endsTheWaitOfTheCaller() throws Exception {
-        var begun = new Deferred<String>((ActorSpace) null);
+        Deferred<String> begun = Deferred.unbound();
         try (var space = ActorSpace.create(SpaceSettings.named("short-lived"))) {
             Desk desk = space.spawn(Desk.class, Desk::new, ActorSettings.named("desk"));
             Promise<String> answer = desk.later("a");

@@ -133,7 +133,7 @@ class PublisherTest extends InTestSpace {
         class Broken extends Actor {
             @Override
             protected void started() {
-                space().<Integer>publisher(Backlog.ALL, topic::subscribe).subscribe(new Reader() {
+                context().space().<Integer>publisher(Backlog.ALL, topic::subscribe).subscribe(new Reader() {
                     @Override
                     public void onNext(Integer value) {
                         throw new IllegalStateException("cannot use " + value);
@@ -162,8 +162,8 @@ class PublisherTest extends InTestSpace {
             @Override
             protected void started() {
                 var reader = new Reader();
-                space().<Integer>publisher(Backlog.ALL, topic::subscribe).subscribe(reader);
-                after(Duration.ZERO, () -> reader.subscription().request(9));
+                context().space().<Integer>publisher(Backlog.ALL, topic::subscribe).subscribe(reader);
+                context().after(Duration.ZERO, () -> reader.subscription().request(9));
             }
         }
         Stopping actor = test.spawn(Stopping.class, Stopping::new);

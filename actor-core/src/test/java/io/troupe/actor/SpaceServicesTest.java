@@ -27,7 +27,7 @@ class SpaceServicesTest extends InTestSpace {
     private static final Duration LONG = Duration.ofHours(1);
     private static final Duration PATIENCE = Duration.ofSeconds(50);
 
-    private final Deferred<String> pending = new Deferred<>(test.space());
+    private final Deferred<String> pending = test.space().deferred();
 
     @Test
     void delay_followsTheSpacesClock() {
@@ -204,11 +204,11 @@ class SpaceServicesTest extends InTestSpace {
         private final List<Deferred<String>> questions = new ArrayList<>();
 
         public Promise<String> askTwice() {
-            return space().sequential(() -> {
+            return context().space().sequential(() -> {
                 String first = firstAnswer();
                 log.add("heard " + first);
                 String second = question().await();
-                after(SECOND, () -> log.add("timer of the actor"));
+                context().after(SECOND, () -> log.add("timer of the actor"));
                 return first + " " + second;
             });
         }
@@ -219,7 +219,7 @@ class SpaceServicesTest extends InTestSpace {
         }
 
         public void end() {
-            stop();
+            context().stop();
         }
 
         private String firstAnswer() {
@@ -322,7 +322,7 @@ class SpaceServicesTest extends InTestSpace {
     @Test
     void body_inASpaceThatIsClosed_isCancelledWhereItWaits_andCounted() {
         var space = ActorSpace.create(SpaceSettings.named("short-lived").withoutThread());
-        var gate = new Deferred<String>(space);
+        Deferred<String> gate = space.deferred();
         Promise<String> answer = space.sequential(() -> {
             try {
                 return gate.await();
@@ -339,7 +339,7 @@ class SpaceServicesTest extends InTestSpace {
 
     @Test
     void bodies_takeTurns_eachFromOneWaitToTheNext() {
-        var gates = List.of(new Deferred<Integer>(test.space()), new Deferred<Integer>(test.space()));
+        var gates = List.of(test.space().<Integer>deferred(), test.space().<Integer>deferred());
         for (int index = 0; index < 2; index++) {
             int number = index;
             test.space().sequential(() -> {
@@ -445,7 +445,7 @@ class SpaceServicesTest extends InTestSpace {
     @Timeout(60)
     void listener_ofATimeLimitFromOutside_runsOnTheSpace() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("here"))) {
-            var limited = new Deferred<String>(space).orTimeout(SOON).exceptionally(late -> threadName());
+            var limited = space.<String>deferred().orTimeout(SOON).exceptionally(late -> threadName());
             var delayed = space.delay(SOON).thenApply(over -> threadName());
             assertThat(Promise.all(List.of(limited, delayed)).get(PATIENCE)).containsExactly("here", "here");
         }
@@ -459,7 +459,7 @@ class SpaceServicesTest extends InTestSpace {
             var asked = new ArrayList<Deferred<Integer>>();
             var limited = new ArrayList<Promise<Integer>>();
             for (int number = 0; number < 10_000; number++) {
-                asked.add(new Deferred<>(space));
+                asked.add(space.deferred());
                 limited.add(asked.getLast().orTimeout(LONG));
             }
             assertThat(space.metrics().timers()).isEqualTo(10_000);
@@ -476,7 +476,7 @@ class SpaceServicesTest extends InTestSpace {
     void spaceThatIsClosed_endsWhatWasAskedOfIt_andItsThread() throws Exception {
         var space = ActorSpace.create(SpaceSettings.named("closing"));
         Promise<?> delay = space.delay(LONG);
-        Promise<?> limited = new Deferred<String>(space).orTimeout(LONG);
+        Promise<?> limited = space.<String>deferred().orTimeout(LONG);
         List<Thread> threads = threadsNamed("closing-timers");
         assertThat(threads).hasSize(1);
         assertThat(space.close(PATIENCE).timers()).isEqualTo(2);

@@ -29,7 +29,7 @@ class SupervisionTest extends InTestSpace {
         @Override
         protected void started() {
             log.add("start " + instance);
-            every(Duration.ofSeconds(1), () -> log.add("tick of " + instance));
+            context().every(Duration.ofSeconds(1), () -> log.add("tick of " + instance));
         }
 
         @Override

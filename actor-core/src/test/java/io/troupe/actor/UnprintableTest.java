@@ -307,9 +307,9 @@ class UnprintableTest {
         var value = new Order(kind);
         var error = new Failure(new Order(kind));
         assertThat(Promise.of(value).toString()).startsWith("promise, fulfilled with ");
-        assertThat(new Deferred<Order>(space).thenApply(same -> same).toString())
+        assertThat(space.<Order>deferred().thenApply(same -> same).toString())
                 .isEqualTo("promise after promise");
-        new Deferred<Order>(space).reject(error);
+        space.<Order>deferred().reject(error);
         space.execute(() -> {
             throw error;
         });
@@ -392,7 +392,7 @@ class UnprintableTest {
             });
             Shop shop = threaded.spawn(Shop.class, Corner::new);
             Promise<String> limited = shop.buy(argument).orTimeout(Duration.ofMillis(20));
-            Promise<Integer> other = new Deferred<Integer>(threaded).orTimeout(Duration.ofMillis(40));
+            Promise<Integer> other = threaded.<Integer>deferred().orTimeout(Duration.ofMillis(40));
             assertThat(begun.await(1, TimeUnit.MINUTES)).isTrue();
             try {
                 assertThatThrownBy(() -> limited.get(LONG)).hasMessageContaining("Shop.buy(Object)");

@@ -52,7 +52,7 @@ public final class ActorConnection<A> implements AutoCloseable {
 
     static <A> ActorConnection<A> open(
             ActorSpace space, ActorServices services, Class<A> type, Need need, ConnectionSettings settings) {
-        var first = new Deferred<ServiceRecord>(null);
+        Deferred<ServiceRecord> first = Deferred.unbound();
         CallDispatcher dispatcher = space.spawn(
                 CallDispatcher.class,
                 () -> new CallDispatcherActor(services, type, need, settings, first),

@@ -110,7 +110,7 @@ final class ActorProvider<A> implements Provider {
         A proxy = space.spawn(type, () -> make(failure), settings);
         var life = actors.begin(address, space, proxy);
         running = life;
-        var started = new Deferred<@Nullable Void>(null);
+        Deferred<@Nullable Void> started = Deferred.unbound();
         // runs after the entry that starts the actor
         space.execute(() -> {
             if (life.hasEnded()) {
@@ -157,7 +157,7 @@ final class ActorProvider<A> implements Provider {
 
     /** Fulfilled when the actor has stopped, for whatever reason. */
     static Promise<@Nullable Void> ended(ActorSpace space, Running life) {
-        var ended = new Deferred<@Nullable Void>(space);
+        Deferred<@Nullable Void> ended = space.deferred();
         space.whenStopped(life.proxy()).toCompletableFuture().thenRun(() -> ended.resolve(null));
         return ended;
     }
@@ -170,7 +170,7 @@ final class ActorProvider<A> implements Provider {
         if (life == null || life.hasEnded()) {
             return Promise.failed(new ProviderException((life == null ? "it" : life.address()) + " has stopped", null));
         }
-        var back = new Deferred<@Nullable Void>(null);
+        Deferred<@Nullable Void> back = Deferred.unbound();
         space.execute(() -> back.resolve(null));
         return back;
     }

@@ -26,7 +26,7 @@ class BrokerActor extends Actor {
     private Runnable changed = () -> {};
 
     BrokerActor(ActorSpace space, BrokerSettings settings) {
-        var timeouts = new Timeouts(this::after);
+        var timeouts = new Timeouts((delay, task) -> context().after(delay, task));
         this.events = new EventPublisher(settings.observer(), space);
         this.context = new BrokerContext(settings, timeouts, events, new ToClients());
         this.clients = new ConnectedClients(this::choose, timeouts, settings, events);

@@ -4,7 +4,6 @@ import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
 import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.promise.EventLoop;
 import io.troupe.actor.promise.Promise;
 import java.lang.reflect.Method;
 import java.util.Arrays;
@@ -129,7 +128,7 @@ interface CallDispatcher {
 
         @Override
         protected @Nullable Home home() {
-            return EventLoop.homeOf(home);
+            return home.home();
         }
 
         @Override

@@ -55,7 +55,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
 
     @Override
     protected void started() {
-        events = new EventPublisher(services.observer(), space());
+        events = new EventPublisher(services.observer(), context().space());
         services.broker().connect(need, this).handle((provider, error) -> {
             if (error != null) {
                 noProvider = Reasons.of(error);
@@ -167,7 +167,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         } else {
             waiting.put(call.call, call);
             Duration limit = call.call.isOneWay() ? settings.oneWayLimit() : settings.waitLimit();
-            call.limit = after(limit, () -> {
+            call.limit = context().after(limit, () -> {
                 waiting.remove(call.call);
                 refuse(call, notSent(call, "found no provider within " + limit + ": " + noProvider));
             });
@@ -186,7 +186,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
             if (call.untilNanos == Long.MAX_VALUE) {
                 send(call);
             } else { // its turn had a time limit, which the provider shares
-                space().within(Duration.ofNanos(call.untilNanos - nowNanos()), () -> {
+                context().space().within(Duration.ofNanos(call.untilNanos - nowNanos()), () -> {
                     send(call);
                     return Promise.done();
                 });
@@ -195,7 +195,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
     }
 
     private long nowNanos() {
-        return space().clock().nanos();
+        return context().space().clock().nanos();
     }
 
     private void send(PendingCall call) {
@@ -216,7 +216,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
             underWay.put(call.call, call);
             call.sent = answer;
             if (!settings.answerLimit().isZero() && !(to instanceof RemoteActor)) { // the bus has that limit
-                call.limit = after(settings.answerLimit(), () -> isOverdue(call));
+                call.limit = context().after(settings.answerLimit(), () -> isOverdue(call));
             }
             answer.handle((value, error) -> {
                 answered(call, value, error);

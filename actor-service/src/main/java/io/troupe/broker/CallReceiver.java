@@ -90,7 +90,7 @@ final class CallReceiver {
     }
 
     private Promise<CallMessages.Result> answer(CallableMethods.CallableMethod method, @Nullable Object returned) {
-        var answer = new Deferred<CallMessages.Result>(null);
+        Deferred<CallMessages.Result> answer = Deferred.unbound();
         if (returned instanceof Promise<?> promise) {
             promise.toCompletableFuture() // at once, also if the actor's space has been closed
                     .whenComplete((value, error) -> settle(answer, method, value, error));

@@ -70,7 +70,7 @@ final class LocalActors {
             enter(actor, space, type);
             return Promise.done();
         }
-        var entered = new Deferred<@Nullable Void>(null);
+        Deferred<@Nullable Void> entered = Deferred.unbound();
         space.execute(() -> {
             try {
                 enter(actor, space, type);

@@ -83,7 +83,7 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
         lastTickNanos = nowNanos();
         send(OfferMessages.ASK, new OfferMessages.AskOffers());
         publish(true);
-        ticking = every(PERIOD, Schedule.FIXED_DELAY, this::tick);
+        ticking = context().every(PERIOD, Schedule.FIXED_DELAY, this::tick);
     }
 
     private Address at(String name) {
@@ -95,7 +95,7 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
     }
 
     private long nowNanos() {
-        return space().clock().nanos();
+        return context().space().clock().nanos();
     }
 
     // ---- the offers of this process
@@ -307,7 +307,7 @@ final class OfferExchange extends Actor implements ActorServices.Exchange {
         }
         send(OfferMessages.ASK, new OfferMessages.AskOffers());
         var waited = new Deferred<@Nullable Void>();
-        after(limit, () -> waited.resolve(null));
+        context().after(limit, () -> waited.resolve(null));
         return waited.thenCompose(done -> Promise.all(
                         peers.values().stream().map(peer -> survey(peer, limit)).toList()))
                 .thenCompose(others -> own().thenApply(own -> {

@@ -189,7 +189,7 @@ final class OfferedProvider implements Provider {
         if (hasEnded(life)) { // the offers have overtaken the reply
             throw new ProviderException(address + " has ended", null);
         }
-        use = new Use(life, context.actors.begin(address, offer.methods()), new Deferred<>(null));
+        use = new Use(life, context.actors.begin(address, offer.methods()), Deferred.unbound());
     }
 
     @Override

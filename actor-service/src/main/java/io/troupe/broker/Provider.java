@@ -53,6 +53,6 @@ public interface Provider {
      * then only {@link #check} detects it.
      */
     default Promise<@Nullable Void> whenEnded() {
-        return new Deferred<>(null);
+        return Deferred.unbound();
     }
 }

@@ -3,7 +3,6 @@ package io.troupe.bus;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.EventLoop;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.BusMessage.Purpose;
 import java.time.Duration;
@@ -164,7 +163,7 @@ final class PendingRequests {
             this.operation = operation;
             this.request = request;
             this.answer = new Reply(home);
-            this.over = new Deferred<>(home);
+            this.over = home.deferred();
         }
 
         Promise<A> answer() {
@@ -292,7 +291,7 @@ final class PendingRequests {
 
             @Override
             protected @Nullable Home home() {
-                return EventLoop.homeOf(home);
+                return home.home();
             }
 
             @Override

@@ -196,7 +196,7 @@ class AccountingTest {
                 @Override
                 public Promise<String> work(int id, boolean isLater) {
                     note(id);
-                    var answer = new Late(new Deferred<>(null), address.name());
+                    var answer = new Late(Deferred.unbound(), address.name());
                     if (isLater) {
                         later.add(answer);
                     } else {

@@ -46,13 +46,13 @@ class BrokerSoakTest {
         /** Alive from a fulfilled start until it dies or a stop is fulfilled. */
         private final class Moody implements Provider {
             private final int number = providers.size();
-            private Deferred<@Nullable Void> end = new Deferred<>(null); // of the newest start
+            private Deferred<@Nullable Void> end = Deferred.unbound(); // of the newest start
             private Deferred<@Nullable Void> endOfLife = end; // of the newest start that was fulfilled
             boolean alive;
 
             @Override
             public Promise<@Nullable Void> start() {
-                var mine = new Deferred<@Nullable Void>(null);
+                Deferred<@Nullable Void> mine = Deferred.unbound();
                 end = mine;
                 return answer("start", true, () -> {
                     endOfLife = mine;
@@ -99,7 +99,7 @@ class BrokerSoakTest {
                     return Promise.failed(new IllegalStateException("moody"));
                 }
                 note(what + " later");
-                var later = new Deferred<@Nullable Void>(null);
+                Deferred<@Nullable Void> later = Deferred.unbound();
                 owed.add(() -> {
                     note("now " + what);
                     effect.run();

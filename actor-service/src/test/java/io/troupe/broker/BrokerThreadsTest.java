@@ -70,7 +70,7 @@ class BrokerThreadsTest {
             var services = new ActorServices(broker, "node", brokers.space(), events::add);
             await(brokers, publish(services, hanging, "a"));
             await(brokers, publish(services, other, "b"));
-            var overThere = new Deferred<String>(brokers.space());
+            Deferred<String> overThere = brokers.space().deferred();
             broker.connect(PARROT, (ScriptedBroker.Client) provider -> {
                 if (provider.provider().name().equals("parrot-2")) {
                     overThere.resolve(provider.provider().name());
@@ -226,7 +226,7 @@ class BrokerThreadsTest {
 
         @Override
         public void die() {
-            stop();
+            context().stop();
         }
 
         @Override

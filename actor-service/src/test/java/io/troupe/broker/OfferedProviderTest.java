@@ -43,12 +43,12 @@ class OfferedProviderTest extends HostsBench {
             port.answer(OfferMessages.CHECK, check -> waiting(checks));
             parrot.answer(CallMessages.CALL, call -> {
                 calls.add(call);
-                return new Deferred<>(null);
+                return Deferred.unbound();
             });
         }
 
         private static <T> Promise<T> waiting(Deque<Deferred<T>> all) {
-            all.add(new Deferred<>(null));
+            all.add(Deferred.unbound());
             return all.getLast();
         }
 
@@ -492,7 +492,7 @@ class OfferedProviderTest extends HostsBench {
         near.publish("mine");
         get(near.broker.require(PARROT));
         var published = publishedByNear();
-        var slow = new Deferred<Void>(null);
+        Deferred<Void> slow = Deferred.unbound();
         get(near.broker.register("slow", List.of(), new Address("near", "slow"), new SlowToStop(slow)));
         get(near.broker.require(Need.ofService("user", "slow")));
         published.clear();

@@ -39,7 +39,7 @@ interface Parrot {
         @Override
         public Promise<String> sayLater(String text) {
             diary.add(name + " begins " + text);
-            later.add(new Deferred<>(null));
+            later.add(Deferred.unbound());
             return later.getLast();
         }
 

@@ -187,7 +187,7 @@ class ScriptedBroker extends BrokerBench {
         private final String name;
         private final Map<String, String> manners = new HashMap<>();
         private final Deque<Deferred<@Nullable Void>> unanswered = new ArrayDeque<>();
-        private Deferred<@Nullable Void> end = new Deferred<>(null);
+        private Deferred<@Nullable Void> end = Deferred.unbound();
 
         FakeProvider(String name) {
             this.name = name;
@@ -210,7 +210,7 @@ class ScriptedBroker extends BrokerBench {
                 case "fails" -> Promise.failed(new IllegalStateException(name + " is broken"));
                 case "explodes" -> throw new IllegalStateException(name + " exploded");
                 case "hangs" -> {
-                    unanswered.add(new Deferred<>(null));
+                    unanswered.add(Deferred.unbound());
                     yield unanswered.getLast();
                 }
                 default -> Promise.done();
@@ -220,7 +220,7 @@ class ScriptedBroker extends BrokerBench {
         @Override
         public Promise<@Nullable Void> start() {
             diary.add("start " + name);
-            end = new Deferred<>(null);
+            end = Deferred.unbound();
             return answer("start");
         }
 

@@ -66,8 +66,8 @@ class ServiceSoakTest {
 
         @Override
         public void pause() {
-            hold();
-            space().delay(Duration.ofNanos(50_000)).thenRun(this::release);
+            context().hold();
+            context().space().delay(Duration.ofNanos(50_000)).thenRun(context()::release);
         }
 
         @Override

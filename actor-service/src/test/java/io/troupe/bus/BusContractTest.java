@@ -291,7 +291,7 @@ class BusContractTest extends BusContract {
 
     @Test
     void handlerThatHangs_isRejectedWhenTheTimeIsOver_andItsAnswerIsReportedAsLate() {
-        var kept = new Deferred<Text>(test.space());
+        Deferred<Text> kept = test.space().deferred();
         var handler = speller(count -> kept);
         var answer = ask(asker, handler, 7);
         test.runQueued();
@@ -314,7 +314,7 @@ class BusContractTest extends BusContract {
 
     @Test
     void requestsThatWait_areRejectedAtOnce_whenTheHandlerLeaves() {
-        var kept = new Deferred<Text>(test.space());
+        Deferred<Text> kept = test.space().deferred();
         var handler = speller(count -> kept);
         var answers = new ArrayList<>(List.of(ask(asker, handler, 1)));
         test.runQueued();
@@ -341,7 +341,7 @@ class BusContractTest extends BusContract {
 
     @Test
     void rejectedRequest_saysWhetherItMayHaveBeenHandled() {
-        var kept = new Deferred<Text>(test.space());
+        Deferred<Text> kept = test.space().deferred();
         var handler = speller(count -> kept);
         var noHandler = far.attach("idle");
         var nobody = new Address(handler.address().node(), "nobody");
@@ -416,7 +416,7 @@ class BusContractTest extends BusContract {
 
     @Test
     void requestsOfARequesterThatLeaves_areRejectedAtOnce_andTheirAnswersAreLate() {
-        var kept = new Deferred<Text>(test.space());
+        Deferred<Text> kept = test.space().deferred();
         var answer = ask(asker, speller(count -> kept), 1);
         test.runQueued();
         asker.close();
@@ -455,7 +455,7 @@ class BusContractTest extends BusContract {
     void handlerThatNeverAnswers_refusesTheNewest_whenItHasBegunTooMany() {
         var kept = new ArrayList<Deferred<Text>>();
         var handler = speller(count -> {
-            kept.add(new Deferred<>(test.space()));
+            kept.add(test.space().deferred());
             return kept.getLast();
         });
         var answers = new ArrayList<Promise<Text>>();
@@ -481,7 +481,7 @@ class BusContractTest extends BusContract {
     void requestThatIsCancelled_isNotHandledIfItStillWaits_elseItsReplyIsLate() {
         var begun = new ArrayList<Deferred<Text>>();
         var speller = speller(count -> {
-            begun.add(new Deferred<>(test.space()));
+            begun.add(test.space().deferred());
             return begun.getLast();
         });
         ask(asker, speller, 1).cancel();
@@ -522,7 +522,7 @@ class BusContractTest extends BusContract {
         var asked = new ArrayList<Promise<Text>>();
         var work = new ArrayList<Deferred<Text>>();
         var speller = speller(count -> {
-            work.add(new Deferred<>(test.space()));
+            work.add(test.space().deferred());
             if (count.value() == 2) {
                 asked.getLast().cancel();
             }
@@ -560,7 +560,7 @@ class BusContractTest extends BusContract {
         public void listenOnce(BusPort port) {
             port.subscribe(COUNTS, (count, from) -> {
                 received.add(count.value());
-                stop();
+                context().stop();
             });
         }
     }

@@ -361,7 +361,7 @@ class BusModelTest {
                 case ANSWERS -> Promise.of(text);
                 case THROWS -> throw new IllegalStateException("will not");
                 case KEEPS -> {
-                    var later = new Deferred<Text>(test.space());
+                    Deferred<Text> later = test.space().deferred();
                     kept.add(() -> later.resolve(text));
                     yield later;
                 }

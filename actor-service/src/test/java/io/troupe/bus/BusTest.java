@@ -304,7 +304,7 @@ class BusTest extends BusContract {
     void requestsWhoseRequestersHaveGivenUp_makeRoomAtTheirHandler_onAnotherNode() {
         var kept = new ArrayList<Deferred<Text>>();
         var handler = speller(count -> {
-            kept.add(new Deferred<>(test.space()));
+            kept.add(test.space().deferred());
             return kept.getLast();
         });
         var here = far.attach("near-by");

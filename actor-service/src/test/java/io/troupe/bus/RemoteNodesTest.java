@@ -591,7 +591,7 @@ class RemoteNodesTest {
     void requestsOfALifeThatHasEnded_areNotAwaited() {
         var kept = new ArrayList<Deferred<Text>>();
         port.answer(SPELL, count -> {
-            kept.add(new Deferred<>(test.space()));
+            kept.add(test.space().deferred());
             return kept.getLast();
         });
         arrives(request(1, SECOND, new Count(1)));

@@ -26,32 +26,30 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> Any thread may settle it; the first call wins.
  *
- * <p><b>Errors.</b> A rejection without a listener is reported to the error handler of the promise's space. A deferred
- * made outside every space belongs to none, and its rejection is not reported: pass the space to the constructor, or
- * register a listener.
+ * <p>There are three ways to create one. They differ in its space, where listeners run that are registered outside every
+ * space:
+ *
+ * <ul>
+ *   <li>{@code new Deferred<>()}: the space whose thread is calling, and none outside every space. For actors.
+ *   <li>{@code space.deferred()}: that space, whichever thread is calling. For tests, and for code between threads.
+ *   <li>{@link #unbound}: none, whichever thread is calling. For code that hands every outcome to a reader itself.
+ * </ul>
+ *
+ * <p><b>Errors.</b> A rejection without a listener is reported to the error handler of the promise's space. That of a
+ * deferred without a space is not reported.
  */
 public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     private final @Nullable Home home;
     private final boolean madeOutside;
     private final @Nullable Runnable ifCancelled;
 
-    /** Creates a deferred of the actor space whose thread is calling, if any. */
+    /** Creates a deferred of the space whose thread is calling; outside every space, of none. */
     public Deferred() {
         this(Home.current(), null);
     }
 
     /**
-     * Creates a deferred of a given space: listeners registered outside every space run there, and a rejection without
-     * a listener is reported there.
-     *
-     * @param space an {@code ActorSpace}, or null for none
-     */
-    public Deferred(@Nullable EventLoop space) {
-        this(EventLoop.homeOf(space), null);
-    }
-
-    /**
-     * Creates a deferred for this library.
+     * Creates a deferred for this library: public because spaces are in another package.
      *
      * @param ifCancelled runs on the thread that cancels the promise
      * @hidden
@@ -60,6 +58,14 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
         this.home = home;
         this.madeOutside = home != null && !home.isCurrent();
         this.ifCancelled = ifCancelled;
+    }
+
+    /**
+     * Creates a deferred of no space, on whichever thread it is called: a listener that is registered outside every
+     * space runs on the thread that settles it, and a rejection without a listener is not reported.
+     */
+    public static <T extends @Nullable Object> Deferred<T> unbound() {
+        return new Deferred<>(null, null);
     }
 
     /** @hidden */

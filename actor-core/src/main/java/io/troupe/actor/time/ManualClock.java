@@ -14,7 +14,7 @@ import java.util.concurrent.atomic.AtomicLong;
  * ActorSpace space = ActorSpace.create(
  *         SpaceSettings.named("simulation").withClock(clock).withoutThread());
  * Promise<String> late =
- *         new Deferred<String>(space).orTimeout(Duration.ofSeconds(2)).exceptionally(error -> "too late");
+ *         space.<String>deferred().orTimeout(Duration.ofSeconds(2)).exceptionally(error -> "too late");
  * space.runQueued();
  * clock.advance(Duration.ofSeconds(2));
  * space.runQueued(); // serves the timers that are due

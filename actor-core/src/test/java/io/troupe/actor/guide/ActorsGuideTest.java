@@ -82,7 +82,7 @@ class ActorsGuideTest extends InTestSpace {
 
         @Override
         protected void started() {
-            every(Duration.ofMillis(500), () -> on = !on);
+            context().every(Duration.ofMillis(500), () -> on = !on);
         }
 
         public Promise<Boolean> isOn() {
@@ -272,7 +272,7 @@ class ActorsGuideTest extends InTestSpace {
         }
 
         public Promise<Integer> patrol(List<String> places) {
-            return space().sequential(() -> {
+            return context().space().sequential(() -> {
                 int blobs = 0;
                 for (String place : places) {
                     robot.goTo(place).await();
@@ -378,15 +378,15 @@ class ActorsGuideTest extends InTestSpace {
 
     private class Listener extends Actor {
         public void heard() {
-            after("silence", Duration.ofSeconds(3), this::stopMotors); // three seconds after the last word
+            context().after("silence", Duration.ofSeconds(3), this::stopMotors); // three seconds after the last word
         }
 
         public void rest() {
-            cancelTimer("silence");
+            context().cancelTimer("silence");
         }
 
         private void stopMotors() {
-            log.add("stopped at " + space().clock().nanos() / 1_000_000_000);
+            log.add("stopped at " + context().space().clock().nanos() / 1_000_000_000);
         }
     }
 
@@ -410,10 +410,10 @@ class ActorsGuideTest extends InTestSpace {
         @Override
         protected void started() {
             // Schedule.FIXED_RATE: catches up on missed runs of the last second
-            every(Duration.ofMillis(10), this::count);
-            every(Duration.ofMillis(10), Schedule.SKIP_MISSED, this::control); // drops missed runs: for control loops
+            context().every(Duration.ofMillis(10), this::count);
+            context().every(Duration.ofMillis(10), Schedule.SKIP_MISSED, this::control); // drops missed runs: for control loops
             // one second after the end of the last run
-            every("poll", Duration.ofSeconds(1), Schedule.FIXED_DELAY, this::poll);
+            context().every("poll", Duration.ofSeconds(1), Schedule.FIXED_DELAY, this::poll);
         }
 
         private void count() {

@@ -96,7 +96,7 @@ class JavadocSamplesTest extends InTestSpace {
 
         @Override
         protected void started() {
-            every(Duration.ofMinutes(1), () -> degrees++);
+            context().every(Duration.ofMinutes(1), () -> degrees++);
         }
 
         public void set(int newDegrees) {
@@ -130,10 +130,10 @@ class JavadocSamplesTest extends InTestSpace {
 
         @Override
         protected void started() {
-            hold();
+            context().hold();
             modem.connect().then(line -> {
                 connected = line;
-                release(); // now the calls that came meanwhile are served, in their order
+                context().release(); // now the calls that came meanwhile are served, in their order
             });
         }
 
@@ -560,7 +560,7 @@ class JavadocSamplesTest extends InTestSpace {
         ActorSpace space = ActorSpace.create(
                 SpaceSettings.named("simulation").withClock(clock).withoutThread());
         Promise<String> late =
-                new Deferred<String>(space).orTimeout(Duration.ofSeconds(2)).exceptionally(error -> "too late");
+                space.<String>deferred().orTimeout(Duration.ofSeconds(2)).exceptionally(error -> "too late");
         space.runQueued();
         clock.advance(Duration.ofSeconds(2));
         space.runQueued(); // serves the timers that are due
@@ -573,7 +573,7 @@ class JavadocSamplesTest extends InTestSpace {
 
         @Override
         protected void started() {
-            cycle = every(Duration.ofMillis(100), Schedule.SKIP_MISSED, () -> log.add("cycle"));
+            cycle = context().every(Duration.ofMillis(100), Schedule.SKIP_MISSED, () -> log.add("cycle"));
         }
 
         public void pause() {

@@ -174,11 +174,11 @@ final class LibraryRun {
 
         private void playAsActor(Act act) {
             switch (act.kind()) {
-                case STOP_SELF -> stop();
-                case HOLD -> hold();
-                case RELEASE -> release();
-                case AFTER -> timers.put(act.id(), after(Cast.ticks(act.number()), () -> tick(act)));
-                case EVERY -> timers.put(act.id(), every(Cast.ticks(act.number()), () -> tick(act)));
+                case STOP_SELF -> context().stop();
+                case HOLD -> context().hold();
+                case RELEASE -> context().release();
+                case AFTER -> timers.put(act.id(), context().after(Cast.ticks(act.number()), () -> tick(act)));
+                case EVERY -> timers.put(act.id(), context().every(Cast.ticks(act.number()), () -> tick(act)));
                 default -> {
                     Timer timer = timers.get(act.target());
                     if (timer != null) {

@@ -33,7 +33,7 @@ class PromiseHomeTest extends InTestSpace {
     private static final Duration SECOND = Duration.ofSeconds(1);
     private static final Duration HOUR = Duration.ofHours(1);
 
-    private final Deferred<Integer> source = new Deferred<>(test.space());
+    private final Deferred<Integer> source = test.space().deferred();
 
     private static IllegalStateException broken() {
         return new IllegalStateException("broken");
@@ -43,7 +43,7 @@ class PromiseHomeTest extends InTestSpace {
 
     @Test
     void gathered_outside_belongsToTheSpaceOfItsParts() {
-        var parts = List.of(source, new Deferred<Integer>(test.space()));
+        var parts = List.of(source, test.space().<Integer>deferred());
         Promise.all(parts).thenAccept(values -> log.add(values + " in " + ActorSpace.current()));
         parts.forEach(part -> part.resolve(7));
         assertThat(log).isEmpty();
@@ -205,7 +205,7 @@ class PromiseHomeTest extends InTestSpace {
 
     @Test
     void failure_thatLosesARace_isNotReported() {
-        var second = new Deferred<Integer>(test.space());
+        Deferred<Integer> second = test.space().deferred();
         test.run(() -> Promise.race(List.of(source, second)));
         source.resolve(1);
         second.reject(broken());
@@ -235,7 +235,7 @@ class PromiseHomeTest extends InTestSpace {
     private void overlappingRaces(Promise<Integer> longLived, int count) {
         var flying = new ArrayDeque<Deferred<Integer>>();
         for (int round = 0; round < count; round++) {
-            var other = new Deferred<Integer>(test.space());
+            Deferred<Integer> other = test.space().deferred();
             flying.add(other);
             Promise.race(List.of(longLived, other));
             if (flying.size() > 3) {
@@ -323,7 +323,7 @@ class PromiseHomeTest extends InTestSpace {
             @Override
             protected @Nullable Home home() {
                 listeners.forEach(node -> lockHeld.add(Thread.holdsLock(node)));
-                return EventLoop.homeOf(test.space());
+                return test.space().home();
             }
         };
         for (int count = 0; count < 20; count++) {
@@ -339,7 +339,7 @@ class PromiseHomeTest extends InTestSpace {
 
     @Test
     void answersOfOtherThreads_areNotKeptByAnIdleSpace() {
-        var answer = new Deferred<byte[]>(test.space());
+        Deferred<byte[]> answer = test.space().deferred();
         test.run(() -> answer.thenAccept(value -> {}));
         answer.resolve(new byte[1_000]);
         test.runQueued();

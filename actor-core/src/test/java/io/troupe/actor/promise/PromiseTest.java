@@ -244,7 +244,7 @@ class PromiseTest extends InTestSpace {
         assertThat(Promise.all(List.of()).get(AT_ONCE)).isEmpty();
         Promise<String> failed = Promise.failed(new IOException("no"));
         assertThat(Promise.all(List.of(deferred, failed)).error()).hasMessage("no");
-        var never = new Deferred<String>(test.space());
+        Deferred<String> never = test.space().deferred();
         assertThat(test.error(failed.thenCombine(never, String::concat))).hasMessage("no");
     }
 
@@ -346,10 +346,10 @@ class PromiseTest extends InTestSpace {
     @Test
     void longChain_isSettledAndRejected_inASpaceAndOutside() {
         for (ActorSpace home : Arrays.asList(test.space(), null)) {
-            var fulfilled = new Deferred<Integer>(home);
+            Deferred<Integer> fulfilled = home == null ? Deferred.unbound() : home.deferred();
             Promise<Integer> value = chain(fulfilled, 100_000);
             fulfilled.resolve(0);
-            var rejected = new Deferred<Integer>(home);
+            Deferred<Integer> rejected = home == null ? Deferred.unbound() : home.deferred();
             Promise<Integer> error = chain(rejected, 100_000);
             rejected.reject(new IllegalStateException("broken"));
             test.runQueued();
@@ -378,7 +378,7 @@ class PromiseTest extends InTestSpace {
 
     @Test
     void promiseBehindManyStages_canBeLimitedCancelledAndNamed_andItsTextIsShort() {
-        var source = new Deferred<Integer>(test.space());
+        Deferred<Integer> source = test.space().deferred();
         var limited = new ArrayList<Promise<Integer>>();
         test.run(() -> limited.add(chain(source, 50_000).orTimeout(SECOND)));
         Promise<Integer> cancelled = chain(source, 50_000);
@@ -396,7 +396,7 @@ class PromiseTest extends InTestSpace {
 
     @Test
     void manyTimeLimits_onTopOfEachOther_areSettledAndNamed() {
-        var source = new Deferred<Integer>(test.space());
+        Deferred<Integer> source = test.space().deferred();
         Promise<Integer> last = source;
         for (int limit = 0; limit < 20_000; limit++) {
             last = last.orTimeout(Duration.ofSeconds(30 + limit));
@@ -408,7 +408,7 @@ class PromiseTest extends InTestSpace {
 
     @Test
     void text_ofAChain_namesWhatItWaitsFor_andHowFarThatIs() {
-        var source = new Deferred<Integer>(test.space());
+        Deferred<Integer> source = test.space().deferred();
         assertThat(chain(source, 2)).hasToString("promise after promise after promise");
         assertThat(chain(source.orTimeout(Duration.ofSeconds(5)), 1).orTimeout(Duration.ofSeconds(7)))
                 .hasToString("promise after promise within PT5S within PT7S");

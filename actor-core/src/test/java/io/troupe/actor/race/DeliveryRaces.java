@@ -59,8 +59,8 @@ final class DeliveryRaces {
 
         @Override
         public void pause() {
-            hold();
-            space().delay(Duration.ofNanos(50_000)).thenRun(this::release);
+            context().hold();
+            context().space().delay(Duration.ofNanos(50_000)).thenRun(context()::release);
         }
     }
 

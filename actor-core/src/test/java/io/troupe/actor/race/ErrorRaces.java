@@ -126,7 +126,7 @@ final class ErrorRaces {
         }
 
         public void breakTimer(Error error) {
-            after(Duration.ZERO, () -> {
+            context().after(Duration.ZERO, () -> {
                 throw error;
             });
         }

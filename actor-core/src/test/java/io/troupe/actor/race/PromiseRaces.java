@@ -39,7 +39,7 @@ final class PromiseRaces {
         final AtomicIntegerArray ofCancelled = new AtomicIntegerArray(THREADS);
 
         Trial(@Nullable ActorSpace home) {
-            this.promise = new Deferred<>(home);
+            this.promise = home == null ? Deferred.unbound() : home.deferred();
             this.atHome = home != null;
         }
 
@@ -142,7 +142,7 @@ final class PromiseRaces {
                 return Promise.of(value);
             }
             var later = new Deferred<Integer>();
-            after(micros(afterMicros), () -> later.resolve(value));
+            context().after(micros(afterMicros), () -> later.resolve(value));
             return later;
         }
 

@@ -36,7 +36,7 @@ class TestSpaceTest extends InTestSpace {
 
         @Override
         protected void started() {
-            every(Duration.ofMillis(100), () -> ticks++);
+            context().every(Duration.ofMillis(100), () -> ticks++);
         }
 
         public Promise<Integer> ticks() {
@@ -51,8 +51,8 @@ class TestSpaceTest extends InTestSpace {
 
         public void wait(int millis, int times) {
             if (times > 0) {
-                after(Duration.ofMillis(millis), () -> {
-                    log.add("at " + space().clock().nanos() / 1_000_000 + " ms");
+                context().after(Duration.ofMillis(millis), () -> {
+                    log.add("at " + context().space().clock().nanos() / 1_000_000 + " ms");
                     wait(millis, times - 1);
                 });
             }

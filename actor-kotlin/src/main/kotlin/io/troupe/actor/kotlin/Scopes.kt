@@ -7,7 +7,6 @@ import io.troupe.actor.ActorSpace
 import io.troupe.actor.internal.loop.Home
 import io.troupe.actor.internal.loop.Node
 import io.troupe.actor.internal.loop.Owner
-import io.troupe.actor.promise.EventLoop
 import java.time.Duration
 import java.util.concurrent.CancellationException
 import java.util.function.Supplier
@@ -76,7 +75,7 @@ public val ActorSpace.scope: CoroutineScope
  */
 public fun ActorSpace.asDispatcher(): CoroutineDispatcher = owner().scope().dispatcher
 
-private fun ActorSpace.owner(): Owner = EventLoop.homeOf(this)!!.itself()
+private fun ActorSpace.owner(): Owner = home().itself()
 
 /**
  * Registers what a coroutine waits for. The end of the actor whose turn it is would drop a listener of that actor; but

@@ -89,13 +89,13 @@ private class Costs(private val space: ActorSpace, private val requests: Int) {
     }
 
     private fun onSpace(start: () -> Promise<Int>) {
-        val end = Deferred<Int>(space)
+        val end = space.deferred<Int>()
         space.execute { end.resolveFrom(start()) }
         end.get(LIMIT)
     }
 
     private fun chain(begin: Int): Promise<Int> {
-        val end = Deferred<Int>(space)
+        val end = space.deferred<Int>()
         fun next(number: Int) {
             adder.promised(number).then { it: Int -> if (it < requests) next(it) else end.resolve(it) }
         }

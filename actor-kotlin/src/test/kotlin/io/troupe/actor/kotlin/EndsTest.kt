@@ -318,7 +318,7 @@ class EndsTest : InTestSpace() {
 
     @Test
     fun coroutineThatCannotBeCancelledNow_goesOnAfterTheEndOfItsActor() {
-        val gate = Deferred<Int>(test.space())
+        val gate = test.space().deferred<Int>()
         val holder = test.spawn<Holder> { HolderActor(gate) }
         val result = run { holder.holdOn() }
         test.space().stop(holder)
@@ -334,7 +334,7 @@ class EndsTest : InTestSpace() {
     fun foreignCoroutines_begunUndispatchedInTheTurnOfAnActor_goOnAfterItsEnd() {
         for (dispatcher in listOf(Dispatchers.Unconfined, test.space().asDispatcher())) {
             log.clear()
-            val gate = Deferred<Int>(test.space())
+            val gate = test.space().deferred<Int>()
             val numbers = Topic.of<Int>(test.space(), "numbers")
             val holder = test.spawn<Holder> { HolderActor(gate) }
             holder.begin(CoroutineScope(dispatcher), gate, numbers)
@@ -349,7 +349,7 @@ class EndsTest : InTestSpace() {
 
     @Test
     fun failureAfterACancellation_isReported_andTheActorGoesOn() {
-        val gate = Deferred<Int>(test.space())
+        val gate = test.space().deferred<Int>()
         val holder = test.spawn<Holder> { HolderActor(gate, IOException("not released")) }
         val caller = test.space().scope.launch { holder.holdOn() }
         test.runQueued()
@@ -369,7 +369,7 @@ class EndsTest : InTestSpace() {
         val leaver = test.spawn<Leaver> {
             object : Actor(), Leaver {
                 override suspend fun leave(): String {
-                    space().stop(self<Leaver>())
+                    context().space().stop(self<Leaver>())
                     delay(10)
                     return "still there"
                 }
@@ -418,8 +418,8 @@ class EndsTest : InTestSpace() {
 
     @Test
     fun cancelledPromise_cancelsWhatAwaitsIt_andTheOtherWayRound() {
-        val first = Deferred<Int>(test.space())
-        val second = Deferred<Int>(test.space())
+        val first = test.space().deferred<Int>()
+        val second = test.space().deferred<Int>()
         val awaits = run { first.coAwait() }
         first.cancel()
         assertThat(test.error(awaits)).isInstanceOf(CancellationException::class.java)
@@ -441,7 +441,7 @@ class EndsTest : InTestSpace() {
 
     @Test
     fun orTimeout_ofThePromiseOfAScope_endsIt() {
-        val late = Deferred<Int>(test.space())
+        val late = test.space().deferred<Int>()
         val result = run { late.orTimeout(Duration.ofMillis(5)).coAwait() }
         advance(5)
         assertThat(test.error(result)).isInstanceOf(TimeoutException::class.java)

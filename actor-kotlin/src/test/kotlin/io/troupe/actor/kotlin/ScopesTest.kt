@@ -192,11 +192,11 @@ class ScopesTest : InTestSpace() {
         assertThat(error { Promise.failed<Int>(IOException("bad")).coAwait() })
             .isExactlyInstanceOf(IOException::class.java)
             .hasMessage("bad")
-        val later = Deferred<Int>(test.space())
+        val later = test.space().deferred<Int>()
         val sum = run { later.coAwait() + 1 }
         later.resolve(1)
         assertThat(test.get(sum)).isEqualTo(2)
-        val rejected = Deferred<Int>(test.space())
+        val rejected = test.space().deferred<Int>()
         val end = run {
             try {
                 rejected.coAwait()
@@ -210,7 +210,7 @@ class ScopesTest : InTestSpace() {
 
     @Test
     fun await_inACoroutine_namesCoAwait() {
-        val promise = Deferred<Int>(test.space())
+        val promise = test.space().deferred<Int>()
         assertThat(error { promise.await() }).hasMessageContaining("coAwait()")
         runBlocking {
             assertThatThrownBy { promise.await() }.hasMessageContaining("in a Kotlin coroutine: coAwait()")

@@ -111,7 +111,7 @@ class LifecycleTest {
 
     @Test
     void failedRun_isStopped_andTheNextBeginsAfterThat() {
-        var slow = new Deferred<@Nullable Void>(test.space());
+        Deferred<@Nullable Void> slow = test.space().deferred();
         call(lifecycle::start);
         lifecycle.stop = () -> slow;
         test.run(lifecycle::failNow);
@@ -151,7 +151,7 @@ class LifecycleTest {
 
     @Test
     void stopDuringAStart_rejectsIt_andTheLateRunIsStoppedAgain() {
-        var slow = new Deferred<@Nullable Void>(test.space());
+        Deferred<@Nullable Void> slow = test.space().deferred();
         lifecycle.start = () -> slow;
         var started = call(lifecycle::start);
         assertThat(call(lifecycle::stop).isDone()).isTrue();

@@ -57,7 +57,7 @@ final class FailoverServices extends Actor implements RobotServices {
     }
 
     private long nowNanos() {
-        return space().clock().nanos();
+        return context().space().clock().nanos();
     }
 
     // ---- calls
@@ -202,7 +202,7 @@ final class FailoverServices extends Actor implements RobotServices {
             }
             waits(why);
             if (patienceLeft().compareTo(PAUSE) > 0) {
-                waiting = after(PAUSE, this::attempt);
+                waiting = context().after(PAUSE, this::attempt);
             } else {
                 findLast(why);
             }
@@ -301,7 +301,7 @@ final class FailoverServices extends Actor implements RobotServices {
 
         /** Renews the lease, until the call has ended or is unanswered for so long that the lease is over. */
         private void renewLater() {
-            after(RENEW_EVERY, () -> {
+            context().after(RENEW_EVERY, () -> {
                 Lease held = lease;
                 if (ended || unanswered || held == null) {
                     return;
@@ -355,7 +355,7 @@ final class FailoverServices extends Actor implements RobotServices {
             running = null;
             unanswered = true;
             drive.waits(why);
-            after(Duration.ofNanos(Math.max(0, overNanos - nowNanos())), () -> {
+            context().after(Duration.ofNanos(Math.max(0, overNanos - nowNanos())), () -> {
                 if (!ended) {
                     giveUp(why);
                 }

@@ -77,7 +77,7 @@ final class LeasedServicesActor extends RobotServicesActor implements LeasedRobo
 
         /** Ends the service when the lease is over. */
         void watch() {
-            after(Duration.ofNanos(Math.max(0, overNanos - nowNanos())), () -> {
+            context().after(Duration.ofNanos(Math.max(0, overNanos - nowNanos())), () -> {
                 if (drives.get(robot) != this) {
                     return;
                 }
@@ -97,7 +97,7 @@ final class LeasedServicesActor extends RobotServicesActor implements LeasedRobo
     }
 
     private long nowNanos() {
-        return space().clock().nanos();
+        return context().space().clock().nanos();
     }
 
     private static long overNanos(Lease lease) {
@@ -183,7 +183,7 @@ final class LeasedServicesActor extends RobotServicesActor implements LeasedRobo
     private void hasEnded(Drive drive, @Nullable Throwable error) {
         drives.remove(drive.robot, drive);
         if (error instanceof PlayerException && !leaving) {
-            leave().handle((stopped, failed) -> after(LAST_ANSWERS, this::stop)); // other calls are answered first
+            leave().handle((stopped, failed) -> context().after(LAST_ANSWERS, context()::stop)); // other calls are answered first
         }
     }
 

@@ -129,7 +129,7 @@ public final class RobotNode implements AutoCloseable {
          * @return fulfilled when the robots have been stopped
          */
         public Promise<@Nullable Void> withdraw() {
-            var left = new Deferred<@Nullable Void>(null);
+            Deferred<@Nullable Void> left = Deferred.unbound();
             space.execute(() -> {
                 LeasedServicesActor actor = current.get();
                 Promise<?> stopped = actor == null ? Promise.done() : actor.leave();

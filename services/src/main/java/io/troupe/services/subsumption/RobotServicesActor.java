@@ -271,7 +271,7 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
             if (startsNow) {
                 notifyStarted();
             }
-            this.ended = space().repeatWhile(() -> goesOn, this::nextCycle).whenComplete((done, error) -> halt(error));
+            this.ended = context().space().repeatWhile(() -> goesOn, this::nextCycle).whenComplete((done, error) -> halt(error));
         }
 
         private void command(Velocity velocity) {
@@ -382,7 +382,7 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
             if (ended != null) { // also null if all connections are closed already
                 reconnecting.add(robot);
                 closing.add(ended);
-                space().onIdle(this::closePending);
+                context().space().onIdle(this::closePending);
             }
         }
 

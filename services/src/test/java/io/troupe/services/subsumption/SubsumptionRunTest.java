@@ -65,7 +65,7 @@ class SubsumptionRunTest extends RobotsBench {
                     @Override
                     public void drive(int robot, String service, Callback<ColourReport> reports) {
                         if (robot == 1) { // the last call
-                            stop();
+                            context().stop();
                         }
                     }
                 }))

@@ -42,7 +42,7 @@ interface Tool {
         public Promise<Long> countLater(String call, long millis) {
             long number = ++executed;
             history.add(new Executed(call));
-            return space().delay(Duration.ofMillis(millis)).thenApply(nothing -> number);
+            return context().space().delay(Duration.ofMillis(millis)).thenApply(nothing -> number);
         }
 
         @Override
@@ -65,7 +65,7 @@ interface Tool {
                 reader.finish();
             } else if (!reader.isCancelled()) {
                 long rest = next;
-                space().delay(PAUSE).thenRun(() -> send(rest, items, reader));
+                context().space().delay(PAUSE).thenRun(() -> send(rest, items, reader));
             }
         }
     }

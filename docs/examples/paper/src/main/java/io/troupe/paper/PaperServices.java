@@ -107,7 +107,7 @@ public class PaperServices extends Actor {
     /** Runs a service in a body that can wait; the robot stops at its end. */
     private <T extends @Nullable Object> Promise<T> service(
             int id, AtomicReference<Integer> reference, Function<Connection, T> loop) {
-        return space().sequential(() -> {
+        return context().space().sequential(() -> {
             for (var previous = connections.get(id); previous != null; previous = connections.get(id)) {
                 previous.end().await();
             }

@@ -22,7 +22,7 @@ class RateLimiterActor(private val permits: Int, private val period: Duration) :
         recent += now()
     }
 
-    private fun now() = space().clock().nanos().nanoseconds
+    private fun now() = context().space().clock().nanos().nanoseconds
 }
 
 fun rateLimiter(space: ActorSpace, permits: Int, period: Duration) =
