@@ -198,9 +198,7 @@ public final class ActorPool<A> implements AutoCloseable {
     @Override
     public void close() {
         if (!ownsSpaces) {
-            for (int number = 0; number < actors.size(); number++) {
-                spaces.get(number).stop(actors.get(number));
-            }
+            actors.forEach(actor -> ActorSpace.of(actor).stop(actor));
             return;
         }
         RuntimeException first = null;

@@ -190,7 +190,8 @@ class ActorPoolTest extends InTestSpace {
     }
 
     private void stopMember(int number) {
-        spaces.get(number).stop(pool.actors().get(number));
+        Worker actor = pool.actors().get(number);
+        ActorSpace.of(actor).stop(actor);
         runQueued();
     }
 
@@ -376,7 +377,8 @@ class ActorPoolTest extends InTestSpace {
     void callbackOfABroadcast_thatAnActorRejects_fails() {
         CallbackProbe<Integer> numbers = test.callback();
         var watched = watched();
-        spaces.get(1).stop(watched.actors().get(1)); // the call comes behind this
+        Watched second = watched.actors().get(1);
+        ActorSpace.of(second).stop(second); // the call comes behind this
         test.run(() -> watched.broadcast().watch(numbers));
         runQueued();
         assertThat(numbers.expectFailed()).isInstanceOf(ActorStoppedException.class);

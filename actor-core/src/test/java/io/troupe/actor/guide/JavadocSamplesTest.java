@@ -116,6 +116,53 @@ class JavadocSamplesTest extends InTestSpace {
         assertThat(test.get(heater.degrees())).isEqualTo(23);
     }
 
+    interface Motor {
+        void turn(double speedRadps);
+
+        void stop();
+    }
+
+    private class GearMotor extends Actor implements Motor {
+        private double speedRadps;
+
+        @Override
+        public void turn(double newSpeedRadps) {
+            speedRadps = newSpeedRadps;
+            context().after("silence", Duration.ofSeconds(3), this::stop); // unless the next command comes first
+        }
+
+        @Override
+        public void stop() {
+            speedRadps = 0;
+            context().cancelTimer("silence");
+        }
+
+        @Override
+        protected void stopped() {
+            log.add(speedRadps + " rad/s");
+        }
+    }
+
+    @Test
+    void actorContext_leavesItsNamesToMessages() {
+        for (int waitSeconds : List.of(2, 3)) {
+            Motor motor = space.spawn(Motor.class, GearMotor::new);
+            motor.turn(1.5);
+            test.advance(Duration.ofSeconds(waitSeconds));
+            space.stop(motor);
+        }
+        test.runQueued();
+        assertThat(log).containsExactly("1.5 rad/s", "0.0 rad/s");
+    }
+
+    @Test
+    void actorSpace_ofAnActor_stopsIt() {
+        Greeter greeter = space.spawn(Greeter.class, Polite::new);
+        Promise<ActorEnd> end = space.whenStopped(greeter);
+        ActorSpace.of(greeter).stop(greeter); // whichever of the spaces it is in
+        assertThat(test.get(end)).isEqualTo(new ActorEnd.Stopped());
+    }
+
     interface Modem {
         Promise<String> connect();
     }

@@ -4,6 +4,7 @@ import io.troupe.actor.Actor
 import io.troupe.actor.ActorTypeException
 import io.troupe.actor.Callback
 import io.troupe.actor.promise.Promise
+import java.time.Duration
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.yield
 import org.assertj.core.api.Assertions.assertThat
@@ -291,5 +292,84 @@ class SuspendingActorTest : InTestSpace() {
         assertThatThrownBy { test.spawn<Attempt> { throw AssertionError() } }
             .isInstanceOf(ActorTypeException::class.java)
             .hasMessageContainingAll("Attempt.attempt", "kotlin.Result<java.lang.String>")
+    }
+
+    interface Motor {
+        fun stop()
+
+        fun release()
+
+        suspend fun after(millis: Long): String
+
+        suspend fun started(times: Int): String
+    }
+
+    private inner class GearMotor : Actor(), Motor {
+        override fun started() {
+            context().hold()
+            context().after(Duration.ofSeconds(1)) { release() }
+        }
+
+        override fun stop() {
+            log += "stop"
+            context().stop()
+        }
+
+        override fun release() {
+            log += "release"
+            context().release()
+        }
+
+        override suspend fun after(millis: Long): String {
+            delay(millis)
+            return "after $millis in ${context().space()}"
+        }
+
+        override suspend fun started(times: Int) = "started $times"
+
+        override fun stopped() {
+            log += "the end"
+        }
+    }
+
+    @Test
+    fun namesOfTheContext_areMessages_andTheContextWorksBesideThem() {
+        val motor = test.spawn<Motor> { GearMotor() }
+        val later = run { motor.after(10) }
+        assertThat(later.isDone).isFalse()
+        advance(1_000)
+        advance(10)
+        assertThat(test.get(later)).isEqualTo("after 10 in test-space")
+        assertThat(value { motor.started(2) }).isEqualTo("started 2")
+        motor.stop()
+        test.runQueued()
+        assertThat(log).containsExactly("release", "stop", "the end")
+    }
+
+    interface Race {
+        fun started()
+    }
+
+    private inner class Runner : Actor(), Race {
+        public override fun started() {
+            log += "hook or message?"
+        }
+    }
+
+    open class PublicStart : Actor() {
+        public override fun started() = Unit
+    }
+
+    @Test
+    fun messageThatIsAHookToo_isRefusedByName() {
+        test.spawn<Race> { Runner() }
+        val problem = test.takeProblems().single()
+        assertThat(problem.error)
+            .isInstanceOf(ActorTypeException::class.java)
+            .hasMessageContainingAll("Race.started()", "Runner also the hook Actor.started()", "another name")
+        assertThatThrownBy { test.spawn<PublicStart> { PublicStart() } }
+            .isInstanceOf(ActorTypeException::class.java)
+            .hasMessageContainingAll("PublicStart.started()", "make it protected")
+        assertThat(log).isEmpty()
     }
 }
