@@ -33,11 +33,11 @@ import org.jspecify.annotations.Nullable;
  * heater.set(20); // a message
  * }
  *
- * <p>It takes few names away from messages: {@link #self}, {@link #context}, and those of the hooks {@link #started} and
- * {@link #stopped}, which are never messages. An actor type whose messages include {@code started()} or
- * {@code stopped()} is refused with an {@link ActorTypeException}: a class at {@code spawn}, an interface when its
- * implementation turns out to extend this class, which ends the actor as any factory that fails. (With parameters both
- * are names like others.)
+ * <p>It takes few names away from messages: {@link #self}, {@link #context}, and those of the hooks {@link #started}
+ * and {@link #stopped}, which an actor overrides. An actor type whose messages include {@code started()} or
+ * {@code stopped()} is refused with an {@link ActorTypeException}, since one method would be both: a class at
+ * {@code spawn}, an interface when its implementation turns out to extend this class, which ends the actor as does any
+ * factory that fails. (With parameters both are names like others.)
  *
  * <p><b>Threads.</b> The space's thread; {@link #self} throws {@link IllegalStateException} on another one.
  *

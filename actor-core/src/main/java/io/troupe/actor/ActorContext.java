@@ -56,7 +56,9 @@ public final class ActorContext {
         this.life = life;
     }
 
-    /** Begins with no keyed timers: those of the previous incarnation, if the same object is started again, have ended. */
+    /**
+     * Begins with no keyed timers: those of the previous incarnation, if the same object is started again, have ended.
+     */
     void begin(Incarnation newLife) {
         life = newLife;
         keyed = null;

@@ -174,8 +174,8 @@ class CallbackTest extends InTestSpace {
         Source named = spawn(ActorSettings.named("source"));
         Doer reader = test.spawn(Doer.class, Doer::new, ActorSettings.named("reader"));
         reader.run(me -> {
-            Consumer<Integer> noteOwner = result ->
-                    log.add(result + " on behalf of " + me.context().space().home.owner());
+            Consumer<Integer> noteOwner = result -> log.add(
+                    result + " on behalf of " + me.context().space().home.owner());
             named.each(noteOwner);
             named.give((result, error) -> noteOwner.accept(result), results -> results.next(0));
         });

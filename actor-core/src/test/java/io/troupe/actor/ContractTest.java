@@ -137,7 +137,8 @@ class ContractTest extends InTestSpace {
     @Test
     void actorOnlyMethods_ofASpawnedActor_throwOnAForeignThread() {
         var escaped = new Doer();
-        test.spawn(Doer.class, () -> escaped).run(me -> log.add("on its own thread in " + me.context().space()));
+        test.spawn(Doer.class, () -> escaped)
+                .run(me -> log.add("on its own thread in " + me.context().space()));
         test.runQueued();
         assertThat(log).containsExactly("on its own thread in test-space");
         assertThatThrownBy(() -> escaped.context().space())

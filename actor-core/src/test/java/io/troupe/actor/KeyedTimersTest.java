@@ -54,13 +54,20 @@ class KeyedTimersTest extends InTestSpace {
     @Test
     void timer_isActive_untilItHasRunForTheLastTimeOrWasCancelled() {
         run(me -> {
-            me.context().after("once", SECOND, () -> log.add("once " + me.context().isTimerActive("once")));
-            me.context().every("again", SECOND, () -> log.add("again " + me.context().isTimerActive("again")));
+            me.context()
+                    .after("once", SECOND, () -> log.add("once " + me.context().isTimerActive("once")));
+            me.context()
+                    .every(
+                            "again",
+                            SECOND,
+                            () -> log.add("again " + me.context().isTimerActive("again")));
             me.context().after("handle", SECOND, () -> {}).cancel();
-            log.add(me.context().isTimerActive("once") + " " + me.context().isTimerActive("handle") + " " + me.context().isTimerActive("none"));
+            log.add(me.context().isTimerActive("once") + " " + me.context().isTimerActive("handle") + " "
+                    + me.context().isTimerActive("none"));
         });
         advanceSeconds(1);
-        run(me -> log.add(me.context().isTimerActive("once") + " " + me.context().isTimerActive("again")));
+        run(me ->
+                log.add(me.context().isTimerActive("once") + " " + me.context().isTimerActive("again")));
         run(me -> me.context().cancelTimer("again"));
         run(me -> log.add("" + me.context().isTimerActive("again")));
         assertThat(log).containsExactly("true false false", "once false", "again true", "false true", "false");
@@ -130,7 +137,8 @@ class KeyedTimersTest extends InTestSpace {
 
     @Test
     void task_mayCancelItsOwnPeriod() {
-        run(me -> me.context().every("key", SECOND, () -> log.add("cancelled: " + me.context().cancelTimer("key"))));
+        run(me -> me.context()
+                .every("key", SECOND, () -> log.add("cancelled: " + me.context().cancelTimer("key"))));
         advanceSeconds(5);
         assertThat(log).containsExactly("cancelled: true");
     }

@@ -133,17 +133,20 @@ class PublisherTest extends InTestSpace {
         class Broken extends Actor {
             @Override
             protected void started() {
-                context().space().<Integer>publisher(Backlog.ALL, topic::subscribe).subscribe(new Reader() {
-                    @Override
-                    public void onNext(Integer value) {
-                        throw new IllegalStateException("cannot use " + value);
-                    }
+                context()
+                        .space()
+                        .<Integer>publisher(Backlog.ALL, topic::subscribe)
+                        .subscribe(new Reader() {
+                            @Override
+                            public void onNext(Integer value) {
+                                throw new IllegalStateException("cannot use " + value);
+                            }
 
-                    @Override
-                    public void onSubscribe(Flow.Subscription fresh) {
-                        fresh.request(9);
-                    }
-                });
+                            @Override
+                            public void onSubscribe(Flow.Subscription fresh) {
+                                fresh.request(9);
+                            }
+                        });
             }
         }
         test.spawn(Broken.class, Broken::new);
@@ -162,7 +165,10 @@ class PublisherTest extends InTestSpace {
             @Override
             protected void started() {
                 var reader = new Reader();
-                context().space().<Integer>publisher(Backlog.ALL, topic::subscribe).subscribe(reader);
+                context()
+                        .space()
+                        .<Integer>publisher(Backlog.ALL, topic::subscribe)
+                        .subscribe(reader);
                 context().after(Duration.ZERO, () -> reader.subscription().request(9));
             }
         }

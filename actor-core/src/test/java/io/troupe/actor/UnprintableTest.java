@@ -307,8 +307,7 @@ class UnprintableTest {
         var value = new Order(kind);
         var error = new Failure(new Order(kind));
         assertThat(Promise.of(value).toString()).startsWith("promise, fulfilled with ");
-        assertThat(space.<Order>deferred().thenApply(same -> same).toString())
-                .isEqualTo("promise after promise");
+        assertThat(space.<Order>deferred().thenApply(same -> same).toString()).isEqualTo("promise after promise");
         space.<Order>deferred().reject(error);
         space.execute(() -> {
             throw error;

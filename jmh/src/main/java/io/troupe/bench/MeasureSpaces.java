@@ -275,9 +275,10 @@ public final class MeasureSpaces implements Callable<Integer> {
             @Override
             public Promise<Long> start(int timers, long periodNanos) {
                 for (int timer = 0; timer < timers; timer++) {
-                    context().after(
-                            Duration.ofNanos(periodNanos * timer / timers),
-                            () -> context().every(Duration.ofNanos(periodNanos), () -> runs++));
+                    context()
+                            .after(
+                                    Duration.ofNanos(periodNanos * timer / timers),
+                                    () -> context().every(Duration.ofNanos(periodNanos), () -> runs++));
                 }
                 return Promise.of(Thread.currentThread().threadId());
             }

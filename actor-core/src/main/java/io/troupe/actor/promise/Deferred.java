@@ -26,8 +26,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Threads.</b> Any thread may settle it; the first call wins.
  *
- * <p>There are three ways to create one. They differ in its space, where listeners run that are registered outside every
- * space:
+ * <p>There are three ways to create one. They differ in its space, where listeners run that are registered outside
+ * every space:
  *
  * <ul>
  *   <li>{@code new Deferred<>()}: the space whose thread is calling, and none outside every space. For actors.

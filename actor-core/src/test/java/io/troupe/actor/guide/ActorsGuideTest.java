@@ -411,7 +411,11 @@ class ActorsGuideTest extends InTestSpace {
         protected void started() {
             // Schedule.FIXED_RATE: catches up on missed runs of the last second
             context().every(Duration.ofMillis(10), this::count);
-            context().every(Duration.ofMillis(10), Schedule.SKIP_MISSED, this::control); // drops missed runs: for control loops
+            context()
+                    .every(
+                            Duration.ofMillis(10),
+                            Schedule.SKIP_MISSED,
+                            this::control); // drops missed runs: for control loops
             // one second after the end of the last run
             context().every("poll", Duration.ofSeconds(1), Schedule.FIXED_DELAY, this::poll);
         }

@@ -48,13 +48,17 @@ final class ChainRaces {
                     switch (manner & 3) {
                         case 0 -> ask(depth, manner).thenApply(below -> below + 1);
                         case 1 -> ask(depth, manner).thenCompose(below -> seen(Promise.of(below + 1)));
-                        case 2 -> context().space().sequential(() -> ask(depth, manner).await() + 1);
+                        case 2 ->
+                            context()
+                                    .space()
+                                    .sequential(() -> ask(depth, manner).await() + 1);
                         default -> context().space().sequential(() -> 1 + nested(depth, manner));
                     });
         }
 
         private int nested(int depth, int manner) {
-            Promise<Integer> inner = context().space().sequential(() -> ask(depth, manner).await());
+            Promise<Integer> inner =
+                    context().space().sequential(() -> ask(depth, manner).await());
             return seen(inner).await();
         }
 

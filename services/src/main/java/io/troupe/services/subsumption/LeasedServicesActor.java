@@ -183,7 +183,8 @@ final class LeasedServicesActor extends RobotServicesActor implements LeasedRobo
     private void hasEnded(Drive drive, @Nullable Throwable error) {
         drives.remove(drive.robot, drive);
         if (error instanceof PlayerException && !leaving) {
-            leave().handle((stopped, failed) -> context().after(LAST_ANSWERS, context()::stop)); // other calls are answered first
+            leave().handle((stopped, failed) ->
+                    context().after(LAST_ANSWERS, context()::stop)); // other calls are answered first
         }
     }
 

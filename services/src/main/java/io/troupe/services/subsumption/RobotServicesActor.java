@@ -271,7 +271,10 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
             if (startsNow) {
                 notifyStarted();
             }
-            this.ended = context().space().repeatWhile(() -> goesOn, this::nextCycle).whenComplete((done, error) -> halt(error));
+            this.ended = context()
+                    .space()
+                    .repeatWhile(() -> goesOn, this::nextCycle)
+                    .whenComplete((done, error) -> halt(error));
         }
 
         private void command(Velocity velocity) {
