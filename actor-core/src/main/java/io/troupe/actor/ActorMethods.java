@@ -40,8 +40,6 @@ import org.jspecify.annotations.Nullable;
  * @param refused the methods of a class actor that are not public: calling one on a proxy throws
  */
 record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> refused) {
-    private static final HookMessages HOOK_MESSAGES = new HookMessages();
-
     /** A call of {@code from} is redirected to {@code to}. */
     record Bridge(Method from, Method to) {}
 
@@ -150,29 +148,14 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
     }
 
     /**
-     * Refuses an implementation that extends {@link Actor} if a message of its actor type is a hook too. A class actor
-     * is refused by {@link #of}.
+     * The name of a message of an interface that would be a hook too in an implementation that extends {@link Actor}.
      */
-    static void checkHooks(Class<?> type, Class<?> implementation) {
-        if (type.isInterface()) {
-            HOOK_MESSAGES.get(type).ifPresent(name -> {
-                throw new ActorTypeException(type.getSimpleName() + "." + name + "() of actor type " + type.getName()
-                        + " is a message, and in its implementation " + implementation.getName()
-                        + " also the hook Actor." + name
-                        + "(): give the message another name, or let the implementation not extend Actor");
-            });
-        }
-    }
-
-    /** The name of a message of an interface that is a hook in an implementation that extends {@link Actor}. */
-    private static final class HookMessages extends ClassValue<Optional<String>> {
-        @Override
-        protected Optional<String> computeValue(Class<?> type) {
-            return Arrays.stream(type.getMethods())
-                    .filter(method -> !Modifier.isStatic(method.getModifiers()) && isLifecycle(method))
-                    .map(Method::getName)
-                    .min(Comparator.naturalOrder());
-        }
+    static Optional<String> hookMessage(Class<?> type) {
+        return Arrays.stream(type.getMethods())
+                .filter(method ->
+                        type.isInterface() && !Modifier.isStatic(method.getModifiers()) && isLifecycle(method))
+                .map(Method::getName)
+                .min(Comparator.naturalOrder());
     }
 
     /** Called by the actor's own cell only. */

@@ -23,6 +23,8 @@ abstract class ActorType {
     private static final ClassValue<Once> ACTORS = new OncePerType(ActorType::actorOf);
     private static final ClassValue<Once> POOLS = new OncePerType(ActorType::poolOf);
 
+    private @Nullable String hookMessage; // written once, before another thread can see this object
+
     /** The type of a proxy that sends to the {@link Recipient} behind it. */
     static ActorType of(Class<?> type) {
         return ACTORS.get(type).get(type);
@@ -104,6 +106,19 @@ abstract class ActorType {
      */
     abstract <A> A newProxy(Object target);
 
+    /**
+     * Refuses an implementation that extends {@link Actor} if a message of the type is a hook too. (A class is refused
+     * by {@link ActorMethods}.)
+     */
+    static void checkHooks(Class<?> type, Class<?> implementation) {
+        String hook = type.isInterface() ? of(type).hookMessage : null;
+        if (hook != null) {
+            throw new ActorTypeException(type.getSimpleName() + "." + hook + "() of actor type " + type.getName()
+                    + " is a message, and in its implementation " + implementation.getName() + " also the hook Actor."
+                    + hook + "(): give the message another name, or let the implementation not extend Actor");
+        }
+    }
+
     private static ActorType actorOf(Class<?> type, MethodHandles.Lookup lookup) throws ReflectiveOperationException {
         Class<?> proxyClass = new ProxyGenerator(type, ActorMethods.of(type), lookup).generate();
         return type.isInterface()
@@ -121,7 +136,9 @@ abstract class ActorType {
     private static ActorType generate(Class<?> type, Generator generator) {
         MethodHandles.Lookup lookup = TypeRules.check(type);
         try {
-            return generator.generate(type, lookup);
+            ActorType made = generator.generate(type, lookup);
+            made.hookMessage = ActorMethods.hookMessage(type).orElse(null);
+            return made;
         } catch (ReflectiveOperationException | LinkageError | TypeNotPresentException e) {
             throw new ActorTypeException("the proxy of " + type.getName() + " cannot be made: " + e, e);
         }

@@ -188,8 +188,8 @@ class ActorContextTest extends InTestSpace {
             timers.add(kept.after("key", SECOND, () -> log.add("late")));
             timers.add(kept.every("other key", SECOND, () -> log.add("late")));
             log.add(kept.isTimerActive("key") + " " + kept.cancelTimer("key"));
-            kept.hold();
             kept.release();
+            kept.hold();
             kept.stop();
             log.add("in " + kept.space());
         });

@@ -7,7 +7,7 @@ package io.troupe.actor.time;
  * {@link #FIXED_DELAY} counts from the end of a run.
  *
  * {@snippet :
- * cycle = every(Duration.ofMillis(100), Schedule.SKIP_MISSED, () -> log.add("cycle"));
+ * cycle = context().every(Duration.ofMillis(100), Schedule.SKIP_MISSED, () -> log.add("cycle"));
  * }
  */
 public enum Schedule {

@@ -1,7 +1,7 @@
 package io.troupe.actor.time;
 
 /**
- * A task with a deadline, as returned by {@code after(..)} and {@code every(..)} of an actor.
+ * A task with a deadline, as returned by {@code after(..)} and {@code every(..)} of an actor's context.
  *
  * {@snippet :
  * public void pause() {

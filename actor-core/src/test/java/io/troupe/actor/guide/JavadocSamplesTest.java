@@ -136,23 +136,26 @@ class JavadocSamplesTest extends InTestSpace {
             speedRadps = 0;
             context().cancelTimer("silence");
         }
-
-        @Override
-        protected void stopped() {
-            log.add(speedRadps + " rad/s");
-        }
     }
 
     @Test
     void actorContext_leavesItsNamesToMessages() {
-        for (int waitSeconds : List.of(2, 3)) {
-            Motor motor = space.spawn(Motor.class, GearMotor::new);
-            motor.turn(1.5);
-            test.advance(Duration.ofSeconds(waitSeconds));
-            space.stop(motor);
-        }
+        Motor motor = space.spawn(Motor.class, () -> new GearMotor() {
+            @Override
+            public void stop() {
+                log.add("stop at " + ((GearMotor) this).speedRadps);
+                super.stop();
+            }
+        });
+        motor.turn(1.5);
+        test.advance(Duration.ofSeconds(2));
+        motor.turn(2.5);
+        test.advance(Duration.ofSeconds(2));
+        assertThat(log).isEmpty();
+        test.advance(Duration.ofSeconds(1));
+        motor.stop();
         test.runQueued();
-        assertThat(log).containsExactly("1.5 rad/s", "0.0 rad/s");
+        assertThat(log).containsExactly("stop at 2.5", "stop at 0.0");
     }
 
     @Test
