@@ -50,7 +50,6 @@ public abstract class Actor {
 
     /** Makes this object the instance of an actor, before anything of it is started. */
     final void join(ActorCell mine) {
-        ActorType.checkHooks(mine.type(), getClass());
         if (context == null) {
             context = new ActorContext(mine.life());
         } else if (context.cell() == mine) {

@@ -159,7 +159,7 @@ public final class ActorSpace implements AutoCloseable {
         Objects.requireNonNull(actorSettings, "actorSettings");
         checkOpen("spawn", type.getName());
         var proxies = ActorType.of(type);
-        var cell = new ActorCell(home, type, spawned.incrementAndGet(), factory, actorSettings);
+        var cell = new ActorCell(home, type, spawned.incrementAndGet(), proxies.checked(type, factory), actorSettings);
         A proxy = proxies.newProxy(cell);
         cell.bind(proxy);
         home.enqueueMessage(new Entry(cell::start, cell::stop));

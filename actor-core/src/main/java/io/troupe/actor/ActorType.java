@@ -11,6 +11,7 @@ import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.util.Objects;
 import java.util.Optional;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.objenesis.ObjenesisStd;
@@ -107,16 +108,25 @@ abstract class ActorType {
     abstract <A> A newProxy(Object target);
 
     /**
-     * Refuses an implementation that extends {@link Actor} if a message of the type is a hook too. (A class is refused
-     * by {@link ActorMethods}.)
+     * A factory that refuses an implementation that extends {@link Actor}, if a message of the type would be a hook of
+     * it too. (A class is refused by {@link ActorMethods}.)
      */
-    static void checkHooks(Class<?> type, Class<?> implementation) {
-        String hook = type.isInterface() ? of(type).hookMessage : null;
-        if (hook != null) {
-            throw new ActorTypeException(type.getSimpleName() + "." + hook + "() of actor type " + type.getName()
-                    + " is a message, and in its implementation " + implementation.getName() + " also the hook Actor."
-                    + hook + "(): give the message another name, or let the implementation not extend Actor");
+    final <A> Supplier<? extends A> checked(Class<A> type, Supplier<? extends A> factory) {
+        String hook = hookMessage;
+        if (hook == null) {
+            return factory;
         }
+        return () -> {
+            A made = factory.get();
+            if (made instanceof Actor) {
+                throw new ActorTypeException(type.getSimpleName() + "." + hook + "() of actor type " + type.getName()
+                        + " is a message, and in its implementation "
+                        + made.getClass().getName()
+                        + " also the hook Actor." + hook
+                        + "(): give the message another name, or let the implementation not extend Actor");
+            }
+            return made;
+        };
     }
 
     private static ActorType actorOf(Class<?> type, MethodHandles.Lookup lookup) throws ReflectiveOperationException {
