@@ -125,6 +125,7 @@ public final class ActorSpace implements AutoCloseable {
      *
      * @hidden
      */
+    @SuppressWarnings("exports") // for this library only
     public Home home() {
         return home;
     }
