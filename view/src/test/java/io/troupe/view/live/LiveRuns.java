@@ -17,7 +17,7 @@ import java.util.concurrent.Future;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicInteger;
 
-/** Runs of the main job for the tests of the live page, at ports of their own. */
+/** Runs of the main job for the tests of the live page, at separate ports. */
 final class LiveRuns {
     static final Path WORLDS = Path.of("..", "demo", "worlds");
     static final Scenario ARENA = ScenarioReader.read(WORLDS.resolve("paper-arena.world"));
