@@ -106,7 +106,7 @@ class ServiceSoakTest {
 
     @Test
     @Timeout(1_200)
-    void calls_ofAServiceThatHoldsAndIsReplaced_areSettled_andWithoutALimitServed() {
+    void calls_ofAServiceThatHoldsAndIsReplaced_areServedOnce_orEndByTheirLimit_orWithTheirProvider() {
         Soak.rounds(2, ServiceSoakTest::round);
     }
 
@@ -115,6 +115,7 @@ class ServiceSoakTest {
         var served = new LongAdder();
         var fulfilled = new LongAdder();
         var late = new LongAdder();
+        var lost = new LongAdder();
         var watchers = new ArrayList<Watcher>();
         try (var brokers = space(random, "brokers");
                 var providers = space(random, "providers");
@@ -130,7 +131,7 @@ class ServiceSoakTest {
             var load = new ArrayList<Future<@Nullable Void>>();
             for (int caller = 0; caller < CALLERS; caller++) {
                 var own = random.split();
-                load.add(threads.submit(call(desk, callers, own, fulfilled, late)));
+                load.add(threads.submit(call(desk, callers, own, fulfilled, late, lost)));
             }
             for (int i = 0; i < REPLACEMENTS; i++) {
                 var watcher = new Watcher();
@@ -151,7 +152,9 @@ class ServiceSoakTest {
         } catch (Exception failure) {
             throw new AssertionError(failure);
         }
-        assertThat(fulfilled.sum() + late.sum()).as("calls that were settled").isEqualTo((long) CALLERS * CALLS);
+        assertThat(fulfilled.sum() + late.sum() + lost.sum())
+                .as("calls that were settled")
+                .isEqualTo((long) CALLERS * CALLS);
         assertThat(served.sum()).as("calls that ran").isBetween(fulfilled.sum(), (long) CALLERS * CALLS);
         assertThat(watchers).allSatisfy(each -> {
             assertThat(each.ends).as("ends of a callback").hasValue(1);
@@ -160,7 +163,12 @@ class ServiceSoakTest {
     }
 
     private static Callable<@Nullable Void> call(
-            Desk desk, ActorSpace callers, SplittableRandom random, LongAdder fulfilled, LongAdder late) {
+            Desk desk,
+            ActorSpace callers,
+            SplittableRandom random,
+            LongAdder fulfilled,
+            LongAdder late,
+            LongAdder lost) {
         return () -> {
             for (int number = 0; number < CALLS; number++) {
                 int mine = number;
@@ -177,6 +185,9 @@ class ServiceSoakTest {
                 } catch (TimeoutException limit) {
                     assertThat(isLimited).isTrue();
                     late.increment();
+                } catch (ServiceCallException ended) { // it held the call back when it was replaced
+                    assertThat(ended).hasMessageContaining(" ended while ");
+                    lost.increment();
                 }
             }
             return null;
