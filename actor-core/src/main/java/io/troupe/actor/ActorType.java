@@ -7,6 +7,7 @@ import java.lang.invoke.MethodHandle;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.MethodType;
 import java.lang.invoke.VarHandle;
+import java.lang.reflect.Constructor;
 import java.lang.reflect.Field;
 import java.lang.reflect.Modifier;
 import java.util.Objects;
@@ -14,8 +15,6 @@ import java.util.Optional;
 import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
-import org.objenesis.ObjenesisStd;
-import org.objenesis.instantiator.ObjectInstantiator;
 
 /**
  * The generated classes of an actor type, and how to create its proxies. One per type, retained as long as the type.
@@ -168,6 +167,8 @@ abstract class ActorType {
         <A> A newProxy(Object target) {
             try {
                 return (A) constructor.invokeExact(target);
+            } catch (VirtualMachineError e) {
+                throw e; // short of memory or stack
             } catch (Throwable e) {
                 throw new AssertionError("a generated constructor does not throw", e);
             }
@@ -179,22 +180,52 @@ abstract class ActorType {
      * for the real actor.
      */
     private static final class OfClass extends ActorType {
-        private final ObjectInstantiator<?> instantiator;
+        private final Constructor<?> constructor;
         private final VarHandle targetField;
 
         OfClass(MethodHandles.Lookup lookup, Class<?> proxyClass, String field, Class<?> targetType)
                 throws ReflectiveOperationException {
-            instantiator = new ObjenesisStd(false).getInstantiatorOf(proxyClass);
+            constructor = constructorOfObject(proxyClass);
             targetField = lookup.findVarHandle(proxyClass, field, targetType);
         }
 
         @Override
         @SuppressWarnings("unchecked") // the proxy class was generated for A
         <A> A newProxy(Object target) {
-            Object proxy = instantiator.newInstance();
+            Object proxy;
+            try {
+                proxy = constructor.newInstance();
+            } catch (ReflectiveOperationException e) {
+                if (e.getCause() instanceof VirtualMachineError tooShort) {
+                    throw tooShort; // of memory or stack
+                }
+                throw new AssertionError("the constructor of Object does not throw", e);
+            }
             targetField.set(proxy, target);
             VarHandle.releaseFence(); // like a final field: every thread that receives the proxy sees its target
             return (A) proxy;
+        }
+
+        /**
+         * A constructor for instances of a type that runs only the constructor of Object, as it is used for
+         * deserialization. It is called by reflection because javac warns of each mention of its class.
+         */
+        private static Constructor<?> constructorOfObject(Class<?> type) throws ReflectiveOperationException {
+            try {
+                Class<?> factory = Class.forName("sun.reflect.ReflectionFactory");
+                return (Constructor<?>) factory.getMethod(
+                                "newConstructorForSerialization", Class.class, Constructor.class)
+                        .invoke(
+                                factory.getMethod("getReflectionFactory").invoke(null),
+                                type,
+                                Object.class.getConstructor());
+            } catch (ClassNotFoundException e) {
+                throw new ActorTypeException(
+                        "the proxy of a class actor needs module jdk.unsupported, which this Java runtime does not have: "
+                                + "link it with jdk.unsupported, or use an interface instead of "
+                                + type.getSuperclass().getName(),
+                        e);
+            }
         }
     }
 

@@ -6,6 +6,7 @@ import io.troupe.actor.promise.Promise;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
@@ -19,12 +20,12 @@ import org.junit.jupiter.api.Timeout;
 class FirstUseTest {
     private record Result(List<String> lines, int exitCode) {}
 
-    private static Result outputOf(Class<?> program) throws IOException, InterruptedException {
-        var child = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        program.getName())
+    private static Result outputOf(Class<?> program, String... options) throws IOException, InterruptedException {
+        var command = new ArrayList<>(
+                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
+        command.addAll(List.of(options));
+        command.addAll(List.of("-cp", System.getProperty("java.class.path"), program.getName()));
+        var child = new ProcessBuilder(command)
                 .redirectError(ProcessBuilder.Redirect.INHERIT)
                 .start();
         try (var lines = child.inputReader()) {
@@ -40,6 +41,15 @@ class FirstUseTest {
     void proxies_firstMadeAtTheEndOfAStack_canBeMadeLater() throws Exception {
         assertThat(outputOf(EndOfTheStack.class).lines())
                 .containsExactly("failed where the stack ends: true", "made later: hello");
+    }
+
+    @Test
+    void classActor_onARuntimeWithoutTheModuleThatItNeeds_isRejectedWithItsName() throws Exception {
+        Result result = outputOf(ClassActors.class, "--limit-modules", "java.management,jdk.jfr");
+        assertThat(result.lines())
+                .containsExactly("the proxy of a class actor needs module jdk.unsupported, "
+                        + "which this Java runtime does not have: link it with jdk.unsupported, "
+                        + "or use an interface instead of " + Bell.class.getName());
     }
 
     @Test
@@ -102,6 +112,19 @@ class FirstUseTest {
                     made = true;
                 }
                 return 0;
+            }
+        }
+    }
+
+    static class Bell extends Actor {}
+
+    static final class ClassActors {
+        public static void main(String[] arguments) {
+            try (var space = ActorSpace.create(SpaceSettings.named("classes"))) {
+                space.spawn(Greeter.class, Plain::new);
+                System.out.println("not rejected: " + space.spawn(Bell.class, Bell::new));
+            } catch (ActorTypeException e) {
+                System.out.println(e.getMessage());
             }
         }
     }

@@ -21,7 +21,6 @@ import org.jspecify.annotations.NullMarked;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.io.TempDir;
 import org.objectweb.asm.ClassWriter;
-import org.objenesis.Objenesis;
 
 /** Actor types in named modules, with this library as the automatic module of its jar. */
 class NamedModuleTest {
@@ -29,7 +28,7 @@ class NamedModuleTest {
      * Modules that no module requires, because an automatic module requires none by name; on a command line they are
      * passed to --add-modules.
      */
-    private static final Set<String> LIBRARIES = Set.of("org.objectweb.asm", "org.objenesis");
+    private static final Set<String> LIBRARIES = Set.of("org.objectweb.asm");
 
     private static final String HOME = """
             package %s;
@@ -63,8 +62,7 @@ class NamedModuleTest {
 
     @Test
     void namedModule_hasToOpenThePackageOfItsActorTypes() throws Exception {
-        var path =
-                List.of(library(), location(ClassWriter.class), location(Objenesis.class), location(NullMarked.class));
+        var path = List.of(library(), location(ClassWriter.class), location(NullMarked.class));
         home(path, "closed", "");
         home(path, "free", "opens free;");
         home(path, "friend", "opens friend to io.troupe.actor;");

@@ -110,8 +110,7 @@ class ArrowsTest {
                         "javax.management..",
                         "jdk.jfr..",
                         "org.jspecify.annotations..",
-                        "org.objectweb.asm..",
-                        "org.objenesis..")
+                        "org.objectweb.asm..")
                 .check(Classes.of("actor-core"));
     }
 

@@ -17,7 +17,6 @@ class LibrariesTest {
         "org.jbox2d..,             io.troupe.sim.physics io.troupe.bench.worlds",
         "org.dyn4j..,              io.troupe.bench.worlds",
         "org.objectweb.asm..,      io.troupe.actor",
-        "org.objenesis..,          io.troupe.actor",
         "kotlin..,                 io.troupe.actor.kotlin.. io.troupe.bench",
         "kotlinx..,                io.troupe.actor.kotlin.. io.troupe.bench",
         "io.micrometer..,          io.troupe.actor.micrometer",
