@@ -1,5 +1,3 @@
 description = "What the other modules share: reading of text, SVG and DOT, statistics, a NATS server as a child process"
 
 dependencies { api(libs.jspecify) }
-
-tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.common") } }

@@ -17,4 +17,7 @@ providers.gradleProperty("jdk").orNull?.let { jdk -> java.toolchain.languageVers
 
 tasks.withType<JavaCompile>().configureEach { options.release.set(21) }
 
-application { mainClass.set("hello.HelloService") }
+application {
+    mainModule.set("hello")
+    mainClass.set("hello.HelloService")
+}

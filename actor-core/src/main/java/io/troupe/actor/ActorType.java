@@ -233,14 +233,17 @@ abstract class ActorType {
     private static final class TypeRules {
         private TypeRules() {}
 
-        /** Checks a type and returns access to its package. */
+        /** Checks a type and returns access to its package, for classes that have access to this library. */
         static MethodHandles.Lookup check(Class<?> type) {
             checkShape(type);
             if (!type.isInterface()) {
                 checkFields(type);
             }
+            Module library = ActorType.class.getModule();
+            library.addReads(type.getModule()); // which may require this library, but not the other way round
             MethodHandles.Lookup lookup = lookupIn(type);
             checkSeesActors(type);
+            library.addExports(Message.class.getPackageName(), type.getModule());
             return lookup;
         }
 

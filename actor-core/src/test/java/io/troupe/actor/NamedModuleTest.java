@@ -1,35 +1,32 @@
 package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
+import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import java.io.File;
 import java.io.IOException;
+import java.io.PrintWriter;
+import java.io.StringWriter;
 import java.lang.module.ModuleFinder;
 import java.net.URISyntaxException;
-import java.nio.file.Files;
 import java.nio.file.Path;
-import java.util.HashSet;
+import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.jar.Attributes;
-import java.util.jar.JarEntry;
-import java.util.jar.JarOutputStream;
-import java.util.jar.Manifest;
+import java.util.concurrent.TimeUnit;
+import java.util.spi.ToolProvider;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 import org.jspecify.annotations.NullMarked;
 import org.junit.jupiter.api.Test;
+import org.junit.jupiter.api.Timeout;
+import org.junit.jupiter.api.condition.EnabledIfSystemProperty;
 import org.junit.jupiter.api.io.TempDir;
 import org.objectweb.asm.ClassWriter;
 
-/** Actor types in named modules, with this library as the automatic module of its jar. */
+/** Actor types in named modules, with this library as a module. */
+@Timeout(300)
 class NamedModuleTest {
-    /**
-     * Modules that no module requires, because an automatic module requires none by name; on a command line they are
-     * passed to --add-modules.
-     */
-    private static final Set<String> LIBRARIES = Set.of("org.objectweb.asm");
-
     private static final String HOME = """
             package %s;
             import io.troupe.actor.Actor;
@@ -39,6 +36,11 @@ class NamedModuleTest {
             interface Lamp { Promise<String> light(String colour); }
             class Bell extends Actor { public Promise<String> ring() { return Promise.of("ding"); } }
             public final class Home {
+                public static void main(String[] arguments) {
+                    System.out.println(ModuleLayer.boot().modules().size() < 12 ? "few modules" : "many modules");
+                    System.out.println(Home.class.getModule().isNamed() + ", " + Actor.class.getModule().isNamed());
+                    System.out.println(live());
+                }
                 public static String live() {
                     try (var test = new TestSpace()) {
                         Lamp lamp = test.spawn(Lamp.class, () -> colour -> Promise.of(colour + " light"));
@@ -62,13 +64,12 @@ class NamedModuleTest {
 
     @Test
     void namedModule_hasToOpenThePackageOfItsActorTypes() throws Exception {
-        var path = List.of(library(), location(ClassWriter.class), location(NullMarked.class));
-        home(path, "closed", "");
-        home(path, "free", "opens free;");
-        home(path, "friend", "opens friend to io.troupe.actor;");
-        module(path, "deaf", "opens deaf;", "deaf.Plain", "package deaf; public interface Plain { void go(); }");
+        home("closed", "");
+        home("free", "opens free;");
+        home("friend", "opens friend to io.troupe.actor;");
+        module("deaf", "opens deaf;", "deaf.Plain", "package deaf; public interface Plain { void go(); }");
 
-        ModuleLayer layer = layer(path, Set.of("closed", "free", "friend", "deaf"));
+        ModuleLayer layer = layer(Set.of("closed", "free", "friend", "deaf"));
         Class<?> closed = layer.findLoader("closed").loadClass("closed.Home");
         Class<?> free = layer.findLoader("free").loadClass("free.Home");
         Class<?> friend = layer.findLoader("friend").loadClass("friend.Home");
@@ -85,6 +86,49 @@ class NamedModuleTest {
                 .contains("\"requires io.troupe.actor;\"");
     }
 
+    /** The JVM of a test has all modules of the JDK; this one has those that are required. */
+    @Test
+    void program_onTheModulePath_requiresTheLibraryAlone() throws Exception {
+        home("free", "opens free;");
+
+        assertThat(java(running(), "-p", path(library(), asm(), folder), "-m", "free/free.Home"))
+                .contains("true, true", "red light, ding");
+    }
+
+    @Test
+    void program_onTheClassPathOfTheModule_canHaveActorTypes() throws Exception {
+        home("free", "opens free;");
+
+        var options = List.of("-p", path(library(), asm()), "--add-modules", "io.troupe.actor");
+        var command = new ArrayList<>(options);
+        command.addAll(List.of("-cp", folder.resolve("free").toString(), "free.Home"));
+        assertThat(java(running(), command.toArray(String[]::new))).contains("false, true", "red light, ding");
+    }
+
+    /** Seconds for the linker. */
+    @Test
+    @EnabledIfSystemProperty(named = "thorough", matches = ".*")
+    void program_thatIsLinked_runs() throws Exception {
+        home("free", "opens free;");
+        ToolProvider linker = ToolProvider.findFirst("jlink").orElse(null);
+        assumeTrue(linker != null, "a runtime without a linker");
+
+        Path image = folder.resolve("image");
+        var output = new StringWriter();
+        var writer = new PrintWriter(output);
+        int status = linker.run(
+                writer,
+                writer,
+                "--module-path",
+                path(library(), asm(), folder),
+                "--add-modules",
+                "free",
+                "--output",
+                image.toString());
+        assertThat(status).as("jlink says: %s", output).isZero();
+        assertThat(java(image, "-m", "free/free.Home")).containsExactly("few modules", "true, true", "red light, ding");
+    }
+
     private static Object live(Class<?> home) throws ReflectiveOperationException {
         return home.getMethod("live").invoke(null);
     }
@@ -93,53 +137,56 @@ class NamedModuleTest {
         return (String) home.getMethod("refusal", Class.class).invoke(null, type);
     }
 
-    private ModuleLayer layer(List<Path> path, Set<String> names) {
-        var all = Stream.concat(path.stream(), names.stream().map(folder::resolve))
-                .toArray(Path[]::new);
+    private ModuleLayer layer(Set<String> names) throws URISyntaxException {
         ModuleLayer boot = ModuleLayer.boot();
-        var roots = new HashSet<>(names);
-        roots.addAll(LIBRARIES);
-        var configuration = boot.configuration().resolve(ModuleFinder.of(all), ModuleFinder.of(), roots);
+        var finder = ModuleFinder.of(library(), asm(), folder);
+        var configuration = boot.configuration().resolve(finder, ModuleFinder.of(), names);
         var parent = ClassLoader.getPlatformClassLoader();
         return ModuleLayer.defineModulesWithOneLoader(configuration, List.of(boot), parent)
                 .layer();
     }
 
-    private void home(List<Path> path, String name, String opening) throws IOException {
+    private void home(String name, String opening) throws Exception {
         String directives = "requires io.troupe.actor; exports " + name + "; " + opening;
-        module(path, name, directives, name + ".Home", HOME.formatted(name));
+        module(name, directives, name + ".Home", HOME.formatted(name));
     }
 
-    private void module(List<Path> path, String name, String directives, String className, String source)
-            throws IOException {
-        String modulePath = path.stream().map(Path::toString).collect(Collectors.joining(File.pathSeparator));
+    private void module(String name, String directives, String className, String source) throws Exception {
         new Compiled(folder.resolve(name))
                 .add("module-info", "module " + name + " { " + directives + " }")
                 .add(className, source)
-                .compile("--module-path", modulePath);
+                .compile("--module-path", path(library(), asm(), location(NullMarked.class)));
     }
 
-    /** The library as it is published: a jar with its module name. A folder of classes is not an automatic module. */
-    private Path library() throws Exception {
-        Path classes = location(ActorSpace.class);
-        if (!Files.isDirectory(classes)) {
-            return classes;
+    /** What a program prints on a Java runtime, whose errors are those of the test. */
+    private static List<String> java(Path home, String... options) throws IOException, InterruptedException {
+        var command = new ArrayList<>(List.of(home.resolve("bin/java").toString()));
+        command.addAll(List.of(options));
+        var child = new ProcessBuilder(command)
+                .redirectError(ProcessBuilder.Redirect.INHERIT)
+                .start();
+        try (var lines = child.inputReader()) {
+            return lines.lines().toList();
+        } finally {
+            child.destroy();
+            child.waitFor(1, TimeUnit.MINUTES);
         }
-        var manifest = new Manifest();
-        manifest.getMainAttributes().put(Attributes.Name.MANIFEST_VERSION, "1.0");
-        manifest.getMainAttributes().putValue("Automatic-Module-Name", "io.troupe.actor");
-        Path jar = folder.resolve("actor-core.jar");
-        try (var out = new JarOutputStream(Files.newOutputStream(jar), manifest);
-                Stream<Path> files = Files.walk(classes)) {
-            var compiled = files.filter(each -> each.toString().endsWith(".class"));
-            for (Path file : compiled.toList()) {
-                String entry = classes.relativize(file).toString().replace(File.separatorChar, '/');
-                out.putNextEntry(new JarEntry(entry));
-                Files.copy(file, out);
-                out.closeEntry();
-            }
-        }
-        return jar;
+    }
+
+    private static Path running() {
+        return Path.of(System.getProperty("java.home"));
+    }
+
+    private static String path(Path... places) {
+        return Stream.of(places).map(Path::toString).collect(Collectors.joining(File.pathSeparator));
+    }
+
+    private static Path library() throws URISyntaxException {
+        return location(ActorSpace.class);
+    }
+
+    private static Path asm() throws URISyntaxException {
+        return location(ClassWriter.class);
     }
 
     private static Path location(Class<?> type) throws URISyntaxException {

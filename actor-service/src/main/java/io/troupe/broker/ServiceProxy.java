@@ -93,6 +93,7 @@ final class ServiceProxy implements InvocationHandler {
 
     private static MethodHandle inherited(Method method) throws IllegalAccessException {
         Class<?> owner = method.getDeclaringClass();
+        ServiceProxy.class.getModule().addReads(owner.getModule());
         return MethodHandles.privateLookupIn(owner, MethodHandles.lookup()).unreflectSpecial(method, owner);
     }
 

@@ -38,6 +38,7 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Errors.</b> A rejection without a listener is reported to the error handler of the promise's space. That of a
  * deferred without a space is not reported.
  */
+@SuppressWarnings("exports") // what is hidden is for this module and its sisters
 public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     private final @Nullable Home home;
     private final boolean madeOutside;

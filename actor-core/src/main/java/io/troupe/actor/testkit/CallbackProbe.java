@@ -24,6 +24,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Errors.</b> A result or an end after the end throws an {@link IllegalStateException} to the sender.
  */
+@SuppressWarnings("exports") // a cancellation flag is a callback of this library, not an interface for users
 public final class CallbackProbe<T extends @Nullable Object> implements Callback<T>, CancellationFlag {
     private final TestSpace test;
     private final List<T> results = new ArrayList<>();

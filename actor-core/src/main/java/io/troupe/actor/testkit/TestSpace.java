@@ -43,6 +43,9 @@ public final class TestSpace implements AutoCloseable {
             .withOnDeadLetter(deadLetters::add)
             .withoutThread());
 
+    /** Creates a space whose clock shows 0. */
+    public TestSpace() {}
+
     public ActorSpace space() {
         return space;
     }

@@ -26,6 +26,9 @@ public final class ManualClock implements Clock {
     private final AtomicLong nanos = new AtomicLong();
     private final List<Runnable> listeners = new CopyOnWriteArrayList<>();
 
+    /** Creates a clock that shows 0. */
+    public ManualClock() {}
+
     @Override
     public long nanos() {
         return nanos.get();

@@ -186,6 +186,21 @@ class BuildAgreementTest {
         }
     }
 
+    /** In Maven the file switches the entry off by itself. The module {@code checks} has no jar. */
+    @Test
+    void everyModule_hasAModuleInfo_orAnAutomaticName() throws IOException {
+        var modules = GradleReader.read(Repository.root()).modules();
+        for (Path module : Repository.modules()) {
+            var name = modules.get(module.getFileName().toString()).automaticName();
+            if (module.endsWith("checks")) {
+                continue;
+            }
+            assertThat(name.isEmpty())
+                    .as(module + " has no Automatic-Module-Name")
+                    .isEqualTo(Files.exists(module.resolve("src/main/java/module-info.java")));
+        }
+    }
+
     /** As many modules at a time, and JVMs with the same options unless the tests are thorough. */
     @Test
     void testsOfBothBuilds_runInTheSameWay() throws IOException {

@@ -377,6 +377,8 @@ class BuildReadersTest {
             <dependencies><dependency><scope>system</scope></dependency></dependencies> | scope system is not understood
             <build><x><release>17</release></x></build> | core/pom.xml: <release> is not understood
             <profiles><profile><dependencies/></profile></profiles> | core/pom.xml: <dependencies> in a profile
+            <profiles><profile><build><plugin><artifactId>a</artifactId></plugin></build></profile></profiles> | \
+            core/pom.xml: the plugin a in a profile
             """)
     void element_thatIsNotUnderstood_isRefused(String element, String message) {
         assertRefused(() -> read(element), message);

@@ -34,7 +34,14 @@ final class PomReader {
     private static final Set<String> UNDERSTOOD = words("modelVersion parent groupId artifactId version packaging name"
             + " description url inceptionYear licenses developers scm modules properties dependencies build profiles");
     private static final Set<String> IN_DEPENDENCY = words("groupId artifactId version type scope exclusions");
-    private static final Set<String> IN_PROFILE = words("id activation properties");
+    private static final Set<String> IN_PROFILE = words("id activation properties build");
+    /** Those that may be configured in a profile: Gradle has no counterpart of what they do there. */
+    private static final Set<String> PLUGINS_IN_PROFILE =
+            words("maven-clean-plugin maven-compiler-plugin maven-jar-plugin maven-javadoc-plugin");
+
+    /** The execution that compiles descriptors of modules, for an older Java than the classes. */
+    private static final String OF_DESCRIPTORS = "module-info";
+
     private static final String KOTLIN_PLUGIN = "kotlin-maven-plugin";
     private static final String EXEC_PLUGIN = "exec-maven-plugin";
     private static final Pattern PROGRAM =
@@ -191,12 +198,33 @@ final class PomReader {
     /** Rejects everything else that could add a dependency or change the release level. */
     private static void requireUnderstood(String file, Element project) {
         requireOnly(UNDERSTOOD, file, project, "");
-        all(project, "profiles", "profile").forEach(profile -> requireOnly(IN_PROFILE, file, profile, " in a profile"));
+        for (Element profile : all(project, "profiles", "profile")) {
+            requireOnly(IN_PROFILE, file, profile, " in a profile");
+            for (Element plugin : within(profile, "plugin")) {
+                var name = text(plugin, "artifactId");
+                NotUnderstood.unless(
+                        PLUGINS_IN_PROFILE.contains(name)
+                                && within(plugin, "dependency").isEmpty()
+                                && within(plugin, "annotationProcessorPaths").isEmpty(),
+                        file + ": the plugin " + name + " in a profile is not understood");
+            }
+        }
         for (String name : List.of("release", "source", "target", "testRelease")) {
             NotUnderstood.unless(
-                    project.getElementsByTagName(name).getLength() == 0,
+                    within(project, name).stream()
+                            .allMatch(
+                                    each -> text((Element) each.getParentNode().getParentNode(), "id")
+                                            .equals(OF_DESCRIPTORS)),
                     file + ": <" + name + "> is not understood, the level is the property maven.compiler.release");
         }
+    }
+
+    private static List<Element> within(Element parent, String name) {
+        var found = parent.getElementsByTagName(name);
+        return IntStream.range(0, found.getLength())
+                .mapToObj(found::item)
+                .map(Element.class::cast)
+                .toList();
     }
 
     private static void requireOnly(Set<String> understood, String file, Element parent, String where) {

@@ -9,6 +9,7 @@ import com.sun.source.util.JavacTask;
 import com.sun.source.util.TreePath;
 import io.troupe.checks.Repository;
 import io.troupe.checks.docs.ApiSizeTest.PublicTypes.PublicType;
+import java.io.File;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;
@@ -21,6 +22,8 @@ import java.util.Objects;
 import java.util.TreeMap;
 import java.util.regex.MatchResult;
 import java.util.regex.Pattern;
+import java.util.stream.Collectors;
+import java.util.stream.Stream;
 import javax.lang.model.element.Modifier;
 import javax.tools.ToolProvider;
 import org.junit.jupiter.api.Test;
@@ -133,7 +136,7 @@ class ApiSizeTest {
         var output = new StringWriter();
         var arguments = List.of(
                 List.of("-quiet", "-Xdoclint:none", "-d", folder.toString()),
-                List.of("-classpath", System.getProperty("java.class.path")),
+                List.of("--module-path", modules()),
                 List.of("-sourcepath", SOURCES.toString(), "-subpackages", "io.troupe.actor"),
                 List.of("-exclude", "io.troupe.actor.internal:io.troupe.actor.internal.loop"));
         var javadoc = java.util.spi.ToolProvider.findFirst("javadoc").orElseThrow();
@@ -148,8 +151,15 @@ class ApiSizeTest {
         return texts;
     }
 
+    /** The libraries that the descriptor of the module names. */
+    private static String modules() {
+        return Stream.of(System.getProperty("java.class.path").split(File.pathSeparator))
+                .filter(each -> each.matches(".*[/\\\\](asm|jspecify)-[\\d.]+\\.jar"))
+                .collect(Collectors.joining(File.pathSeparator));
+    }
+
     private static String page(PublicType type) {
-        return type.name().replace('.', '/') + ".html";
+        return "io.troupe.actor/" + type.name().replace('.', '/') + ".html";
     }
 
     /** Reads the public top-level types of a source folder, with their Javadoc, by the compiler's own parser. */
