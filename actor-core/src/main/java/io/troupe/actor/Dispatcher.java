@@ -407,6 +407,8 @@ final class Dispatcher {
 
     /**
      * Takes the next callback from the inbox. There is one, but its sender may be between the two steps of queueing it.
+     * Callbacks keep their order and senders take no lock, so this thread has to wait: while a debugger, a signal or a
+     * low priority holds such a sender, it occupies its processor and runs nothing.
      */
     private Node nextArrival() {
         for (int look = 0; ; look++) {
