@@ -2,6 +2,7 @@ package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.ActorProxy;
+import io.troupe.actor.internal.Forwarder;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.Request;
@@ -40,6 +41,7 @@ final class ActorCell extends Recipient {
     private final int number;
     private @Nullable Supplier<?> factory; // null after the end: what it refers to must not stay behind
     private final ActorSettings settings;
+    private final boolean forwards; // a Forwarder passes its calls on
     private final @Nullable BoundedMailbox mailbox;
     private @Nullable Object implementation; // null if the slow path is to decide: calls are held back or bounded
     private @Nullable Object instance;
@@ -69,6 +71,7 @@ final class ActorCell extends Recipient {
         this.life = new Incarnation(this);
         this.number = number;
         this.factory = factory;
+        this.forwards = factory instanceof Forwarder.Factory;
         this.settings = settings;
         MailboxBound bound = settings.mailbox();
         this.mailbox = bound == null ? null : new BoundedMailbox(bound);
@@ -410,7 +413,9 @@ final class ActorCell extends Recipient {
         if (exceptional != null && exceptional.standsForPool) {
             return "all actors of the " + this + " have stopped";
         }
-        return space.isStopping() ? "space " + space + " is closed" : "the actor " + this + " has stopped";
+        return space.isStopping()
+                ? "space " + space + " is closed"
+                : (forwards ? "the connection " : "the actor ") + this + (forwards ? " is closed" : " has stopped");
     }
 
     /** Restarts the actor, after a pause if its supervision or its failed starts require one. */
@@ -506,10 +511,11 @@ final class ActorCell extends Recipient {
     }
 
     /**
-     * What calls may invoke without the slow path: the instance, unless calls are bounded, observed or have a quota.
+     * What calls may invoke without the slow path: the instance, unless calls are bounded, observed, passed on or have
+     * a quota.
      */
     private @Nullable Object direct(@Nullable Object target) {
-        return mailbox == null && share() == null && space.settings.callObserver() == null ? target : null;
+        return !forwards && mailbox == null && share() == null && space.settings.callObserver() == null ? target : null;
     }
 
     private @Nullable Share share() {
@@ -561,7 +567,9 @@ final class ActorCell extends Recipient {
             }
             CallObserver.Turn turn = beginTurn();
             try {
-                if (call instanceof Message message) {
+                if (target instanceof Forwarder forwarder) {
+                    forward(call, forwarder);
+                } else if (call instanceof Message message) {
                     message.serveWith(target);
                 } else {
                     ((Request<?>) call).serveWith(target);
@@ -574,6 +582,14 @@ final class ActorCell extends Recipient {
                     turn.end();
                 }
             }
+        }
+    }
+
+    private static void forward(Node call, Forwarder forwarder) {
+        if (call instanceof Message message) {
+            forwarder.forward(message);
+        } else {
+            ((Request<?>) call).serveBy(forwarder);
         }
     }
 
@@ -717,8 +733,24 @@ final class ActorCell extends Recipient {
     }
 
     @Override
+    protected void cancelled(Request<?> request) {
+        if (forwards) {
+            space.enqueue(Entry.urgent(() -> abandoned(request), () -> {}));
+        }
+    }
+
+    @Override
     protected void timedOut(Request<?> request) {
         space.reports().logArgumentsOfLate(request);
+        if (request.isAbandoned()) {
+            cancelled(request);
+        }
+    }
+
+    private void abandoned(Request<?> request) {
+        if (instance instanceof Forwarder forwarder) {
+            guard("the end of a call", () -> forwarder.abandoned(request));
+        }
     }
 
     /** True if an exception of a request or of a listener is a failure of the actor. */

@@ -1,6 +1,7 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.SuspendingCalls;
+import io.troupe.actor.internal.TypeArguments;
 import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodType;
 import java.lang.reflect.GenericArrayType;
@@ -9,23 +10,18 @@ import java.lang.reflect.Modifier;
 import java.lang.reflect.Parameter;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.Type;
-import java.lang.reflect.TypeVariable;
 import java.lang.reflect.WildcardType;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;
-import java.util.HashMap;
-import java.util.HashSet;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Optional;
-import java.util.Set;
 import java.util.concurrent.CompletionStage;
 import java.util.concurrent.Future;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
-import org.jspecify.annotations.Nullable;
 
 /**
  * The methods of an actor type that are messages.
@@ -175,15 +171,7 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
 
     /** The method as in source code: {@code Greeter.greet(String)}. */
     static String show(Method method) {
-        return method.getDeclaringClass().getSimpleName() + "." + signature(method);
-    }
-
-    /** Without what Kotlin's compiler adds: the mark of value classes, and the continuation. */
-    static String signature(Method method) {
-        return SuspendingCalls.nameOf(method)
-                + Arrays.stream(SuspendingCalls.parameters(method))
-                        .map(Class::getSimpleName)
-                        .collect(Collectors.joining(", ", "(", ")"));
+        return method.getDeclaringClass().getSimpleName() + "." + SuspendingCalls.signature(method);
     }
 
     /**
@@ -454,98 +442,6 @@ record ActorMethods(List<Method> messages, List<Bridge> bridges, List<Method> re
         static ActorTypeException wrong(Class<?> type, Method method, String problem) {
             return new ActorTypeException(
                     ActorMethods.show(method) + " of actor type " + type.getName() + " " + problem);
-        }
-    }
-
-    /**
-     * Resolves the type variables of a type's supertypes: {@code put(T)} of a {@code Box<String>} is
-     * {@code put(String)}.
-     */
-    private static final class TypeArguments {
-        private final Map<TypeVariable<?>, Type> arguments = new HashMap<>();
-
-        TypeArguments(Class<?> type) {
-            collectAbove(type);
-        }
-
-        private void collectAbove(Class<?> type) {
-            collect(type.getGenericSuperclass());
-            for (Type parent : type.getGenericInterfaces()) {
-                collect(parent);
-            }
-        }
-
-        private void collect(@Nullable Type parent) {
-            if (parent instanceof ParameterizedType generic) {
-                note(generic);
-                collectAbove((Class<?>) generic.getRawType());
-            } else if (parent instanceof Class<?> plain) {
-                collectAbove(plain);
-            }
-        }
-
-        private void note(ParameterizedType generic) {
-            TypeVariable<?>[] variables = ((Class<?>) generic.getRawType()).getTypeParameters();
-            for (int index = 0; index < variables.length; index++) {
-                arguments.put(variables[index], generic.getActualTypeArguments()[index]);
-            }
-            if (generic.getOwnerType() instanceof ParameterizedType owner) {
-                note(owner);
-            }
-        }
-
-        /** The classes of a method's parameters, with type variables resolved. */
-        List<? extends Class<?>> parameters(Method method) {
-            return Arrays.stream(method.getGenericParameterTypes())
-                    .map(this::erase)
-                    .toList();
-        }
-
-        private Class<?> erase(Type type) {
-            return switch (type) {
-                case Class<?> plain -> plain;
-                case ParameterizedType generic -> (Class<?>) generic.getRawType();
-                case GenericArrayType array ->
-                    erase(array.getGenericComponentType()).arrayType();
-                case WildcardType wildcard -> erase(wildcard.getUpperBounds()[0]);
-                case TypeVariable<?> variable -> {
-                    Type argument = arguments.get(variable);
-                    yield erase(argument == null ? variable.getBounds()[0] : argument);
-                }
-                default -> throw new AssertionError("reflection knows no such type: " + type);
-            };
-        }
-
-        /**
-         * True if the class, or a subtype of it, occurs in the type: as the type itself, as an element or argument, or
-         * as a bound.
-         */
-        boolean mentions(Type type, Class<?> wanted) {
-            return mentions(type, wanted, new HashSet<>());
-        }
-
-        private boolean mentions(Type type, Class<?> wanted, Set<Type> seen) {
-            if (!seen.add(type)) {
-                return false; // a recursive bound, as in T extends Comparable<T>
-            }
-            return switch (type) {
-                case Class<?> array when array.isArray() -> mentions(array.getComponentType(), wanted, seen);
-                case Class<?> plain -> wanted.isAssignableFrom(plain);
-                case ParameterizedType generic ->
-                    mentions(generic.getRawType(), wanted, seen) || any(generic.getActualTypeArguments(), wanted, seen);
-                case GenericArrayType array -> mentions(array.getGenericComponentType(), wanted, seen);
-                case WildcardType wildcard ->
-                    any(wildcard.getUpperBounds(), wanted, seen) || any(wildcard.getLowerBounds(), wanted, seen);
-                case TypeVariable<?> variable -> {
-                    Type argument = arguments.get(variable);
-                    yield argument == null ? any(variable.getBounds(), wanted, seen) : mentions(argument, wanted, seen);
-                }
-                default -> throw new AssertionError("reflection knows no such type: " + type);
-            };
-        }
-
-        private boolean any(Type[] types, Class<?> wanted, Set<Type> seen) {
-            return Arrays.stream(types).anyMatch(type -> mentions(type, wanted, seen));
         }
     }
 }

@@ -5,7 +5,9 @@ import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Clock;
+import java.lang.reflect.Method;
 import java.time.Duration;
+import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.Callable;
 import java.util.concurrent.CancellationException;
@@ -98,6 +100,16 @@ public final class ActorSpace implements AutoCloseable {
     /** The space whose thread is calling, or null. */
     public static @Nullable ActorSpace current() {
         return Home.current() instanceof SpaceHome here ? here.facade() : null;
+    }
+
+    /**
+     * The methods of an actor type that are messages: for code that sends its calls elsewhere. Of an interface these
+     * are the abstract methods, and the default methods that return {@code void} or a {@link Promise}, or suspend.
+     *
+     * @throws ActorTypeException if a method cannot be a message
+     */
+    public static List<Method> messages(Class<?> type) {
+        return List.copyOf(ActorMethods.of(type).messages());
     }
 
     /**

@@ -361,7 +361,7 @@ final class ProxyGenerator {
         private void methodName(ClassWriter writer) {
             MethodVisitor code = writer.visitMethod(ACC_PROTECTED, "method", "()Ljava/lang/String;", null, null);
             code.visitCode();
-            code.visitLdcInsn(type.getSimpleName() + "." + ActorMethods.signature(method));
+            code.visitLdcInsn(type.getSimpleName() + "." + SuspendingCalls.signature(method));
             code.visitInsn(ARETURN);
             finish(code);
         }

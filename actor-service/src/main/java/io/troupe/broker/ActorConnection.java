@@ -2,9 +2,11 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.internal.Forwarder;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.util.Objects;
+import java.util.function.Supplier;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
 
@@ -26,8 +28,8 @@ import java.util.stream.Stream;
  * <p><b>Order.</b> Calls of one sender reach one provider in the order in which they were made. At most once: a call is
  * never sent to a second provider, because the first may already have executed it.
  *
- * <p><b>Cost.</b> A call takes two messages and a reflective invocation instead of one message: the connection is an
- * actor on the space of the code that created it. This keeps calls and their time limits in order without locks.
+ * <p><b>Cost.</b> A call takes two messages instead of one: the connection is an actor of the same type, on the space
+ * of the code that created it, and passes the call on. This keeps calls and their time limits in order without locks.
  *
  * <p><b>Errors.</b> While there is no provider, a request is queued until its limit. It is rejected with a
  * {@link ServiceCallException} if no provider is found, if its provider ends before the answer, or if the provider does
@@ -39,13 +41,11 @@ import java.util.stream.Stream;
  */
 public final class ActorConnection<A> implements AutoCloseable {
     private final ActorSpace space;
-    private final CallDispatcher dispatcher;
     private final A actor;
     private final Promise<ServiceRecord> first;
 
-    private ActorConnection(ActorSpace space, CallDispatcher dispatcher, A actor, Promise<ServiceRecord> first) {
+    private ActorConnection(ActorSpace space, A actor, Promise<ServiceRecord> first) {
         this.space = space;
-        this.dispatcher = dispatcher;
         this.actor = actor;
         this.first = first;
     }
@@ -53,11 +53,14 @@ public final class ActorConnection<A> implements AutoCloseable {
     static <A> ActorConnection<A> open(
             ActorSpace space, ActorServices services, Class<A> type, Need need, ConnectionSettings settings) {
         Deferred<ServiceRecord> first = Deferred.unbound();
-        CallDispatcher dispatcher = space.spawn(
-                CallDispatcher.class,
-                () -> new CallDispatcherActor(services, type, need, settings, first),
-                ActorSettings.named(name(need)));
-        return new ActorConnection<>(space, dispatcher, ServiceProxy.of(type, need, space, dispatcher), first);
+        Forwarder.Factory link = () -> new ServiceLink(services, type, need, settings, first);
+        A actor = space.spawn(type, asActor(link), ActorSettings.named(name(need)));
+        return new ActorConnection<>(space, actor, first);
+    }
+
+    @SuppressWarnings("unchecked") // the space passes calls to a forwarder as messages, not by the methods of A
+    private static <A> Supplier<A> asActor(Forwarder.Factory link) {
+        return (Supplier<A>) (Supplier<?>) link;
     }
 
     /** Of the actor that passes the calls on, for logs and graphs: "wallFollower for arbitrator". */
@@ -92,6 +95,6 @@ public final class ActorConnection<A> implements AutoCloseable {
     /** Closes the connection; calls without an answer are rejected. */
     @Override
     public void close() {
-        space.stop(dispatcher);
+        space.stop(actor);
     }
 }

@@ -2,10 +2,12 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
-import java.lang.reflect.InvocationTargetException;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;
 import java.util.function.Consumer;
@@ -64,19 +66,21 @@ final class ActorProvider<A> implements Provider {
 
         @Override
         @Nullable
-        Promise<?> send(CallDispatcher.Call call, RemoteCaller remote, Duration limit) throws NotSentException {
+        Promise<?> send(Class<?> type, Node call, RemoteCaller remote, Duration limit) throws NotSentException {
             try {
-                return (Promise<?>) CallableMethods.CallableMethod.invoke(call.method, proxy, call.toInvoke());
-            } catch (InvocationTargetException thrown) {
-                throw new NotSentException(thrown.getTargetException());
-            } catch (IllegalAccessException impossible) {
-                throw new AssertionError("the connection was made with access to " + call, impossible);
+                if (call instanceof Message message) {
+                    message.serveWith(proxy);
+                    return null;
+                }
+                return ((Request<?>) call).sendTo(proxy);
+            } catch (Throwable thrown) { // by the proxy: for example a full mailbox
+                throw new NotSentException(thrown);
             }
         }
 
         @Override
         @Nullable
-        Object result(CallDispatcher.Call call, @Nullable Object answer) {
+        Object result(Class<?> type, Node call, @Nullable Object answer) {
             return answer;
         }
     }

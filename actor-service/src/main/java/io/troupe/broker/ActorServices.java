@@ -170,9 +170,11 @@ public final class ActorServices {
         return new ActorProvider<>(address, space, type, factory, settings, actors);
     }
 
-    /** Throws if other processes may call the actor, and cannot. */
+    /** Throws if it is no actor type, and if other processes may call the actor, and cannot. */
     private void checkCallable(Class<?> type) {
-        if (bus != null) {
+        if (bus == null) {
+            ActorSpace.messages(type);
+        } else {
             interfaces.of(type);
         }
     }
@@ -186,11 +188,15 @@ public final class ActorServices {
      * Connects to the current provider of a service, and after a failover or replacement to the next one.
      *
      * @param type the interface to call; providers must be published by this interface or one that extends it
-     * @throws IllegalArgumentException if it is not an interface whose methods return {@code void} or {@link Promise},
-     *     or are suspend functions of Kotlin
+     * @throws IllegalArgumentException if it is a class
+     * @throws io.troupe.actor.ActorTypeException if it is no actor type
      */
     public <A> ActorConnection<A> connect(Class<A> type, Need need, ConnectionSettings settings) {
-        ServiceProxy.check(type);
+        if (!type.isInterface()) {
+            throw new IllegalArgumentException(
+                    "a connection is made by an interface, and " + type.getName() + " is a class: publish it by one");
+        }
+        ActorSpace.messages(type);
         ActorSpace current = ActorSpace.current();
         return ActorConnection.open(current == null ? home : current, this, type, need, settings);
     }

@@ -1,7 +1,9 @@
 package io.troupe.broker;
 
+import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
 import io.troupe.actor.internal.SuspendingCalls;
+import io.troupe.actor.internal.TypeArguments;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.internal.CborItem;
 import io.troupe.bus.internal.CborReader;
@@ -18,12 +20,9 @@ import java.lang.reflect.Modifier;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.Type;
 import java.util.Arrays;
-import java.util.Comparator;
-import java.util.HashMap;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;
-import java.util.Objects;
 import java.util.Optional;
 import java.util.function.ToLongFunction;
 import java.util.stream.Collectors;
@@ -31,7 +30,7 @@ import org.jspecify.annotations.Nullable;
 
 /**
  * The methods of an actor interface as they are called from other processes: their names there, and their arguments and
- * results as bytes. Default methods are not among them, because they run at the caller.
+ * results as bytes. They are the messages of the type ({@link ActorSpace#messages}).
  *
  * <p><b>Threads.</b> Any thread.
  */
@@ -39,7 +38,6 @@ final class CallableMethods {
     private static final int EXPECTED_SIZE = 128;
 
     private final Map<String, CallableMethod> byName = new LinkedHashMap<>();
-    private final Map<Method, CallableMethod> byMethod = new HashMap<>();
 
     /** Values of any type as bytes, shared by the interfaces of one process. */
     static final class Values {
@@ -105,20 +103,11 @@ final class CallableMethods {
                     type.getName() + " cannot be called from other hosts: it is a class, expected an interface");
         }
         var methods = new CallableMethods();
-        Arrays.stream(type.getMethods())
-                .filter(method -> Modifier.isAbstract(method.getModifiers()) && !isOfObject(method))
-                .sorted(Comparator.comparing(CallableMethods::nameOf)
-                        .thenComparing(method -> method.toGenericString())) // independent of the order of reflection
-                .forEach(method -> methods.add(new CallableMethod(type, method, values)));
+        var arguments = new TypeArguments(type);
+        for (Method method : ActorSpace.messages(type)) {
+            methods.add(new CallableMethod(type, method, arguments, values));
+        }
         return methods;
-    }
-
-    private static boolean isOfObject(Method method) {
-        return switch (method.getName()) {
-            case "hashCode", "toString" -> method.getParameterCount() == 0;
-            case "equals" -> Arrays.equals(method.getParameterTypes(), new Class<?>[] {Object.class});
-            default -> false;
-        };
     }
 
     private void add(CallableMethod method) {
@@ -127,7 +116,6 @@ final class CallableMethods {
             throw method.rejection("there is " + shown(before.method) + " as well as " + shown(method.method)
                     + ", expected methods that differ in the simple names of their types");
         }
-        byMethod.put(method.method, before == null ? method : before);
     }
 
     private static String shown(Method method) {
@@ -136,20 +124,16 @@ final class CallableMethods {
                 .collect(Collectors.joining(", ", method.getName() + "(", ")"));
     }
 
-    /** The name of a method in a call. */
-    static String nameOf(Method method) {
-        return Arrays.stream(SuspendingCalls.parameters(method))
-                .map(Class::getSimpleName)
-                .collect(Collectors.joining(", ", method.getName() + "(", ")"));
-    }
-
     List<String> names() {
         return List.copyOf(byName.keySet());
     }
 
-    /** @param method an abstract method of the interface */
-    CallableMethod method(Method method) {
-        return Objects.requireNonNull(byMethod.get(method), "not an abstract method of the interface");
+    /** Without default methods, which the interface of a provider need not have. */
+    List<String> abstractNames() {
+        return byName.values().stream()
+                .filter(each -> Modifier.isAbstract(each.method.getModifiers()))
+                .map(each -> each.name)
+                .toList();
     }
 
     @Nullable
@@ -172,13 +156,15 @@ final class CallableMethods {
         private final @Nullable Type result; // null: a one-way method
         private final boolean isUnit; // the result is kotlin.Unit, which crosses as null
 
-        CallableMethod(Class<?> owner, Method method, Values values) {
+        CallableMethod(Class<?> owner, Method method, TypeArguments typeArguments, Values values) {
             this.owner = owner;
             this.method = method;
-            this.name = nameOf(method);
+            this.name = SuspendingCalls.signature(method);
             this.values = values;
             int count = SuspendingCalls.parameters(method).length;
-            this.parameters = Arrays.copyOf(method.getGenericParameterTypes(), count);
+            this.parameters = Arrays.stream(method.getGenericParameterTypes(), 0, count)
+                    .map(typeArguments::resolve)
+                    .toArray(Type[]::new);
             for (int i = 0; i < parameters.length; i++) {
                 String use = describe("parameter " + (i + 1));
                 if (method.getParameterTypes()[i] == Callback.class) {
@@ -189,7 +175,8 @@ final class CallableMethods {
                     values.check(use, parameters[i]);
                 }
             }
-            Type returned = returned();
+            Type asWritten = returned();
+            Type returned = asWritten == null ? null : typeArguments.resolve(asWritten);
             isUnit = returned != null && SuspendingCalls.areSupported() && SuspendingCalls.isUnit(returned);
             result = isUnit ? Void.class : returned;
             if (result != null) {
@@ -210,8 +197,7 @@ final class CallableMethods {
             if (plain == void.class) {
                 return null;
             }
-            throw rejection("it returns " + plain.getSimpleName()
-                    + ", expected void (a one-way message) or Promise (a request)");
+            throw new AssertionError("a message returns void or a Promise, or suspends: " + method);
         }
 
         /** True for a suspend function of Kotlin. */

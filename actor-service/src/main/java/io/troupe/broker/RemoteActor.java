@@ -1,5 +1,7 @@
 package io.troupe.broker;
 
+import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
 import java.time.Duration;
@@ -52,11 +54,12 @@ final class RemoteActor extends RunningActor {
         } catch (IllegalArgumentException notCallable) {
             return "is on another host, and " + notCallable.getMessage();
         }
-        if (methods.isEmpty() && !called.names().isEmpty()) {
+        List<String> needed = called.abstractNames();
+        if (methods.isEmpty() && !needed.isEmpty()) {
             return "is no actor that can be called from other hosts";
         }
         List<String> missing =
-                called.names().stream().filter(each -> !methods.contains(each)).toList();
+                needed.stream().filter(each -> !methods.contains(each)).toList();
         return missing.isEmpty()
                 ? null
                 : "has no " + String.join(", ", missing) + "; it has " + String.join(", ", methods);
@@ -64,17 +67,22 @@ final class RemoteActor extends RunningActor {
 
     @Override
     @Nullable
-    Promise<?> send(CallDispatcher.Call call, RemoteCaller remote, Duration limit) throws NotSentException {
-        return remote.send(this, method(call), call.toInvoke(), limit);
+    Promise<?> send(Class<?> type, Node call, RemoteCaller remote, Duration limit) throws NotSentException {
+        CallableMethods.CallableMethod method = method(type, call);
+        if (!methods.contains(method.name)) { // a default method, which its interface there need not have
+            throw new NotSentException(new ProviderException(
+                    address() + " has no " + method.name + "; it has " + String.join(", ", methods), null));
+        }
+        return remote.send(this, method, Message.argumentsOf(call), limit);
     }
 
     @Override
     @Nullable
-    Object result(CallDispatcher.Call call, @Nullable Object answer) {
-        return method(call).decodeResult(((CallMessages.Result) Objects.requireNonNull(answer)).value());
+    Object result(Class<?> type, Node call, @Nullable Object answer) {
+        return method(type, call).decodeResult(((CallMessages.Result) Objects.requireNonNull(answer)).value());
     }
 
-    private CallableMethods.CallableMethod method(CallDispatcher.Call call) {
-        return interfaces.of(call.method.getDeclaringClass()).method(call.method);
+    private CallableMethods.CallableMethod method(Class<?> type, Node call) {
+        return Objects.requireNonNull(interfaces.of(type).method(Message.signatureOf(call)));
     }
 }

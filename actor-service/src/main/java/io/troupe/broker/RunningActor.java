@@ -1,5 +1,6 @@
 package io.troupe.broker;
 
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
@@ -44,15 +45,17 @@ abstract class RunningActor {
     /**
      * Sends a call.
      *
+     * @param type the interface that was called
+     * @param call a message or a request
      * @param remote sends it to another process
      * @param limit the longest time until the answer; zero = none
      * @return the answer; null for a one-way call
      */
-    abstract @Nullable Promise<?> send(CallDispatcher.Call call, RemoteCaller remote, Duration limit)
+    abstract @Nullable Promise<?> send(Class<?> type, Node call, RemoteCaller remote, Duration limit)
             throws NotSentException;
 
     /** The value of an answer. */
-    abstract @Nullable Object result(CallDispatcher.Call call, @Nullable Object answer);
+    abstract @Nullable Object result(Class<?> type, Node call, @Nullable Object answer);
 
     /**
      * Watches for the end of this instance.

@@ -188,6 +188,22 @@ class OfferedProviderTest extends HostsBench {
         assertThat(near.health(ADDRESS)).isEqualTo(Health.FAILED);
     }
 
+    @Test
+    void defaultMethodThatTheProviderDoesNotKnow_failsAlone() {
+        var parrot = used();
+        var unknown = parrot.sayTwice("x");
+        assertCallError(
+                unknown,
+                false,
+                "Parrot.sayTwice(String) of \"robot 1\", which needs the service \"parrot\", was refused: peer/parrot has"
+                        + " no sayTwice(String); it has count(int, Callback), fail(String), hear(String), say(String),"
+                        + " sayLater(String)");
+        var known = parrot.sayLater("x");
+        test.runQueued();
+        peer.offer(Health.STARTING, 2);
+        assertThat(test.error(known)).hasMessageStartingWith("peer/parrot ended while");
+    }
+
     // ---- health
 
     @Test

@@ -83,6 +83,14 @@ public abstract class Message extends Node {
         return name.substring(name.lastIndexOf('.') + 1);
     }
 
+    /** The name and parameter types of the method of a call, without its type; empty if the node is no call. */
+    public static String signatureOf(Node call) {
+        String method = call instanceof Message message
+                ? message.method()
+                : call instanceof Request<?> request ? request.method() : "";
+        return method.substring(method.indexOf('.') + 1);
+    }
+
     private static String nameOf(String method) {
         return method.substring(0, method.indexOf('('));
     }

@@ -61,6 +61,9 @@ public abstract class Recipient {
      */
     protected abstract void requestFailed(Request<?> request, Throwable thrown, boolean isReported);
 
+    /** Called when a request was cancelled; by any thread. */
+    protected abstract void cancelled(Request<?> request);
+
     /** Called when a time limit on a request has passed; by any thread. */
     protected abstract void timedOut(Request<?> request);
 

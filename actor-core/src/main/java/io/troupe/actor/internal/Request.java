@@ -49,6 +49,25 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         }
     }
 
+    /** Like {@link #serveWith}, for an actor that passes its calls on. */
+    @SuppressWarnings("unchecked") // the forwarder returns the outcome of the same method
+    public final void serveBy(Forwarder forwarder) {
+        Node callback = answer((Promise<? extends T>) forwarder.forward(this));
+        if (callback != null) {
+            receiver.home().enqueue(callback);
+        }
+    }
+
+    /** Sends the same request to another actor of a type that has this method. */
+    public @Nullable Promise<? extends T> sendTo(Object proxy) throws Throwable {
+        return invoke(proxy);
+    }
+
+    /** True if it is settled, or each of its listeners was cancelled or has reached its time limit. */
+    public final boolean isAbandoned() {
+        return isDone() || isGivenUp();
+    }
+
     /** The target to invoke, or null if the request was already handled or rejected. */
     protected final @Nullable Object target() {
         return receiver.target(this);
@@ -77,6 +96,11 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     @Override
     protected final Home home() {
         return receiver.home();
+    }
+
+    @Override
+    protected void cancelled() {
+        receiver.cancelled(this);
     }
 
     @Override

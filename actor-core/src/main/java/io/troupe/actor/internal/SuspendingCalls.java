@@ -10,6 +10,7 @@ import java.lang.reflect.WildcardType;
 import java.util.Arrays;
 import java.util.Objects;
 import java.util.ServiceLoader;
+import java.util.stream.Collectors;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -56,6 +57,14 @@ public abstract class SuspendingCalls {
     public static Class<?>[] parameters(Method method) {
         Class<?>[] all = method.getParameterTypes();
         return isSuspending(method) ? Arrays.copyOf(all, all.length - 1) : all;
+    }
+
+    /** The name and parameter types of a method as in source code: {@code greet(String)}. */
+    public static String signature(Method method) {
+        return nameOf(method)
+                + Arrays.stream(parameters(method))
+                        .map(Class::getSimpleName)
+                        .collect(Collectors.joining(", ", "(", ")"));
     }
 
     /** The type that a suspend function returns. */

@@ -56,8 +56,17 @@ public abstract class SuspendingRequest<T extends @Nullable Object> extends Requ
     }
 
     @Override
+    @SuppressWarnings("unchecked") // the function's result is of type T
+    public final @Nullable Promise<? extends T> sendTo(Object proxy) throws Throwable {
+        var taker = SuspendingCalls.known().newTaker();
+        call(proxy, taker);
+        return (Promise<? extends T>) taker.promise();
+    }
+
+    @Override
     protected final void cancelled() {
         cancelCoroutine();
+        super.cancelled();
     }
 
     /** Cancels the coroutine that answers this request, now or when it is noted. */

@@ -4,6 +4,10 @@ import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Callback;
+import io.troupe.actor.internal.Forwarder;
+import io.troupe.actor.internal.Message;
+import io.troupe.actor.internal.Request;
+import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.Timer;
@@ -21,16 +25,17 @@ import java.util.concurrent.CancellationException;
 import org.jspecify.annotations.Nullable;
 
 /**
- * Sends calls to the current provider. Keeps the calls that are queued for a provider, and those without an answer yet.
+ * The actor behind a connection: it has the type of the service, and passes each call on to the current provider. Keeps
+ * the calls that wait for a provider, and those without an answer yet.
  */
-final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.Connection {
+final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
     private final ActorServices services;
     private final Class<?> type;
     private final Need need;
     private final ConnectionSettings settings;
     private final Deferred<ServiceRecord> first;
-    private final LinkedHashMap<Call, PendingCall> waiting = new LinkedHashMap<>(); // in the order of their arrival
-    private final Map<Call, PendingCall> underWay = new LinkedHashMap<>();
+    private final LinkedHashMap<Node, PendingCall> waiting = new LinkedHashMap<>(); // in the order of their arrival
+    private final Map<Node, PendingCall> underWay = new LinkedHashMap<>();
     private @Nullable RunningActor current;
     private @Nullable IllegalArgumentException mismatch;
     private String noProvider = "none has been found yet";
@@ -39,7 +44,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
     private final Map<RunningActor, Deferred<@Nullable Void>> watches = new HashMap<>();
     private final RemoteCaller remote;
 
-    CallDispatcherActor(
+    ServiceLink(
             ActorServices services,
             Class<?> type,
             Need need,
@@ -129,30 +134,24 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
     // ---- calls
 
     @Override
-    public void tell(Call call) {
-        take(new PendingCall(call, null));
+    public void forward(Message message) {
+        take(new PendingCall(message, null));
     }
 
     @Override
-    public Promise<@Nullable Object> ask(Call call) {
-        var answer = new Deferred<@Nullable Object>();
-        take(new PendingCall(call, answer));
+    public Promise<?> forward(Request<?> request) {
+        Deferred<@Nullable Object> answer = context().space().deferred();
+        take(new PendingCall(request, answer));
         return answer;
     }
 
     @Override
-    public void bind(@Nullable Callback<@Nullable Object> callback, BoundCallback into) {
-        into.callback = callback;
-    }
-
-    @Override
-    public Promise<@Nullable Void> cancel(Call call) {
-        PendingCall waited = waiting.remove(call);
-        PendingCall cancelled = waited == null ? underWay.remove(call) : waited;
-        if (cancelled != null) {
-            cancelled.cancel();
+    public void abandoned(Request<?> request) {
+        PendingCall waited = waiting.remove(request);
+        PendingCall abandoned = waited == null ? underWay.remove(request) : waited;
+        if (abandoned != null) {
+            abandoned.cancel();
         }
-        return Promise.done();
     }
 
     private void take(PendingCall call) {
@@ -166,7 +165,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
             refuse(call, notSent(call, "was refused: " + waiting.size() + " calls wait already, and " + noProvider));
         } else {
             waiting.put(call.call, call);
-            Duration limit = call.call.isOneWay() ? settings.oneWayLimit() : settings.waitLimit();
+            Duration limit = call.isOneWay() ? settings.oneWayLimit() : settings.waitLimit();
             call.limit = context().after(limit, () -> {
                 waiting.remove(call.call);
                 refuse(call, notSent(call, "found no provider within " + limit + ": " + noProvider));
@@ -199,7 +198,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
     }
 
     private void send(PendingCall call) {
-        if (call.call.isCancelled()) {
+        if (call.isAbandoned()) {
             call.reject(new CancellationException(call + " was given up by its caller before it was sent"));
             return;
         }
@@ -207,7 +206,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         call.sentTo = to;
         Promise<?> answer;
         try {
-            answer = to.send(call.call, remote, settings.answerLimit());
+            answer = to.send(type, call.call, remote, settings.answerLimit());
         } catch (RunningActor.NotSentException refused) {
             refuse(call, notSent(call, "was refused: " + Reasons.of(refused.why())));
             return;
@@ -249,7 +248,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         switch (error) {
             case null -> {
                 try {
-                    call.resolve(far.result(call.call, value));
+                    call.resolve(far.result(type, call.call, value));
                 } catch (UnreadableException unreadable) {
                     call.reject(unanswered(call, unreadable));
                 }
@@ -306,7 +305,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
 
     /** Rejects a call that was not sent to any provider. */
     private void refuse(PendingCall call, Throwable why) {
-        call.call.failCallbacks(why); // a one-way call has no promise to reject
+        call.failCallbacks(why); // a one-way call has no promise to reject
         if (!call.reject(why)) {
             events().publish(new BrokerEvent.Undelivered(need, call.toString(), why));
         }
@@ -340,7 +339,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
 
     /** A call that is queued or waits for its answer. Used on the connection's space. */
     private static final class PendingCall {
-        final CallDispatcher.Call call;
+        final Node call; // a Message or a Request
         private final @Nullable Deferred<@Nullable Object> answer; // null: a one-way call
 
         @Nullable
@@ -355,7 +354,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         @Nullable
         Timer limit;
 
-        PendingCall(CallDispatcher.Call call, @Nullable Deferred<@Nullable Object> answer) {
+        PendingCall(Node call, @Nullable Deferred<@Nullable Object> answer) {
             this.call = call;
             this.answer = answer;
         }
@@ -380,10 +379,10 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
         /** Cancels the call: a provider that has not begun it does not execute it. */
         void cancel() {
             cancelled = true;
-            cancelLimit();
             if (sent != null) {
                 sent.cancel();
             }
+            reject(new CancellationException(this + " was given up by its caller"));
         }
 
         boolean isCancelled() {
@@ -397,6 +396,24 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
             }
         }
 
+        boolean isOneWay() {
+            return answer == null;
+        }
+
+        /** Returns whether nobody waits for the answer any more. */
+        boolean isAbandoned() {
+            return call instanceof Request<?> request && request.isAbandoned();
+        }
+
+        /** Ends the callbacks of a call that was not sent. */
+        void failCallbacks(Throwable why) {
+            for (Object each : Message.argumentsOf(call)) {
+                if (each instanceof Callback<?> callback) {
+                    callback.fail(why);
+                }
+            }
+        }
+
         String receiver() {
             return sentTo == null ? "no provider" : sentTo.address().toString();
         }
@@ -407,7 +424,7 @@ final class CallDispatcherActor extends Actor implements CallDispatcher, Broker.
 
         @Override
         public String toString() {
-            return call.toString();
+            return Message.methodOrWords(call);
         }
     }
 }

@@ -1,0 +1,22 @@
+package io.troupe.actor.internal;
+
+import io.troupe.actor.promise.Promise;
+import java.util.function.Supplier;
+
+/**
+ * What an actor of any actor type may be instead of an implementation: it passes the calls on. A connection to a
+ * service is such an actor. Called on the actor's space, in the turn of the call.
+ */
+public interface Forwarder {
+    /** Makes a forwarder. The space notes by this type, before the actor starts, that its calls are passed on. */
+    interface Factory extends Supplier<Object> {}
+
+    /** Passes on a one-way message. */
+    void forward(Message message);
+
+    /** Passes on a request, which has the outcome of the returned promise. */
+    Promise<?> forward(Request<?> request);
+
+    /** A request that was passed on has been cancelled, or all its listeners have reached their time limits. */
+    void abandoned(Request<?> request);
+}
