@@ -1,5 +1,6 @@
 package io.troupe.broker;
 
+import io.troupe.bus.internal.BoundedText;
 import java.lang.System.Logger.Level;
 import org.jspecify.annotations.Nullable;
 
@@ -22,7 +23,7 @@ public interface BrokerObserver {
     /** Writes to the system log: failures as warnings, other events at debug level. */
     static BrokerObserver logging() {
         var log = System.getLogger(BrokerObserver.class.getName());
-        return event -> log.log(level(event), String.valueOf(event), error(event));
+        return event -> log.log(level(event), BoundedText.of(event), error(event));
     }
 
     private static Level level(BrokerEvent event) {

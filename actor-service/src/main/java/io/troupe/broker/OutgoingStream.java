@@ -5,6 +5,7 @@ import io.troupe.actor.Callback;
 import io.troupe.actor.internal.CancellationFlag;
 import io.troupe.bus.Address;
 import io.troupe.bus.BusPort;
+import io.troupe.bus.internal.BoundedText;
 import io.troupe.bus.internal.CborItem;
 import java.lang.reflect.Type;
 import java.time.Duration;
@@ -69,7 +70,7 @@ final class OutgoingStream implements Callback<@Nullable Object>, CancellationFl
     }
 
     private static CallMessages.Failed failed(Throwable error) {
-        return new CallMessages.Failed(error.getClass().getName(), String.valueOf(error.getMessage()));
+        return new CallMessages.Failed(error.getClass().getName(), BoundedText.ofMessage(error));
     }
 
     private synchronized void add(CborItem item) {

@@ -1,6 +1,7 @@
 package io.troupe.broker;
 
 import io.troupe.bus.BusException;
+import io.troupe.bus.internal.BoundedText;
 
 /** Formats errors as part of a sentence. */
 final class Reasons {
@@ -11,7 +12,7 @@ final class Reasons {
         boolean ours = error instanceof ProviderException
                 || error instanceof MissingServiceException
                 || error instanceof BusException;
-        return oneLine(String.valueOf(ours ? error.getMessage() : error));
+        return oneLine(ours ? String.valueOf(error.getMessage()) : BoundedText.of(error));
     }
 
     static String oneLine(String text) {

@@ -1,5 +1,6 @@
 package io.troupe.bus;
 
+import io.troupe.bus.internal.BoundedText;
 import java.time.Duration;
 
 /**
@@ -48,7 +49,7 @@ public sealed interface Loss {
     record SubscriberFailed(Address subscriber, BusMessage message, Throwable error) implements Loss {
         @Override
         public String toString() {
-            return subscriber + " failed to hear " + describe(message) + ": " + error;
+            return subscriber + " failed to hear " + describe(message) + ": " + BoundedText.of(error);
         }
     }
 

@@ -2,6 +2,7 @@ package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.promise.Promise;
+import io.troupe.bus.internal.BoundedText;
 import io.troupe.bus.internal.CancellableAnswer;
 import io.troupe.bus.internal.NotBegunException;
 import java.util.ArrayList;
@@ -264,16 +265,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         return node.rejection(
                 port.address(),
                 request,
-                new BusMessage.Failure.Failed(error.getClass().getName(), messageOf(error)));
-    }
-
-    private static String messageOf(Throwable error) {
-        try {
-            String message = error.getMessage();
-            return message == null ? "(no message)" : message;
-        } catch (RuntimeException | Error broken) { // an exception class of the request handler
-            return "(its message could not be read: " + broken.getClass().getName() + ")";
-        }
+                new BusMessage.Failure.Failed(error.getClass().getName(), BoundedText.ofMessage(error)));
     }
 
     @Override

@@ -2,6 +2,7 @@ package io.troupe.bus;
 
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
+import io.troupe.bus.internal.BoundedText;
 import io.troupe.bus.internal.RecordCodec;
 import io.troupe.bus.internal.UnreadableException;
 import java.time.Duration;
@@ -349,7 +350,7 @@ final class RemoteNodes implements BusEngine.Listener {
                     "cannot read it: " + unreadable.getMessage());
             return;
         } catch (Error machine) { // memory or stack: the requester still gets to know
-            bus.reject(request.to(), arrival.of(frame.message(UNREAD), limitNanos), "cannot read it: " + machine);
+            bus.reject(request.to(), arrival.of(frame.message(UNREAD), limitNanos), "cannot read it: " + BoundedText.of(machine));
             throw machine;
         }
         MessageDelivery delivery = arrival.of(message, limitNanos);
@@ -380,7 +381,7 @@ final class RemoteNodes implements BusEngine.Listener {
             bus.notifier.unreadable("the reply from " + frame.header().from(), unreadable);
             bus.rejectRequest(request, "the answer cannot be read: " + unreadable.getMessage());
         } catch (Error machine) {
-            bus.rejectRequest(request, "the answer cannot be read: " + machine);
+            bus.rejectRequest(request, "the answer cannot be read: " + BoundedText.of(machine));
             throw machine;
         }
     }

@@ -92,6 +92,25 @@ class ActorServicesTest extends BrokerBench {
     }
 
     @Test
+    void actorThatIsNotCreated_rejectsTheCall_whateverTheTextOfTheError() {
+        get(services.publish(test.space(), Parrot.class, "grey", List.of(), () -> {
+            throw new IllegalStateException() {
+                private static final long serialVersionUID = 1L;
+
+                @Override
+                public String getMessage() {
+                    throw new UnsupportedOperationException();
+                }
+            };
+        }));
+        var parrot = services.connect(Parrot.class, Need.ofService("robot 1", "grey"))
+                .actor();
+        assertThat(test.error(parrot.say("hello")))
+                .isInstanceOf(ServiceCallException.class)
+                .hasMessageContaining("what cannot be printed: java.lang.UnsupportedOperationException");
+    }
+
+    @Test
     void publishedActor_isSpawnedAtTheFirstNeed_andCalledByItsInterface() {
         publish("grey");
         assertThat(last).isNull();

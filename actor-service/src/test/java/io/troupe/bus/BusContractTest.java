@@ -141,6 +141,19 @@ class BusContractTest extends BusContract {
     }
 
     @Test
+    void errorOfASubscriber_whoseTextThrows_isReportedWithAnother() {
+        subscribe("b");
+        far.attach("broken").subscribe(COUNTS, (count, from) -> {
+            throw new Unreadable();
+        });
+        publish(1);
+        test.runQueued();
+        assertThat(received).containsExactly(1);
+        assertThat(theOnlyLoss().toString())
+                .endsWith(": what cannot be printed: java.lang.UnsupportedOperationException");
+    }
+
+    @Test
     void publication_thatIsNestedTooDeep_orOfASecondType_isRefused_byName() {
         assertThatThrownBy(() -> publisher.publish(CHAINS, Chain.of(200_000)))
                 .isInstanceOf(IllegalArgumentException.class)

@@ -769,6 +769,31 @@ class RemoteNodesTest {
         assertThat(take(losses)).singleElement().asString().contains("java.lang.StackOverflowError: in the engine");
     }
 
+    /** A value that cannot be sent, and whose error has no text. */
+    record Fragile(String text) {
+        @Override
+        public String text() {
+            throw new ArithmeticException() {
+                private static final long serialVersionUID = 1L;
+
+                @Override
+                public String getMessage() {
+                    throw new UnsupportedOperationException();
+                }
+            };
+        }
+    }
+
+    @Test
+    void valueThatCannotBeSent_rejectsItsRequest_whateverTheTextOfTheError() {
+        var operation = new Operation<>("spell", Fragile.class, Text.class, Kind.DATA);
+        var answer = heard(port.ask(FAR, operation, new Fragile("q"), SECOND));
+        assertThat(answer.error())
+                .isInstanceOf(BusException.class)
+                .hasMessageContaining("what cannot be printed: java.lang.UnsupportedOperationException");
+        assertThat(take(losses)).hasSize(1);
+    }
+
     // ---- notices
 
     @Test

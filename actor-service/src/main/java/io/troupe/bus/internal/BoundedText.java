@@ -1,5 +1,6 @@
 package io.troupe.bus.internal;
 
+import io.troupe.actor.internal.loop.PlainText;
 import java.nio.charset.StandardCharsets;
 
 /** Texts of failures, so short and so well formed that a message about a failure can always be sent. */
@@ -20,6 +21,21 @@ public final class BoundedText {
      */
     public static String of(String text) {
         return of(text, MOST);
+    }
+
+    /** The text of an error or of an event, whatever the {@code toString} of a user's class does. */
+    public static String of(Object what) {
+        return of(PlainText.of(what, MOST));
+    }
+
+    /** The message of an error; another text if its class has none, or throws. */
+    public static String ofMessage(Throwable error) {
+        try {
+            String message = error.getMessage();
+            return message == null ? "(no message)" : of(message);
+        } catch (Throwable broken) {
+            return "(its message could not be read: " + broken.getClass().getName() + ")";
+        }
     }
 
     /** The text, cut behind so many characters. */

@@ -93,7 +93,7 @@ public final class RecordCodec {
             throw failure;
         } catch (Throwable thrown) { // of an accessor of a record
             throw new IllegalArgumentException(
-                    "a value of " + type.getTypeName() + " could not be encoded: " + thrown, thrown);
+                    "a value of " + type.getTypeName() + " could not be encoded: " + BoundedText.of(thrown), thrown);
         }
     }
 
@@ -106,7 +106,7 @@ public final class RecordCodec {
         } catch (RuntimeException | Error failure) {
             throw failure;
         } catch (Throwable thrown) {
-            throw new UnreadableException(String.valueOf(thrown)).in(simpleName(type));
+            throw new UnreadableException(BoundedText.of(thrown)).in(simpleName(type));
         }
     }
 
@@ -686,7 +686,8 @@ public final class RecordCodec {
                 throw machine;
             } catch (Throwable rejected) {
                 throw new UnreadableException(
-                        "expected a " + type.getSimpleName() + ", which rejects its values: " + rejected);
+                        "expected a " + type.getSimpleName() + ", which rejects its values: "
+                                + BoundedText.of(rejected));
             }
         }
     }

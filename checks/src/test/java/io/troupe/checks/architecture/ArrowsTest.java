@@ -69,7 +69,7 @@ class ArrowsTest {
         "actor,                 actor.promise actor.time actor.internal actor.internal.loop",
         "actor.testkit..,       actor actor.internal actor.promise actor.time",
         "common..,              ''",
-        "bus.internal,          common..",
+        "bus.internal,          actor.internal.loop common..",
         "bus,                   actor.. common.. bus.internal",
         "bus.nats..,            bus",
         "broker..,              actor.. common.. bus bus.internal",

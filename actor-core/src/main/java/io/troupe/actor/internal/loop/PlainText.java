@@ -13,12 +13,17 @@ public final class PlainText {
      * much memory or returns null.
      */
     public static String of(@Nullable Object what) {
+        return of(what, LONGEST);
+    }
+
+    /** The text of an object, of so many characters at most; see {@link #of(Object)}. */
+    public static String of(@Nullable Object what, int most) {
         String text;
         try {
             text = String.valueOf((Object) String.valueOf(what)); // twice: toString may return null
         } catch (Throwable broken) {
             return "what cannot be printed: " + broken.getClass().getName();
         }
-        return text.length() <= LONGEST ? text : text.substring(0, LONGEST - 3) + "...";
+        return text.length() <= most ? text : text.substring(0, most - 3) + "...";
     }
 }
