@@ -14,6 +14,7 @@ import java.util.concurrent.CancellationException;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeoutException;
 import java.util.concurrent.atomic.AtomicBoolean;
+import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
@@ -180,12 +181,14 @@ class SpaceServicesTest extends InTestSpace {
 
     @Test
     void repeatWhile_ofABodyThatReturnsNoPromise_isRejected() {
+        var rounds = new AtomicInteger();
         test.run(() -> test.space()
-                .repeatWhile(() -> log.isEmpty(), () -> (Promise<?>) null)
+                .repeatWhile(() -> rounds.incrementAndGet() < 3, () -> (Promise<?>) null)
                 .handle((value, error) -> log.add("ended with " + error)));
         assertThat(log)
                 .containsExactly(
                         "ended with java.lang.NullPointerException: the function answered null, not a promise");
+        assertThat(rounds).hasValue(1);
     }
 
     @Test

@@ -81,11 +81,11 @@ public final class CallbackProbe<T extends @Nullable Object> implements Callback
     @SuppressWarnings("NullAway") // a result is null only if T allows it
     public void accept(@Nullable T result, @Nullable Throwable failure) {
         if (failure != null) {
-            checkOpen("fail(" + failure + ")");
+            checkOpen("fail(" + Probe.show(failure) + ")");
             error = failure;
-            end = "fail(" + failure + ")";
+            end = "fail(" + Probe.show(failure) + ")";
         } else {
-            checkOpen("next(" + result + ")");
+            checkOpen("next(" + Probe.show(result) + ")");
             results.add(result);
         }
     }
@@ -98,7 +98,7 @@ public final class CallbackProbe<T extends @Nullable Object> implements Callback
 
     private AssertionError failure(String expected) {
         return new AssertionError("callback: expected " + expected + ", but " + (end == null ? "no end" : end)
-                + " came; results so far: " + results);
+                + " came; results so far: " + results.stream().map(Probe::show).toList());
     }
 
     private void checkOpen(String what) {

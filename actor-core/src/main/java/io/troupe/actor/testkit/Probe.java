@@ -2,6 +2,7 @@ package io.troupe.actor.testkit;
 
 import io.troupe.actor.Callback;
 import io.troupe.actor.internal.SuspendingCalls;
+import io.troupe.actor.internal.loop.PlainText;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.lang.reflect.Method;
@@ -22,8 +23,8 @@ import org.jspecify.annotations.Nullable;
  * A test double for an actor: records the calls it receives, and answers requests on demand of the test.
  *
  * <p><b>Role.</b> Created by {@link TestSpace#probe}; {@link #actor} is passed to the code under test. It is an
- * ordinary actor of that space. A call is written as in dead letters, {@code greet(Ann)}, with {@code callback} for a
- * {@link Callback}. A suspend function of Kotlin is a request like those that return a promise.
+ * ordinary actor of that space. A call is written with the texts of its arguments, {@code greet(Ann)}, each of 1,000
+ * characters at most, and {@code callback} for a {@link Callback}. A suspend function of Kotlin is a request like those that return a promise.
  *
  * {@snippet :
  * Probe<Shop> shop = test.probe(Shop.class);
@@ -42,6 +43,8 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Errors.</b> A wrong or missing call is an {@link AssertionError} that lists the calls so far.
  */
 public final class Probe<A> {
+    private static final int MOST_CHARACTERS = 1_000; // of an argument
+
     private record Call(String text, List<@Nullable Object> arguments) {}
 
     private record OpenRequest(String text, Method method, Deferred<@Nullable Object> answer) {}
@@ -106,10 +109,10 @@ public final class Probe<A> {
      * suspend function of Kotlin without a result is answered by null.
      */
     public void answer(@Nullable Object value) {
-        OpenRequest request = oldest("answer(" + value + ")");
+        OpenRequest request = oldest("answer(" + show(value) + ")");
         Class<?> wanted = answerType(request.method);
         if (value != null && !wanted.isInstance(value)) {
-            throw failure("answer(" + value + ") is a " + value.getClass().getName() + ", and " + request.text
+            throw failure("answer(" + show(value) + ") is a " + value.getClass().getName() + ", and " + request.text
                     + " answers a " + wanted.getName());
         }
         unanswered.remove();
@@ -120,7 +123,7 @@ public final class Probe<A> {
     /** Rejects the oldest pending request; see {@link #answer}. */
     public void reject(Throwable error) {
         Objects.requireNonNull(error, "error");
-        OpenRequest request = oldest("reject(" + error + ")");
+        OpenRequest request = oldest("reject(" + show(error) + ")");
         unanswered.remove();
         request.answer.reject(error);
         test.runQueued();
@@ -192,12 +195,19 @@ public final class Probe<A> {
                 : answer;
     }
 
-    private static String show(@Nullable Object argument) {
-        if (argument instanceof Callback) {
-            return "callback";
+    /** The text of a value, arrays with their elements, whatever the {@code toString} of a user's class does. */
+    static String show(@Nullable Object value) {
+        if (value == null || !value.getClass().isArray()) {
+            return value instanceof Callback ? "callback" : PlainText.of(value, MOST_CHARACTERS);
         }
-        String inBrackets = Arrays.deepToString(new @Nullable Object[] {argument});
-        return inBrackets.substring(1, inBrackets.length() - 1);
+        var elements = new Object() {
+            @Override
+            public String toString() {
+                String inBrackets = Arrays.deepToString(new Object[] {value});
+                return inBrackets.substring(1, inBrackets.length() - 1);
+            }
+        };
+        return PlainText.of(elements, MOST_CHARACTERS);
     }
 
     /** The type of the answer, as far as it is known at run time. */

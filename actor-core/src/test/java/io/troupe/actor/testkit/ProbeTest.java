@@ -76,12 +76,46 @@ class ProbeTest extends InTestSpace {
     }
 
     @Test
-    void calls_areWrittenAsInDeadLetters_withArraysNullsAndCallbacksReadable() {
+    void calls_areWrittenWithTheirArguments_arraysNullsAndCallbacksReadable() {
         greeter.point(null, 1, 2);
         greeter.listen((number, error) -> {});
         greeter.greetAnn();
         assertThat(probe.calls()).containsExactly("point(null, [1, 2])", "listen(callback)", "greetAnn()");
         probe.answer("hello");
+    }
+
+    private static final class Unprintable {
+        @Override
+        public String toString() {
+            throw new UnsupportedOperationException();
+        }
+    }
+
+    interface Sink {
+        Promise<Object> take(Object what);
+    }
+
+    @Test
+    void valuesWhoseTextThrowsOrIsHuge_areRecordedAndAnswered() {
+        var sink = test.probe(Sink.class);
+        String unprintable = "what cannot be printed: java.lang.UnsupportedOperationException";
+        String huge = "x".repeat(997) + "...";
+        for (Object value : List.of(new Unprintable(), "x".repeat(100_000))) {
+            var answer = sink.actor().take(value);
+            String text = value instanceof String ? huge : unprintable;
+            assertThat(sink.calls()).last().isEqualTo("take(" + text + ")");
+            sink.answer(value);
+            assertThat(test.get(answer)).isSameAs(value);
+        }
+        sink.actor().take(new Object[] {new Unprintable()});
+        assertThat(sink.takeUnanswered()).containsExactly("take(" + unprintable + ")");
+
+        CallbackProbe<Object> probe = test.callback();
+        probe.accept(new Unprintable(), null);
+        probe.fail(new IllegalStateException("x".repeat(100_000)));
+        assertThatThrownBy(probe::expectOpen)
+                .hasMessageContaining("results so far: [" + unprintable + "]")
+                .satisfies(error -> assertThat(error.getMessage()).hasSizeLessThan(2_000));
     }
 
     @Test

@@ -67,7 +67,7 @@ class ArrowsTest {
         "actor.promise,         actor.internal.loop",
         "actor.internal,        actor.promise actor.internal.loop",
         "actor,                 actor.promise actor.time actor.internal actor.internal.loop",
-        "actor.testkit..,       actor actor.internal actor.promise actor.time",
+        "actor.testkit..,       actor actor.internal actor.internal.loop actor.promise actor.time",
         "common..,              ''",
         "bus.internal,          actor.internal.loop common..",
         "bus,                   actor.. common.. bus.internal",
