@@ -37,6 +37,7 @@ import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.view.WallClockPacer;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;
@@ -383,12 +384,13 @@ class DriverGoneTest {
         }
     }
 
-    /** Waits for the error that ends a run. */
-    private static Throwable failure(SubsumptionRun run) throws InterruptedException {
+    /** Advances the world in real time until an error ends the run. */
+    private Throwable failure(SubsumptionRun run) throws InterruptedException {
+        var pacer = new WallClockPacer();
         while (true) {
             try {
                 run.check();
-                Thread.sleep(10);
+                pacer.await(simulation.tick().timeMicros());
             } catch (RuntimeException error) {
                 return error;
             }

@@ -71,11 +71,14 @@ public final class RunFiles implements AutoCloseable {
     /** Closes the log, with a last line for a run that has failed. */
     @Override
     public void close() throws IOException {
-        if (recorder != null && !isFinished) {
-            recorder.fail();
-        }
-        if (log != null) {
-            log.close();
+        try {
+            if (recorder != null && !isFinished) {
+                recorder.fail();
+            }
+        } finally {
+            if (log != null) {
+                log.close();
+            }
         }
     }
 }

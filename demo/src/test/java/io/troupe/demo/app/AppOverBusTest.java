@@ -24,6 +24,7 @@ import java.util.List;
 import java.util.Map;
 import java.util.concurrent.CompletableFuture;
 import java.util.concurrent.Executors;
+import java.util.concurrent.Semaphore;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
 import org.junit.jupiter.api.Test;
@@ -37,12 +38,20 @@ class AppOverBusTest extends CommandLineBench {
 
     /** A node, its report, and what it has printed. */
     private static final class Node {
-        private final StringWriter text = new StringWriter();
+        private final Semaphore changes;
+        private final StringWriter text = new StringWriter() {
+            @Override
+            public void flush() { // of each line
+                changes.release();
+            }
+        };
         private final AppReport report = new AppReport(new PrintWriter(text));
         private final AtomicBoolean stop = new AtomicBoolean();
         private final CompletableFuture<Boolean> ended;
 
-        Node(String name, String bus, int port) throws IOException {
+        /** @param changes released when robots may have moved, and here when the node has printed or ended */
+        Node(String name, String bus, int port, Semaphore changes) throws IOException {
+            this.changes = changes;
             var plan = ApplicationReader.read(
                     FILE, ComponentKinds.standard(), Map.of("host", "127.0.0.1", "port", String.valueOf(port)));
             var run =
@@ -57,6 +66,7 @@ class AppOverBusTest extends CommandLineBench {
                         }
                     },
                     task -> Thread.ofPlatform().daemon().name("node " + name).start(task));
+            ended.whenComplete((done, error) -> changes.release());
         }
 
         /** Stops it, and returns what it has printed. */
@@ -68,9 +78,11 @@ class AppOverBusTest extends CommandLineBench {
 
         /** Waits until it has printed that. */
         void await(String part) throws InterruptedException {
-            while (!text.toString().contains(part)) {
-                assertThat(ended).as(() -> text.toString()).isNotDone();
-                Thread.sleep(20);
+            String printed = text.toString();
+            while (!printed.contains(part)) {
+                assertThat(ended).as(printed).isNotDone();
+                changes.acquire();
+                printed = text.toString();
             }
         }
 
@@ -79,7 +91,7 @@ class AppOverBusTest extends CommandLineBench {
             double first2 = report.odometryM("robot2");
             while (report.odometryM("robot1") < first1 + metres || report.odometryM("robot2") < first2 + metres) {
                 assertThat(ended).as(() -> text.toString()).isNotDone();
-                Thread.sleep(20);
+                changes.acquire();
             }
         }
     }
@@ -94,16 +106,18 @@ class AppOverBusTest extends CommandLineBench {
                 var world = Executors.newSingleThreadExecutor()) {
             simulation.lockStep(false);
             var stop = new AtomicBoolean();
+            var changes = new Semaphore(0);
             var moved = world.submit(() -> {
                 var pacer = new WallClockPacer();
                 while (!stop.get()) {
                     pacer.await(simulation.tick().timeMicros());
+                    changes.release();
                 }
             });
             try {
-                var laptop = new Node("laptop", server.address(), tcp.port());
+                var laptop = new Node("laptop", server.address(), tcp.port(), changes);
                 laptop.await("laptop serves follower, wanderer for two-hosts");
-                var base = new Node("base", server.address(), tcp.port());
+                var base = new Node("base", server.address(), tcp.port(), changes);
                 base.awaitDistance(0.2);
                 assertThat(laptop.text.toString()).contains("started    follower", "started    wanderer");
 

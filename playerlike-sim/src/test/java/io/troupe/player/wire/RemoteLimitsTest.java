@@ -29,7 +29,6 @@ import java.util.concurrent.ConcurrentLinkedQueue;
 import java.util.concurrent.CountDownLatch;
 import java.util.concurrent.TimeUnit;
 import java.util.concurrent.atomic.AtomicBoolean;
-import java.util.concurrent.locks.LockSupport;
 import org.junit.jupiter.api.AfterEach;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -339,15 +338,16 @@ class RemoteLimitsTest implements PlayerConstants {
 
     @Test
     void greetingThatTrickles_hasOneLimit() throws Exception {
+        var isOver = new CountDownLatch(1);
         try (var listener = new ServerSocket(0, 1, InetAddress.getLoopbackAddress())) {
             var trickle = Thread.ofPlatform().daemon().start(() -> {
                 try (var socket = listener.accept()) {
                     for (char each : "Player v.3.1.1-dev--------------".toCharArray()) {
-                        LockSupport.parkNanos(Duration.ofMillis(500).toNanos()); // in all far longer than the limit
+                        isOver.await(20, TimeUnit.MILLISECONDS); // less than the limit, and in all far longer
                         socket.getOutputStream().write(each);
                     }
                     socket.getInputStream().read();
-                } catch (IOException clientHasGone) {
+                } catch (IOException | InterruptedException clientHasGone) {
                     // expected
                 }
             });
@@ -355,6 +355,7 @@ class RemoteLimitsTest implements PlayerConstants {
             assertThatThrownBy(() -> remote.connect(Sink.NONE, null))
                     .isInstanceOf(ConnectionClosedException.class)
                     .hasMessage("localhost:" + listener.getLocalPort() + " did not answer within 100 ms");
+            isOver.countDown();
             trickle.join();
         }
     }
