@@ -56,7 +56,7 @@ public abstract class Actor {
             context.begin(mine.life());
         } else {
             throw new ActorException("the factory of " + mine + " answered an object that is the actor "
-                    + context.cell() + " already, expected one of its own");
+                    + context.cell() + " already, expected a separate one");
         }
     }
 

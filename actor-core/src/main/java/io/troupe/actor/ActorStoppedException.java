@@ -42,9 +42,9 @@ public final class ActorStoppedException extends ActorException {
 
     private static final class WithoutMemory {
         static final ActorStoppedException BEGUN = new ActorStoppedException(
-                "a request was begun and not answered, and there is no memory to say more", true);
+                "a request was begun and not answered, and there is no memory for more words", true);
         static final ActorStoppedException NOT_BEGUN =
-                new ActorStoppedException("a request was not begun, and there is no memory to say more", false);
+                new ActorStoppedException("a request was not begun, and there is no memory for more words", false);
     }
 
     /**

@@ -313,7 +313,7 @@ abstract class ActorType {
                     problem = "sees another copy of it: load it once, in a parent of all loaders that use it";
                 }
             } catch (ClassNotFoundException e) {
-                problem = "does not see it: use an interface of your own";
+                problem = "does not see it: use an interface that you declare";
             }
             if (problem != null) {
                 throw new ActorTypeException(type.getName()
@@ -337,7 +337,7 @@ abstract class ActorType {
                                 + module
                                 + " does not let it in; write \"opens " + type.getPackageName()
                                 + ";\" in the module-info of " + module
-                                + ", or use an interface of your own",
+                                + ", or use an interface that you declare",
                         e);
             }
         }

@@ -75,7 +75,7 @@ final class RecorderEvents {
     @Name("io.troupe.SpaceFigures")
     @Label("Actor Space Figures")
     @Category("Troupe")
-    @Description("What SpaceMetrics says, at every look of the stall watchdog")
+    @Description("The values of SpaceMetrics, at every look of the stall watchdog")
     @StackTrace(false)
     static final class SpaceFiguresEvent extends Event {
         @Label("Space")

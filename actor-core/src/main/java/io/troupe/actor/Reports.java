@@ -46,7 +46,7 @@ final class Reports {
         THE_SUPERVISION("the supervision of"),
         THE_WATCHDOG("the watchdog of space"),
         STOPPED("stopped() of"),
-        TURNING_AWAY("turning away what waited in space");
+        TURNING_AWAY("rejecting what waited in space");
 
         private final String words;
 

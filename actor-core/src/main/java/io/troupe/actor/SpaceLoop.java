@@ -102,7 +102,7 @@ final class SpaceLoop {
     /** See {@link ActorSpace#runQueued}. */
     void runQueued() {
         if (!settings.threadless()) {
-            throw new IllegalStateException("space " + space + " has a thread of its own, expected one without");
+            throw new IllegalStateException("space " + space + " has a thread, expected one without");
         }
         if (closing.isOver()) {
             return; // later callers are rejected immediately

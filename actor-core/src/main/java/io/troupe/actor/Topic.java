@@ -199,7 +199,7 @@ public final class Topic<T> {
         if (end != null) {
             throw new ActorException(
                     this + " has failed, and this subscriber takes values only:"
-                            + " subscribe with a Callback.Stream to hear of the end",
+                            + " subscribe with a Callback.Stream to be notified of the end",
                     end);
         }
     }

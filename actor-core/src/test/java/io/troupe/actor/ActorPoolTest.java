@@ -313,6 +313,7 @@ class ActorPoolTest extends InTestSpace {
 
         @Override
         public Promise<Integer> ask(Callback<Integer> next) {
+            numbers = next;
             return Promise.of(1);
         }
     }
@@ -387,10 +388,13 @@ class ActorPoolTest extends InTestSpace {
     @Test
     void callbackOfABroadcast_whoseCallIsCancelledInTheMailbox_fails() {
         CallbackProbe<Integer> numbers = test.callback();
-        var one = ActorPool.on(spaces.subList(0, 1), Watched.class, Source::new, ActorSettings.DEFAULT);
-        test.run(() -> one.broadcast().ask(numbers).cancel());
+        test.run(() -> watched().broadcast().ask(numbers).cancel());
         runQueued();
         assertThat(numbers.expectFailed()).isInstanceOf(CancellationException.class);
+        assertThat(sources)
+                .as("actors that have begun it")
+                .filteredOn(each -> each.numbers != null)
+                .isEmpty();
     }
 
     @Test

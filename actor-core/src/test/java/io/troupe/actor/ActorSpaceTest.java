@@ -81,7 +81,7 @@ class ActorSpaceTest extends InTestSpace {
         try (var space = ActorSpace.create(SpaceSettings.named("threaded"))) {
             assertThatThrownBy(space::runQueued)
                     .isInstanceOf(IllegalStateException.class)
-                    .hasMessageContainingAll("threaded", "thread of its own");
+                    .hasMessageContainingAll("threaded", "has a thread");
         }
     }
 

@@ -184,7 +184,7 @@ final class ConnectedClients {
             Client client, @Nullable ServiceRecord use, @Nullable MissingServiceException lost) {
         var done = new Deferred<@Nullable Void>();
         client.callback.next(new Notification(use, lost, done));
-        String overdue = "\"" + client.need.by() + "\" did not hear of "
+        String overdue = "\"" + client.need.by() + "\" was not notified of "
                 + (use == null
                         ? "the loss of its provider"
                         : Objects.requireNonNull(use).provider());

@@ -25,7 +25,7 @@ final class EventPublisher {
             observer.on(event);
         } catch (RuntimeException | Error thrown) {
             thrown.addSuppressed(
-                    new IllegalStateException("the broker's observer threw this when it was told " + event));
+                    new IllegalStateException("the broker's observer threw this when it was notified of " + event));
             space.execute(() -> {
                 throw thrown;
             });

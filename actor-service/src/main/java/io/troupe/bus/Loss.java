@@ -25,7 +25,7 @@ public sealed interface Loss {
     record Discarded(Address subscriber, String topic, int count, String why) implements Loss {
         @Override
         public String toString() {
-            return subscriber + " does not hear " + count + " values of " + topic + " that waited: " + why;
+            return subscriber + " does not receive " + count + " values of " + topic + " that waited: " + why;
         }
     }
 
@@ -49,7 +49,7 @@ public sealed interface Loss {
     record SubscriberFailed(Address subscriber, BusMessage message, Throwable error) implements Loss {
         @Override
         public String toString() {
-            return subscriber + " failed to hear " + describe(message) + ": " + BoundedText.of(error);
+            return subscriber + " failed to receive " + describe(message) + ": " + BoundedText.of(error);
         }
     }
 
@@ -57,7 +57,7 @@ public sealed interface Loss {
     record Stale(Address subscriber, BusMessage message, Duration age) implements Loss {
         @Override
         public String toString() {
-            return subscriber + " does not hear " + describe(message) + ": it is " + age.toMillis() + " ms old";
+            return subscriber + " does not receive " + describe(message) + ": it is " + age.toMillis() + " ms old";
         }
     }
 

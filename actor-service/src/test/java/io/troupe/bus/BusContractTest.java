@@ -90,7 +90,7 @@ class BusContractTest extends BusContract {
                 .isEqualTo(
                         new Loss.Discarded(new Address(far.node(), "a"), "counts", 2, "it does not subscribe any more"))
                 .hasToString(
-                        far.node() + "/a does not hear 2 values of counts that waited: it does not subscribe any more");
+                        far.node() + "/a does not receive 2 values of counts that waited: it does not subscribe any more");
     }
 
     @Test

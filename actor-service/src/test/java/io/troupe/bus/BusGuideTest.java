@@ -77,7 +77,7 @@ class BusGuideTest {
             test.clock().advance(Duration.ofSeconds(1));
             test.runQueued();
             assertThat(shown)
-                    .containsExactly("robot1/wheels does not hear publication on robot1/drive from robot1/driver"
+                    .containsExactly("robot1/wheels does not receive publication on robot1/drive from robot1/driver"
                             + " (number 3): it is 1000 ms old");
         }
     }

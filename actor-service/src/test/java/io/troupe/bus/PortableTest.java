@@ -106,7 +106,7 @@ class PortableTest {
         assertRefused(OfSet.class, "OfSet.names", "java.util.Set<java.lang.String>", "expected primitives");
         String ofKeys = "java.util.Map<java.lang.Integer, java.lang.String>";
         assertRefused(OfKeys.class, "OfKeys.names", ofKeys, "the keys of a Map have to be String");
-        assertRefused(OfRaw.class, "OfRaw.raw", "java.util.List", "it does not say of what");
+        assertRefused(OfRaw.class, "OfRaw.raw", "java.util.List", "it does not name its element type");
         assertRefused(OfVariable.class, "OfVariable.value", "T", "it is not known which type that is");
         assertRefused(OfWildcard.class, "OfWildcard.plains[]", "? extends " + Plain.class.getName(), "not known");
         assertRefused(OfLeaky.class, "OfLeaky.leaky(Closed)", Closed.class.getName(), "expected primitives");

@@ -348,7 +348,7 @@ class RemoteNodesTest {
         arrives(publication(1, 1));
         subscription.close();
         assertThat(take(losses))
-                .containsExactly("near/a does not hear 1 values of counts that waited: it does not subscribe any more");
+                .containsExactly("near/a does not receive 1 values of counts that waited: it does not subscribe any more");
         subscribe(COUNTS);
         arrives(publication(9, 9));
         test.runQueued();
@@ -368,7 +368,7 @@ class RemoteNodesTest {
         test.runQueued();
         assertThat(received).containsExactly(1, 3);
         assertThat(take(losses))
-                .containsExactly("near/a does not hear publication on counts from far/b (number 2): it is 301 ms old");
+                .containsExactly("near/a does not receive publication on counts from far/b (number 2): it is 301 ms old");
         assertThat(bus.metrics().stale()).isEqualTo(1);
         assertThatThrownBy(() -> COUNTS.droppingOlderThan(Duration.ZERO))
                 .isInstanceOf(IllegalArgumentException.class)
@@ -394,7 +394,7 @@ class RemoteNodesTest {
         assertThat(take(losses))
                 .hasSize(3)
                 .last()
-                .isEqualTo("near/a does not hear publication on counts from far/b (number 3): it is 5100 ms old");
+                .isEqualTo("near/a does not receive publication on counts from far/b (number 3): it is 5100 ms old");
         arrives(publication(5, 5));
         test.runQueued();
         assertThat(received).containsExactly(4, 5);

@@ -99,7 +99,7 @@ final class HostedRunJob {
         terminal.println("messages that the bus has lost: " + losses);
         terminal.flush(); // before writing files, which may fail
         if (interruption.isRequested()) {
-            terminal.println("interrupted: this is what was done until then; the last line of run.jsonl says so");
+            terminal.println("interrupted: this is what was done until then; the last line of run.jsonl has that");
         }
         if (result.robots().getFirst().path().isEmpty()) {
             terminal.println("wrote " + file);

@@ -236,7 +236,7 @@ final class HostsCommand implements Callable<Integer> {
                 }
             }
             if (interruption.isRequested()) {
-                print("interrupted: this is what was done until then; the last line of run.jsonl says so");
+                print("interrupted: this is what was done until then; the last line of run.jsonl has that");
             }
             OutputFiles.write(out.resolve("drivers.svg"), Pictures.drivers(result, happened));
             String pictures = out.resolve("drivers.svg").toString();

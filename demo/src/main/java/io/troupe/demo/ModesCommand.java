@@ -88,7 +88,7 @@ final class ModesCommand implements Callable<Integer> {
                         "run-" + each.getKey() + ".jsonl has " + each.getValue().duration() + " s")
                 .collect(Collectors.joining(", "));
         terminal.println("interrupted: there is no comparison and no new modes.svg"
-                + (files.isEmpty() ? "" : ". " + files + "; the last line of one that was cut short says so"));
+                + (files.isEmpty() ? "" : ". " + files + "; the last line of one that was cut short has that"));
         terminal.flush();
         return Interruption.STATUS;
     }

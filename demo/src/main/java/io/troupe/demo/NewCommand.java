@@ -81,7 +81,7 @@ final class NewCommand implements Callable<Integer> {
         terminal.println("    cd " + quoted(folder));
         terminal.println(command);
         terminal.println();
-        terminal.println("README.md there says more");
+        terminal.println("README.md there has more");
         terminal.flush();
         return 0;
     }

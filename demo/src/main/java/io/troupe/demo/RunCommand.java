@@ -96,7 +96,7 @@ final class RunCommand implements Callable<Integer> {
             names = "--corners",
             paramLabel = "STYLE",
             description =
-                    "how the wall follower turns at a wall ahead: FORWARD as the paper says, BACKWARD as its model program does")
+                    "how the wall follower turns at a wall ahead: FORWARD as in the paper, BACKWARD as its model program does")
     private CornerStyle corners = CornerStyle.FORWARD;
 
     @Option(
@@ -260,7 +260,7 @@ final class RunCommand implements Callable<Integer> {
         Path picture = out.resolve("trajectory.svg");
         OutputFiles.write(picture, Pictures.trajectory(scenario.world(), result));
         if (interruption.isRequested() && result.endMicros() < StrictMath.round(seconds * 1e6)) {
-            terminal.println("interrupted: this is what was done until then; the last line of run.jsonl says so");
+            terminal.println("interrupted: this is what was done until then; the last line of run.jsonl has that");
         }
         if (film != null && html != null) {
             OutputFiles.write(html, film.html());

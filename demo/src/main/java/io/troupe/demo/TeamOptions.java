@@ -76,7 +76,7 @@ final class TeamOptions implements AutoCloseable {
             names = "--table",
             paramLabel = "FILE",
             description =
-                    "the table of services; the paper's unless given, or the crowd's. It says how walls are followed, whatever --corners does",
+                    "the table of services; the paper's unless given, or the crowd's. It specifies how walls are followed, whatever --corners does",
             showDefaultValue = Visibility.NEVER)
     private @Nullable Path table;
 
@@ -178,7 +178,7 @@ final class TeamOptions implements AutoCloseable {
         if (value != null) {
             throw new ParameterException(
                     spec.commandLine(),
-                    option + " is " + value + " beside --table, which says that by itself: expected one of them");
+                    option + " is " + value + " beside --table, which specifies that by itself: expected one of them");
         }
     }
 }

@@ -187,6 +187,16 @@ class MainTest extends CommandLineBench {
     }
 
     @Test
+    void equalWarnings_areOneLine_withTheFirstPosition() throws IOException {
+        file("energy.world", "model ( joules 1 watts 1 )\nmodel ( joules 1 )\nmodel ( joules 1 )\nposition ( )\n");
+        printed("draw DIR/energy.world --out DIR/w.svg");
+        String first = "troupe: warning: DIR/energy.world:1:9: \"joules\" has no effect here: energy is not simulated";
+        String second = "troupe: warning: DIR/energy.world:1:18: \"watts\" has no effect here: energy is not simulated";
+        assertThat(err.toString().lines())
+                .startsWith(local(first + " .. and 2 more of this kind"), local(second));
+    }
+
+    @Test
     void wrongInput_leavesNoEmptyDirectoryBehind() throws IOException {
         file("wrong.world", "model ( siez 1 )");
         file("lonely.world", "position ( )");

@@ -182,7 +182,7 @@ public class Position2DInterface extends AbstractPositionDevice {
         for (double value : values) {
             if (!Double.isFinite(value)) {
                 throw new PlayerException(
-                        this + " was told to " + action + " " + Arrays.toString(values) + ", expected finite numbers");
+                        this + " was commanded to " + action + " " + Arrays.toString(values) + ", expected finite numbers");
             }
         }
     }

@@ -148,7 +148,7 @@ final class DeviceRequestHandler {
     private static void checkFinite(PortDevice device, DeviceCommand command, double... numbers) {
         for (double number : numbers) {
             if (!Double.isFinite(number)) {
-                throw new IllegalArgumentException(device + " was told " + command + ", expected finite numbers");
+                throw new IllegalArgumentException(device + " received " + command + ", expected finite numbers");
             }
         }
     }

@@ -91,7 +91,7 @@ public final class World implements AutoCloseable {
             System.getLogger(World.class.getName())
                     .log(
                             System.Logger.Level.WARNING,
-                            "this machine computes sines of its own: trajectories may differ from those of other machines");
+                            "this machine computes sines in another way: trajectories may differ from those of other machines");
         }
         return new World(spec, settings, StartPoses.of(spec, settings), choice);
     }

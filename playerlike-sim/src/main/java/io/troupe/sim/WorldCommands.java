@@ -71,7 +71,7 @@ final class WorldCommands {
     void drive(int robot, double forwardMps, double sidewaysMps, double turnRadps, long limitMicros) {
         check(robot, forwardMps, turnRadps);
         if (!Double.isFinite(sidewaysMps)) {
-            throw new IllegalArgumentException("robot '" + robot(robot).name() + "' was told to drive sideways at "
+            throw new IllegalArgumentException("robot '" + robot(robot).name() + "' was commanded to drive sideways at "
                     + sidewaysMps + " m/s, expected a finite number");
         }
         boolean sideways = robot(robot).drive().steering() instanceof Steering.Omnidirectional;
@@ -89,7 +89,7 @@ final class WorldCommands {
     private void check(int robot, double forwardMps, double turnRadps) {
         RobotSpec target = robot(robot);
         if (!Double.isFinite(forwardMps) || !Double.isFinite(turnRadps)) {
-            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
+            throw new IllegalArgumentException("robot '" + target.name() + "' was commanded to drive at " + forwardMps
                     + " m/s and " + turnRadps + " rad/s, expected finite numbers");
         }
     }
@@ -99,7 +99,7 @@ final class WorldCommands {
         RobotSpec target = robot(robot);
         checkTurns(target, "steered to a heading");
         if (!Double.isFinite(forwardMps) || !Double.isFinite(headingRad)) {
-            throw new IllegalArgumentException("robot '" + target.name() + "' was told to drive at " + forwardMps
+            throw new IllegalArgumentException("robot '" + target.name() + "' was commanded to drive at " + forwardMps
                     + " m/s to a heading of " + headingRad + " rad, expected finite numbers");
         }
         robotCommands.get(robot).drive(new MotionCommand.Heading(forwardMps, headingRad), limitMicros);
@@ -110,7 +110,7 @@ final class WorldCommands {
         checkTurns(target, "sent to a pose");
         if (!isFinite(goal)) {
             throw new IllegalArgumentException(
-                    "robot '" + target.name() + "' was told to go to " + goal + ", expected finite numbers");
+                    "robot '" + target.name() + "' was commanded to go to " + goal + ", expected finite numbers");
         }
         robotCommands.get(robot).drive(new MotionCommand.GoTo(goal), 0);
     }

@@ -43,7 +43,7 @@ class WorldTest {
     void command_thatIsNotFinite_orToARobotThatIsNotThere_isRefused() {
         assertThatThrownBy(() -> world.command(1, Double.NaN, 0))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("robot 'r2' was told to drive at NaN m/s and 0.0 rad/s, expected finite numbers");
+                .hasMessage("robot 'r2' was commanded to drive at NaN m/s and 0.0 rad/s, expected finite numbers");
         assertThatThrownBy(() -> world.command(0, 0, Double.NEGATIVE_INFINITY)).hasMessageContaining("robot 'r1'");
         assertThatThrownBy(() -> world.setOdometry(1, new Pose(0, Double.NaN, 0)))
                 .hasMessageContaining("robot 'r2'");

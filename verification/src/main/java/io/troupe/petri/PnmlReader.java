@@ -103,7 +103,7 @@ final class PnmlReader {
     static PnmlException malformed(String source, XMLStreamException e) {
         var at = e.getLocation() == null ? 0 : e.getLocation().getLineNumber();
         if (e.getNestedException() instanceof CharacterCodingException) {
-            return new PnmlException(source, at, "the file is not in UTF-8, as it says or does not deny", e);
+            return new PnmlException(source, at, "the file is not in UTF-8, which it names as its encoding or by naming none", e);
         }
         // the parser's message repeats the position in its first line
         var reason = String.valueOf(e.getMessage())
@@ -408,7 +408,7 @@ final class PnmlReader {
                     || event == XMLStreamConstants.CHARACTERS && xml.getText().contains("inhibitor")) {
                 warn(
                         "inhibitor of a tool",
-                        "what the tool \"" + tool + "\" says of an inhibitor in " + what
+                        "what the tool \"" + tool + "\" has written about an inhibitor in " + what
                                 + " is left out, expected type=\"inhibitor\" at the arc");
             }
         }

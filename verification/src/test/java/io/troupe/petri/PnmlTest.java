@@ -268,7 +268,7 @@ class PnmlTest {
             assertThatThrownBy(() -> Pnml.read(garbage))
                     .isInstanceOf(PnmlException.class)
                     .hasMessageStartingWith(garbage + ":")
-                    .hasMessageEndingWith("the file is not in UTF-8, as it says or does not deny");
+                    .hasMessageEndingWith("the file is not in UTF-8, which it names as its encoding or by naming none");
         } finally {
             System.setErr(standardError);
         }

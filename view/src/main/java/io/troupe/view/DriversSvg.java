@@ -31,6 +31,7 @@ final class DriversSvg {
     private static final double AXIS_PX = 34;
     private static final double AXIS_FONT_PX = 13;
     private static final double FEWEST_PX_PER_TICK = 60;
+    private static final int MOST_LETTERS = 24; // of a node's name, so that the words of a fault fit on the page
     private static final String STATE_OPACITY = "0.45";
     private static final String FAULT = "#d11a2a";
 
@@ -162,7 +163,7 @@ final class DriversSvg {
                 double to = x(end);
                 String title = node + " from " + seconds(driver.fromMicros()) + " to " + seconds(end);
                 bar(from, to, NODE_BAR_PX, nodes.getOrDefault(node, "#cccccc"), "1", title);
-                words(node, from, to, NODE_BAR_PX);
+                words(shown(node), from, to, NODE_BAR_PX);
             }
         });
         double top = y;
@@ -251,8 +252,29 @@ final class DriversSvg {
                 "<rect class=\"gap\" x=\"%.2f\" y=\"%.1f\" width=\"%.2f\" height=\"%.1f\" fill=\"white\" stroke=\"%s\" stroke-width=\"1.5\"/>\n",
                 from, y, to - from, height, FAULT);
         String length = seconds(gap.endMicros() - (fault == null ? 0 : fault.timeMicros()));
-        String text = gap.next() == null ? "no driver any more" : "no driver for " + length + ", then " + gap.next();
-        centred((from + to) / 2, y + height + 17, text);
+        String next = gap.next();
+        String text = next == null ? "no driver any more" : "no driver for " + length + ", then " + shown(next);
+        withName(words, next == null ? "" : next, () -> centred((from + to) / 2, y + height + 17, text));
+    }
+
+    /** A name without its middle if it is long; the tooltip has the whole one. */
+    private static String shown(String node) {
+        int half = (MOST_LETTERS - 1) / 2;
+        return node.length() <= MOST_LETTERS
+                ? node
+                : node.substring(0, half) + "\u2026" + node.substring(node.length() - half);
+    }
+
+    /** Draws what has the whole name of a node as its tooltip, if the name is shortened. */
+    private static void withName(Svg onto, String node, Runnable drawing) {
+        boolean isShortened = !shown(node).equals(node);
+        if (isShortened) {
+            onto.add("<g><title>%s</title>\n", node);
+        }
+        drawing.run();
+        if (isShortened) {
+            onto.add("</g>\n");
+        }
     }
 
     /** Words in the middle, on white, since the line of the fault may run behind them. */
@@ -270,7 +292,8 @@ final class DriversSvg {
         body.add(
                 "<line x1=\"%.2f\" x2=\"%.2f\" y1=\"%.1f\" y2=\"%.1f\" stroke=\"%s\" stroke-width=\"2\" stroke-dasharray=\"5 4\"/>\n",
                 x, x, top + LABEL_PX - 4, y - BETWEEN_PX / 2, FAULT);
-        centred(x, top + LABEL_PX - 8, known.node() + " " + known.what());
+        String text = shown(known.node()) + " " + known.what();
+        withName(words, known.node(), () -> centred(x, top + LABEL_PX - 8, text));
     }
 
     // ---- axis and legend
@@ -294,16 +317,16 @@ final class DriversSvg {
         y += LEGEND_LINE_PX / 2;
         double x = LEFT_PX;
         for (String node : nodes.keySet().stream().sorted().toList()) {
-            x = entry(x, nodes.getOrDefault(node, ""), "1", "node " + node);
+            x = entry(x, nodes.getOrDefault(node, ""), "1", "node " + shown(node), node);
         }
         x = newLine(x);
         for (Service service : result.table().services()) {
-            x = entry(x, services.colour(service.name()), "1", "service " + service);
+            x = entry(x, services.colour(service.name()), "1", "service " + service, "");
         }
         x = newLine(x);
         for (State state : result.table().states()) {
             String colour = result.table().colourName(state.colour());
-            x = entry(x, Svg.colour(state.colour()), STATE_OPACITY, "state " + state.number() + " (" + colour + ")");
+            x = entry(x, Svg.colour(state.colour()), STATE_OPACITY, "state " + state.number() + " (" + colour + ")", "");
         }
     }
 
@@ -313,12 +336,12 @@ final class DriversSvg {
     }
 
     /** Returns where the next entry begins. */
-    private double entry(double x, String colour, String opacity, String text) {
+    private double entry(double x, String colour, String opacity, String text, String node) {
         double width = 34 + Svg.width(text, FONT_PX) + 6;
         double from = x > LEFT_PX && x + width > LEFT_PX + PLOT_PX ? newLine(x) : x;
-        body.add(
+        withName(body, node, () -> body.add(
                 "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"%s\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">%s</text>\n",
-                from, y - 12, colour, opacity, from + 34, y, text);
+                from, y - 12, colour, opacity, from + 34, y, text));
         return from + width;
     }
 }

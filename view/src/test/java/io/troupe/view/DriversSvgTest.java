@@ -106,6 +106,22 @@ class DriversSvgTest {
     }
 
     @Test
+    void longNames_loseTheirMiddle_andAreWholeInTooltips() {
+        String lost = "the-node-in-the-warehouse-of-the-eastern-branch-number-1";
+        String next = lost.replace("-1", "-2");
+        drive(follower, 0, lost, Service.WALL_FOLLOWER);
+        drive(wanderer, 0, next, Service.SPACE_WANDERER);
+        lose(follower, 6_500_000);
+        drive(follower, 7_200_000, next, Service.WALL_FOLLOWER);
+        String svg = Pictures.drivers(result(), new DriverFault(5_000_000, lost, "killed"));
+        MapBoundsTest.assertWordsAreOnThePage(svg);
+        assertThat(svg)
+                .contains(">node the-node-in\u2026ch-number-1</text>", ">the-node-in\u2026ch-number-1 killed</text>")
+                .contains("<g><title>" + lost + "</title>", "<g><title>" + next + "</title>")
+                .contains(">no driver for 2.2 s, then the-node-in\u2026ch-number-2</text>");
+    }
+
+    @Test
     void runWithoutAFault_orWithoutAnyDriver_isDrawnToo() {
         assertThat(Pictures.drivers(result(), null)).contains("<title>Which node drove which robot</title>");
         failover();

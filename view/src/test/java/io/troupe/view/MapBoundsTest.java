@@ -83,7 +83,7 @@ class MapBoundsTest {
         assertWordsAreOnThePage(Pictures.modes(modes, modes.finding() + " (" + name + ", seed 1)"));
     }
 
-    private static void assertWordsAreOnThePage(String svg) {
+    static void assertWordsAreOnThePage(String svg) {
         double wide = page(svg)[0];
         double font = attribute(svg, "font-size", Double.NaN);
         assertThat(Pattern.compile("<text ([^>]*)>([^<]*)</text>").matcher(svg).results())

@@ -1,7 +1,6 @@
 package io.troupe.actor.internal;
 
 import io.troupe.actor.promise.Promise;
-import java.util.List;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -39,10 +38,8 @@ public abstract class Router {
     /** The proxy of an actor. */
     public abstract Object actor(int number);
 
-    /** Fulfilled with the value of the first promise when both are fulfilled. */
-    @SuppressWarnings("unchecked") // the caller has the same type for all
+    /** Fulfilled with the value of the first promise when both are fulfilled; cancelling it cancels both. */
     public static Promise<?> both(Promise<?> first, Promise<?> second) {
-        return Promise.all((List<Promise<Object>>) (List<?>) List.of(first, second))
-                .thenApply(values -> values.get(0));
+        return Promise.ofRequests(first, second);
     }
 }

@@ -29,6 +29,11 @@ final class Combinators {
     }
 
     private static <R extends @Nullable Object> Deferred<R> about(List<? extends Promise<?>> parts) {
+        return about(parts, null);
+    }
+
+    private static <R extends @Nullable Object> Deferred<R> about(
+            List<? extends Promise<?>> parts, @Nullable Runnable ifCancelled) {
         Home here = Home.current();
         Home home = here != null
                 ? here
@@ -37,7 +42,7 @@ final class Combinators {
                         .filter(Objects::nonNull)
                         .findFirst()
                         .orElse(null);
-        return new Deferred<>(home, null);
+        return new Deferred<>(home, ifCancelled);
     }
 
     static <T extends @Nullable Object> Promise<List<T>> all(Collection<? extends Promise<? extends T>> promises) {
@@ -61,6 +66,14 @@ final class Combinators {
                     },
                     whole));
         }
+        return whole;
+    }
+
+    @SuppressWarnings("unchecked") // the caller has the same type for both
+    static Promise<?> ofRequests(Promise<?> first, Promise<?> second) {
+        var parts = (List<Promise<Object>>) (List<?>) List.of(first, second);
+        Deferred<Object> whole = about(parts, () -> parts.forEach(Promise::cancel));
+        whole.resolveFrom(all(parts).thenApply(values -> values.get(0)));
         return whole;
     }
 

@@ -342,6 +342,15 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return Combinators.all(promises);
     }
 
+    /**
+     * Two requests as one: fulfilled with the value of the first when both are fulfilled; cancelling it cancels both.
+     *
+     * @hidden
+     */
+    public static Promise<?> ofRequests(Promise<?> first, Promise<?> second) {
+        return Combinators.ofRequests(first, second);
+    }
+
     /** All outcomes, in the order of the arguments; never rejected. */
     public static <T extends @Nullable Object> Promise<List<Outcome<T>>> allSettled(
             Collection<? extends Promise<? extends T>> promises) {

@@ -208,7 +208,7 @@ public final class TestSpace implements AutoCloseable {
         }
         if (!quiet) {
             throw new AssertionError(
-                    "the test ended while messages waited in the space: runQueued() it, or say why not");
+                    "the test ended while messages waited in the space: runQueued() it, or take out what waits");
         }
     }
 }

@@ -170,6 +170,9 @@ class SpacesGuideTest extends InTestSpace {
 
         @Override
         public void learn(String colour) {
+            if (colour.isEmpty()) {
+                throw new IllegalArgumentException("colour is empty, expected a name");
+            }
             colours.add(colour);
         }
 
@@ -196,12 +199,18 @@ class SpacesGuideTest extends InTestSpace {
     }
 
     @Test
-    void pool_hasSettingsForItsActors() {
+    @Tag("threads")
+    @Timeout(60)
+    void pool_hasSettingsForItsActors() throws Exception {
         ActorSettings settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofMinutes(1)));
         ActorPool<Finder> finders =
                 ActorPool.create(2, SpaceSettings.named("finder"), Finder.class, BlobFinder::new, settings);
         int living = finders.living(); // 2: none has stopped
         assertThat(living).isEqualTo(2);
+        finders.broadcast().learn("red");
+        finders.broadcast().learn(""); // fails, and a new instance has learned nothing
+        assertThat(finders.roundRobin().blobs("a red wall").get(Duration.ofSeconds(10)))
+                .isZero();
         finders.close();
         assertThat(finders.living()).isZero();
     }

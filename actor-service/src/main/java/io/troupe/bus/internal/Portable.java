@@ -96,7 +96,7 @@ public final class Portable {
                 }
             }
         } else if (type == List.class || type == Map.class || type == Optional.class) {
-            throw rejection(path, type, "it does not say of what");
+            throw rejection(path, type, "it does not name its element type");
         } else {
             throw rejection(path, type, EXPECTED);
         }

@@ -195,19 +195,22 @@ final class HouseFigures {
         return places;
     }
 
-    /** Places of house words in comments, each with the word and a better one. */
+    /** Places of house words in comments, and in texts of main code, each with the word and a better one. */
     static List<String> houseWordsIn(Collection<SourceFile> sources) {
         List<String> places = new ArrayList<>();
         for (SourceFile file : sources) {
-            for (Comment comment : file.comments()) {
-                String words = comment.words();
-                HOUSE_WORDS.forEach((pattern, better) -> pattern.matcher(words)
-                        .results()
-                        .forEach(hit -> places.add(file.path() + ":" + comment.firstLine() + ": \"" + hit.group()
-                                + "\", better: " + better)));
+            file.comments().forEach(comment -> addHouseWords(places, file, comment.firstLine(), comment.words()));
+            if (file.isMain()) { // those of tests are the data of samples, too: a parrot may say something
+                file.texts().forEach(text -> addHouseWords(places, file, text.firstLine(), text.words()));
             }
         }
         return places;
+    }
+
+    private static void addHouseWords(List<String> places, SourceFile file, int line, String words) {
+        HOUSE_WORDS.forEach((pattern, better) -> pattern.matcher(words)
+                .results()
+                .forEach(hit -> places.add(file.path() + ":" + line + ": \"" + hit.group() + "\", better: " + better)));
     }
 
     // ---- Markdown
@@ -404,6 +407,15 @@ final class HouseFigures {
         }
     }
 
+    /** A text of the code, with its delimiters: a string or a text block. */
+    record Literal(int firstLine, String text) {
+        /** The text without its escapes; none if it has no blank, and so is a name or a keyword. */
+        String words() {
+            String words = text.replaceAll("^\"+|\"+$", "").replaceAll("\\\\.", " ").strip();
+            return words.contains(" ") ? words : "";
+        }
+    }
+
     /**
      * A source file.
      *
@@ -411,6 +423,7 @@ final class HouseFigures {
      * @param codeLines lines with something else than comments
      * @param testMethods methods with an annotation of a test framework, in nested classes too
      * @param types top-level types in order
+     * @param texts string literals and text blocks
      * @param names every identifier in its code, imports left out
      */
     record SourceFile(
@@ -421,6 +434,7 @@ final class HouseFigures {
             int testMethods,
             List<TopLevelType> types,
             List<Comment> comments,
+            List<Literal> texts,
             Set<String> names,
             List<String> longMethods) {
         private static final Pattern IDENTIFIER = Pattern.compile("[\\p{L}_$][\\p{L}\\p{N}_$]*");
@@ -470,7 +484,8 @@ final class HouseFigures {
 
         private static SourceFile of(Path path, String text, CompilationUnitTree unit, List<String> longMethods) {
             List<Comment> comments = new ArrayList<>();
-            String all = withoutComments(text, comments);
+            List<Literal> texts = new ArrayList<>();
+            String all = withoutComments(text, comments, texts);
             String code = IMPORT.matcher(all).replaceAll("");
             Set<String> names = new HashSet<>();
             IDENTIFIER.matcher(code).results().forEach(each -> names.add(each.group()));
@@ -490,6 +505,7 @@ final class HouseFigures {
                     testMethods(unit),
                     types,
                     comments,
+                    texts,
                     names,
                     longMethods);
         }
@@ -510,7 +526,7 @@ final class HouseFigures {
         }
 
         /** The code alone, each comment replaced by a space and each literal by an empty one on each of its lines. */
-        static String withoutComments(String text, List<Comment> comments) {
+        static String withoutComments(String text, List<Comment> comments, List<Literal> texts) {
             Predicate<String> isComment = piece -> piece.startsWith("//") || piece.startsWith("/*");
             var code = new StringBuilder();
             int line = 1;
@@ -522,6 +538,9 @@ final class HouseFigures {
                     comments.add(new Comment(line, i - text.lastIndexOf('\n', i) - 1, piece));
                     code.append(' ');
                 } else {
+                    if (piece.length() > 1 && piece.startsWith("\"")) {
+                        texts.add(new Literal(line, piece));
+                    }
                     code.append(piece.length() == 1 ? piece : "\"\"" + "\n\"\"".repeat(lineEnds(piece)));
                 }
                 line += lineEnds(piece);

@@ -6,6 +6,7 @@ import static org.assertj.core.api.Assertions.tuple;
 
 import io.troupe.checks.Repository;
 import io.troupe.checks.house.HouseFigures.Comment;
+import io.troupe.checks.house.HouseFigures.Literal;
 import io.troupe.checks.house.HouseFigures.SourceFile;
 import java.io.IOException;
 import java.nio.file.Files;
@@ -132,23 +133,35 @@ class HouseTest {
                    %s */
                 """.formatted("x".repeat(118));
         List<Comment> comments = new ArrayList<>();
-        String rest = SourceFile.withoutComments(code, comments);
+        List<Literal> texts = new ArrayList<>();
+        String rest = SourceFile.withoutComments(code, comments, texts);
         assertThat(comments).extracting(Comment::firstLine).containsExactly(1, 1, 4);
         assertThat(comments).extracting(Comment::words).element(0).isEqualTo("One.");
         assertThat(comments.getLast().linesOver(123)).containsExactly(5);
         assertThat(comments.getLast().linesOver(124)).isEmpty();
+        assertThat(texts).extracting(Literal::firstLine).containsExactly(1, 2);
+        assertThat(texts).extracting(Literal::words).element(0).isEqualTo("// no");
+        assertThat(texts.getLast().words()).startsWith("/* no */");
         assertThat(rest).doesNotContain("no", "two", "three").contains("int a", "String s");
     }
 
     @Test
-    void finder_findsHouseWords_butNotInCode() {
+    void finder_findsHouseWords_inCommentsAndTexts_butNotInCode() {
         var comment = new Comment(7, 0, "/** Whoever listens is told; {@code nobody()} is a name. */");
-        var file = new SourceFile(
-                Path.of("a/src/main/java/A.java"), "a", 9, 8, 0, List.of(), List.of(comment), Set.of(), List.of());
-        assertThat(HouseFigures.houseWordsIn(List.of(file)))
-                .hasSize(2)
+        var texts = List.of(
+                new Literal(8, "\"\"\"\n    the caller hears\\nnothing\"\"\""),
+                new Literal(9, "\"say\""),
+                new Literal(9, "\"a caller\""));
+        assertThat(HouseFigures.houseWordsIn(List.of(file("a/src/main/java/A.java", comment, texts))))
+                .hasSize(3)
+                .anyMatch(each -> each.startsWith("a/src/main/java/A.java:8: \"hears\", better: "))
                 .anyMatch(each -> each.startsWith("a/src/main/java/A.java:7: \"Whoever\", better: "))
                 .anyMatch(each -> each.contains("\"is told\""));
+    }
+
+    private static SourceFile file(String path, Comment comment, List<Literal> texts) {
+        return new SourceFile(
+                Path.of(path), "a", 9, 8, 0, List.of(), List.of(comment), texts, Set.of(), List.of());
     }
 
     @Test

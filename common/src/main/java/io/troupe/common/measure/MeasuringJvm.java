@@ -204,8 +204,8 @@ public final class MeasuringJvm implements AutoCloseable {
     private void checkProcessors(String count) throws IOException {
         Integer expected = settings.processors();
         if (expected != null && !count.equals(expected.toString())) {
-            throw new IOException("the JVM that measures says it has " + count + " processors, expected " + expected
-                    + " as it was told" + settings.seeLog());
+            throw new IOException("the JVM that measures reports " + count + " processors, expected " + expected
+                    + " as its options specify" + settings.seeLog());
         }
     }
 

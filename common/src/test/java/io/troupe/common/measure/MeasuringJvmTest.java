@@ -137,8 +137,8 @@ class MeasuringJvmTest {
             assertFails(
                     jvm,
                     "once",
-                    "the JVM that measures says it has " + others + " processors, expected " + processors
-                            + " as it was told, see " + log());
+                    "the JVM that measures reports " + others + " processors, expected " + processors
+                            + " as its options specify, see " + log());
         }
     }
 }

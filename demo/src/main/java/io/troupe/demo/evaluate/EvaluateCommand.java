@@ -31,7 +31,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "evaluate",
         description =
-                "Measures what section 4 of the paper measured, and sets what the paper says beside what comes out.",
+                "Measures what section 4 of the paper measured, and sets the paper's values beside what comes out.",
         footer = {
             "  troupe evaluate",
             "  troupe evaluate --loops 1000 --reconnect",
@@ -59,7 +59,7 @@ public final class EvaluateCommand implements Callable<Integer> {
             names = "--cores",
             paramLabel = "N",
             split = ",",
-            description = "what the Java machines that measure are told to have")
+            description = "the processors of the Java machines that measure")
     private List<Integer> cores = List.of(2, 3);
 
     @Option(names = "--modes", paramLabel = "MODE", split = ",", description = "of ${COMPLETION-CANDIDATES}")

@@ -79,7 +79,7 @@ public final class OfferCommand implements Callable<Integer> {
     @Option(
             names = "--table",
             paramLabel = "FILE",
-            description = "the table of services; the paper's unless given. It says how walls are followed",
+            description = "the table of services; the paper's unless given. It specifies how walls are followed",
             showDefaultValue = Visibility.NEVER)
     private @Nullable Path table;
 

@@ -39,7 +39,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "replay",
         description =
-                "Replays what serve --record has written, checks that it is the same, and says where the robots went.",
+                "Replays what serve --record has written, checks that it is the same, and prints where the robots went.",
         footer = {
             "  troupe replay office.txt --world office.cfg",
             "  troupe replay office.txt --world office.cfg --view",

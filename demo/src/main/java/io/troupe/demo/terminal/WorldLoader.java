@@ -6,13 +6,16 @@ import io.troupe.sim.worldfile.WorldFileException;
 import io.troupe.sim.worldfile.WorldFileWarning;
 import java.io.PrintWriter;
 import java.nio.file.Path;
+import java.util.LinkedHashMap;
+import java.util.Map;
 import java.util.function.Consumer;
 import picocli.CommandLine.Model.CommandSpec;
 import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * Reads worlds the same way in all commands. Warnings with their position go to standard error. What is unknown or
+ * Reads worlds the same way in all commands. Warnings with their position go to standard error, equal ones
+ * once. What is unknown or
  * cannot be used is a warning only with {@code --lenient}.
  */
 public final class WorldLoader {
@@ -31,11 +34,33 @@ public final class WorldLoader {
      */
     public Scenario read(Path named) {
         Path file = FileProblems.input(spec, named, "a world file");
-        PrintWriter err = spec.commandLine().getErr();
-        Consumer<WorldFileWarning> print = warning -> err.println("troupe: warning: " + warning);
-        Scenario scenario = lenient ? ScenarioReader.readLeniently(file, print) : ScenarioReader.read(file, print);
-        err.flush();
-        return scenario;
+        var warnings = new Warnings();
+        try {
+            return lenient ? ScenarioReader.readLeniently(file, warnings) : ScenarioReader.read(file, warnings);
+        } finally { // an error may be easier to understand with them
+            warnings.print(spec.commandLine().getErr());
+        }
+    }
+
+    /** The warnings about a file; of those with equal words the first one, and how many follow. */
+    private static final class Warnings implements Consumer<WorldFileWarning> {
+        private record Group(WorldFileWarning first, int size) {}
+
+        private final Map<String, Group> byProblem = new LinkedHashMap<>();
+
+        @Override
+        public void accept(WorldFileWarning warning) {
+            byProblem.merge(
+                    warning.problem(),
+                    new Group(warning, 1),
+                    (before, one) -> new Group(before.first, before.size + 1));
+        }
+
+        void print(PrintWriter err) {
+            byProblem.values().forEach(group -> err.println("troupe: warning: " + group.first
+                    + (group.size == 1 ? "" : " .. and " + (group.size - 1) + " more of this kind")));
+            err.flush();
+        }
     }
 
     /**

@@ -37,7 +37,7 @@ record NetStudy(
         var siphons = Siphons.minimalSiphons(net);
         if (!graph.isComplete() || !siphons.isComplete()) {
             throw new IllegalArgumentException(
-                    "net " + net.name() + " is too large to say something of all its markings and siphons: " + graph);
+                    "net " + net.name() + " is too large for a statement about all its markings and siphons: " + graph);
         }
         var equation = new StateEquation(net);
         return new NetStudy(

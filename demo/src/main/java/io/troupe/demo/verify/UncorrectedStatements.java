@@ -221,25 +221,25 @@ final class UncorrectedStatements {
                 entry("Tr4''", "robot asks player to set values"),
                 entry("Trp3''", "player takes the values"),
                 entry("Tp2", "player sets the values"),
-                entry("Trp4''", "player tells robot that the values are set"),
+                entry("Trp4''", "player notifies robot that the values are set"),
                 entry("Tr5", "robot goes on"),
                 entry("Tr6", "robot decides to stop"),
                 entry("Tr7", "robot stops"),
                 entry("Tp3''", "player asks middleware to receive the values"),
                 entry("Tpm1''", "middleware takes the request of player"),
                 entry("Tm3", "middleware receives the values"),
-                entry("Tpm2''", "middleware tells player that it has them"),
+                entry("Tpm2''", "middleware notifies player that it has them"),
                 entry("Tp4", "player stops"),
                 entry("Ts1''", "service asks middleware to register it"),
                 entry("Tms1''", "middleware takes the registration"),
                 entry("Tm1", "middleware registers service"),
-                entry("Tms2''", "middleware tells service that it is registered"),
+                entry("Tms2''", "middleware notifies service that it is registered"),
                 entry("Tm2''", "middleware asks service to receive data"),
                 entry("Tm4", "middleware stops"),
                 entry("Ts8", "service gets ready for data"),
                 entry("Tms3''", "service takes the request of middleware"),
                 entry("Ts2", "service receives the data"),
-                entry("Tms4''", "service tells middleware that it has them"),
+                entry("Tms4''", "service notifies middleware that it has them"),
                 entry("Ts3", "service chooses the wall follower"),
                 entry("Ts4", "service chooses the space wanderer"),
                 entry("Ts5", "service follows the wall"),
@@ -284,7 +284,7 @@ final class UncorrectedStatements {
                     of("A, but middleware wants a new registration each time (Tms4'' to M1)", registeringEachTime()),
                     of("A without S3'', which the text does not name", withoutS3()),
                     of("A, but player gives new proxies each time (Tpm2'' to P1)", newProxiesEachTime()),
-                    of("B: service does not get ready by a step of its own", PaperNets.uncorrected(Reading.B)));
+                    of("B: service does not get ready by a separate step", PaperNets.uncorrected(Reading.B)));
         }
 
         private static OtherReading of(String description, PetriNet net) {

@@ -38,7 +38,7 @@ import picocli.CommandLine.Spec;
 @Command(
         name = "verify",
         description =
-                "Computes what the paper says about its Petri nets, prints both side by side, and draws the nets.",
+                "Computes the paper's statements about its Petri nets, prints both side by side, and draws the nets.",
         footer = {
             "  troupe verify",
             "  troupe verify --net FILE.pnml",

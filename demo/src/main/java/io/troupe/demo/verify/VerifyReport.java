@@ -21,7 +21,7 @@ final class VerifyReport {
     }
 
     static final String TEAMS_TITLE =
-            "More robots, each with a player of its own: without correction, stopping together, stopping one by one\n";
+            "More robots, each with a separate player: without correction, stopping together, stopping one by one\n";
     static final String WIRINGS_TITLE = "\nWirings declared component by component\n";
 
     /** One line per statement with its result; traces are only in the Markdown. */
@@ -58,7 +58,7 @@ final class VerifyReport {
 
     private static String explanation(ReadingStudy study) {
         return switch (study.reading()) {
-            case A -> ": service gets ready for data by a step of its own";
+            case A -> ": service gets ready for data by a separate step";
             case B -> ": service waits for data at once";
         };
     }
@@ -68,14 +68,14 @@ final class VerifyReport {
         text.append("""
                 The figures with the nets are lost; the text names the places and transitions that composition adds, and the \
                 rest is our reconstruction, in two readings. Every number below was computed by this run. A siphon that can lose \
-                its tokens proves nothing by itself: a deadlock is only said to exist where a firing sequence leads to it.
+                its tokens proves nothing by itself: a deadlock is only reported where a firing sequence leads to it.
 
                 """);
         text.append("## The nets\n\n");
         text.append(table());
         readings.forEach(study -> statements(text, study));
         text.append(
-                "\n## More robots\n\nReading A; each robot has a player of its own, and all share one middleware and one service. Dead markings by stubborn sets.\n\n");
+                "\n## More robots\n\nReading A; each robot has a separate player, and all share one middleware and one service. Dead markings by stubborn sets.\n\n");
         text.append(
                 "| robots | without correction | stopping together | each robot with its player |\n|---|---|---|---|\n");
         teams.forEach(team -> text.append("| ")

@@ -213,7 +213,7 @@ class GuideSamplesTest {
         assertThat(result).isInstanceOf(Deadlock.class);
         assertThat(result.toString()).startsWith("""
                         can deadlock: 14 places, 12 transitions, 32 arcs; 17 markings, 24 edges, 1 dead; 13 markings by stubborn sets, 1 dead and no others
-                        camera waits for store.keep; store waits for camera.pause: all ask and nobody answers
+                        camera waits for store.keep; store waits for camera.pause: all ask and none answers
                           after 9 steps:
                             1. camera: take a picture
                             2. camera asks store.keep

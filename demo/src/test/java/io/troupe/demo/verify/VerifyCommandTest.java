@@ -405,6 +405,6 @@ class VerifyCommandTest extends CommandLineBench {
         var two = (WiringResult.Deadlock) WiringCheck.check(TroupeWiring.withDirectCalls(2));
         assertThat(two.counterexample().sentence())
                 .isEqualTo("service1 waits for arbitrator.colour; arbitrator waits for service1.stop: all ask and"
-                        + " nobody answers");
+                        + " none answers");
     }
 }

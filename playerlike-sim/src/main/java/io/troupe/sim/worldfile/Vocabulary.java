@@ -118,7 +118,7 @@ final class Vocabulary {
             all(withoutEffect("has no effect here: an outline is made of blocks or polygons"), "polylines"),
             all(NO_ENERGY, "joules", "joules_capacity", "kjoules", "kjoules_capacity", "watts", "give_watts"),
             all(NO_ENERGY, "take_watts", "capacity", "probe_range", "give", "give_rate", "take_rate"),
-            all(withoutEffect("has no effect here: models say nothing"), "say", "say_period", "audio_return"),
+            all(withoutEffect("has no effect here: models make no sound"), "say", "say_period", "audio_return"),
             all(withoutEffect("has no effect here: how bodies rub is the same for all"), "friction"),
             all(READ_BY_NO_STAGE, "background", "blobfinder_return", "show_waypoints", "shape", "laser_bright"));
 

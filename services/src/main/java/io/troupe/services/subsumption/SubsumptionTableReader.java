@@ -161,7 +161,7 @@ public final class SubsumptionTableReader {
             var end = new Place(new TableLine(file, StrictMath.max(1, lines.size()), ""), 0);
             written.put(new Subject.Whole(), end);
             if (!statements.containsKey(Keyword.ROBOTS)) {
-                throw problem(end, "the table does not say how many robots it is for, expected 'robots N'");
+                throw problem(end, "the table does not name the number of its robots, expected 'robots N'");
             }
             once(
                     Keyword.ROBOTS,
@@ -211,7 +211,7 @@ public final class SubsumptionTableReader {
         private void once(Keyword keyword, Consumer<TableLine> read) {
             var places = statements.getOrDefault(keyword, List.of());
             if (places.size() > 1) {
-                throw problem(places.get(1), "'" + keyword + "' is said twice, expected it once");
+                throw problem(places.get(1), "'" + keyword + "' is given twice, expected it once");
             }
             each(keyword, read);
         }

@@ -113,7 +113,7 @@ final class TableChecks {
                         new Subject.OfState(ends.getFirst().colour()),
                         ends.stream().map(this::name).collect(Collectors.joining(", "))
                                 + " can be reached and never ends, because no robot in it looks for colours: put a service that does in charge of one,"
-                                + " or say allowFinal(), in a file 'allow final'");
+                                + " or call allowFinal(), in a file 'allow final'");
     }
 
     private @Nullable Finding neverBeginning() {

@@ -5,8 +5,8 @@ import java.util.List;
 /**
  * How components come to wait for each other for ever.
  *
- * @param sentence the final state, for example {@code player stops; robot waits for player.setValues, which nobody will
- *     answer}
+ * @param sentence the final state, for example {@code player stops; robot waits for player.setValues, which no
+ *     component will answer}
  * @param firings a firing sequence from the start to that state, in the words of the declaration
  * @param isShortest whether no other sequence to this marking, or to this kind of block, is shorter
  * @param waits by component that cannot go on: what it waits for; in a dead marking these are all components

@@ -253,15 +253,15 @@ final class Explainer {
         var allAsk = shown.size() > 1 && shown.stream().allMatch(Wait.Answer.class::isInstance);
         for (var wait : shown) {
             switch (wait) {
-                case Wait.Answer answer -> parts.add(answer + (allAsk ? "" : ", which nobody will answer"));
+                case Wait.Answer answer -> parts.add(answer + (allAsk ? "" : ", which no component will answer"));
                 case Wait.Call call -> {
                     if (shown.size() == 1 || !stopped.contains(call.component())) {
-                        parts.add(call + ", which nobody will do");
+                        parts.add(call + ", which no component will do");
                     }
                 }
                 default -> parts.add(wait.toString());
             }
         }
-        return String.join("; ", parts) + (allAsk ? ": all ask and nobody answers" : "");
+        return String.join("; ", parts) + (allAsk ? ": all ask and none answers" : "");
     }
 }

@@ -146,7 +146,7 @@ public final class Wiring {
                     group.stream()
                             .anyMatch(component ->
                                     !protocol(component).stopStates().isEmpty()),
-                    "nobody stops in group " + group + "; expected a component that declares a stop");
+                    "no component stops in group " + group + "; expected a component that declares a stop");
         }
         parts.components().forEach((component, protocol) -> {
             for (var state : seen.contains(component) ? List.<String>of() : protocol.stopStates()) {

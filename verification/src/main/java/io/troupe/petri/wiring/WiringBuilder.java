@@ -307,7 +307,7 @@ public final class WiringBuilder {
         var declaredOpen = parts.open().contains(component + "." + call);
         require(
                 !users.isEmpty() || declaredOpen,
-                component + " " + offers + " " + call + ", but nobody " + verb + " it; "
+                component + " " + offers + " " + call + ", but no component " + verb + " it; "
                         + verb.substring(0, verb.length() - 1) + " it, or declare " + component + "." + call + " open");
         require(
                 users.isEmpty() || !declaredOpen,

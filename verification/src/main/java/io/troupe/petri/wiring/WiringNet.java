@@ -408,7 +408,7 @@ final class WiringNet {
             var seen = Event.of(component).seen(Kind.TIMED_OUT, component, target);
             draft.step(event + " was not taken", seen, List.of(waiting), List.of(at(component, state)));
             var abandoned = List.of(at(component, state), abandoned(component, provider, call));
-            draft.step(event + " is served in vain", seen, List.of(pending), abandoned);
+            draft.step(event + " is served after the timeout", seen, List.of(pending), abandoned);
         });
         if (wiring.protocol(component).failsIn(request.from())) {
             fails(component, request.from(), caller + " fails waiting for " + target, List.of(waiting), List.of());

@@ -57,8 +57,8 @@ class DeclarationsTest {
     @Test
     void call_thatIsOfferedInOneState_deadlocks_inSeveralItDoesNot() {
         assertThat(story(server(false)))
-                .isEqualTo("server (busy) waits to be called: done by worker, which nobody will do; worker waits for"
-                        + " server.status, which nobody will answer");
+                .isEqualTo("server (busy) waits to be called: done by worker, which no component will do; worker waits for"
+                        + " server.status, which no component will answer");
         requireProved(server(true));
     }
 
@@ -95,7 +95,7 @@ class DeclarationsTest {
     @Test
     void callerThatWaits_deadlocks_oneThatGoesOnAnswersOthersMeanwhile() {
         assertThat(story(pictures(true)))
-                .isEqualTo("camera waits for store.keep; store waits for camera.pause: all ask and nobody answers");
+                .isEqualTo("camera waits for store.keep; store waits for camera.pause: all ask and none answers");
         requireProved(pictures(false));
     }
 
@@ -118,7 +118,7 @@ class DeclarationsTest {
 
     @Test
     void ring_thatDeadlocks_goesOnAfterATimeOut() {
-        assertThat(story(ring(false))).contains("node3 waits for node1.take: all ask and nobody answers");
+        assertThat(story(ring(false))).contains("node3 waits for node1.take: all ask and none answers");
         requireProved(ring(true));
     }
 
@@ -145,8 +145,8 @@ class DeclarationsTest {
     void lateAnswer_thatNoStateTakes_blocksTheNextQuestion_unlessItIsGivenUp() {
         assertThat(story(late(false)))
                 .isEqualTo(
-                        "client waits for planner.plan, which nobody will answer; planner (ready) waits to be called:"
-                                + " plan by client, which nobody will do");
+                        "client waits for planner.plan, which no component will answer; planner (ready) waits to be called:"
+                                + " plan by client, which no component will do");
         requireProved(late(true));
     }
 
@@ -237,7 +237,7 @@ class DeclarationsTest {
     @Test
     void stream_whoseSubscriberCallsItsProvider_deadlocksWhenTheWindowIsFull() {
         assertThat(story(frames(1)))
-                .isEqualTo("viewer waits for camera.adjust, which nobody will answer; camera waits for room to send"
+                .isEqualTo("viewer waits for camera.adjust, which no component will answer; camera waits for room to send"
                         + " frames to viewer, which has not taken [frames]");
         requireProved(frames(2));
     }
@@ -452,7 +452,7 @@ class DeclarationsTest {
                 .isEqualTo("""
                 wiring w: p receives [note], but its mailbox has no capacity; expected mailbox("p", 1, Overflow.BLOCK) \
                 or another one
-                wiring w: p receives note, but nobody sends it; send it, or declare p.note open
+                wiring w: p receives note, but no component sends it; send it, or declare p.note open
                 wiring w: the mailbox of p with a capacity of 1000 for [note] has more than 1000 contents; expected a \
                 smaller capacity
                 wiring w: p acquires arm, but there is no resource arm; there are none

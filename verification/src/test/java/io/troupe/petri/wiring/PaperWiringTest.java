@@ -41,11 +41,11 @@ import org.junit.jupiter.params.provider.ValueSource;
 class PaperWiringTest {
     private static final SearchLimits SMALL = SearchLimits.markings(100_000);
     private static final String SERVICE_WAITS =
-            "middleware stops; service (ready) waits to be called: receive by middleware, which nobody will do";
+            "middleware stops; service (ready) waits to be called: receive by middleware, which no component will do";
     private static final String ROBOT_WAITS =
-            "player stops; robot waits for player.setValues, which nobody will answer";
+            "player stops; robot waits for player.setValues, which no component will answer";
     private static final String BOTH_ASK =
-            "middleware waits for service.receive; service waits for middleware.register: all ask and nobody answers";
+            "middleware waits for service.receive; service waits for middleware.register: all ask and none answers";
 
     private static Deadlock deadlock(Wiring wiring) {
         return (Deadlock) WiringCheck.check(wiring);
@@ -231,7 +231,7 @@ class PaperWiringTest {
         assertThat(result.reduced().end()).isEqualTo(SearchEnd.COMPLETE);
         assertThat(result.reduced().deadMarkings()).isEqualTo(dead);
         assertThat(result.counterexample().sentence())
-                .isEqualTo("player1 stops; robot1 waits for player1.setValues, which nobody will answer");
+                .isEqualTo("player1 stops; robot1 waits for player1.setValues, which no component will answer");
         assertThat(result.counterexample().firings()).hasSize(firings);
         assertThat(net.enabled(end(net, result.counterexample()))).isEmpty();
         assertThat(result.figures().markings()).isEqualTo(markings);
@@ -281,7 +281,7 @@ class PaperWiringTest {
                     assertThat(pair.counterexamples()).hasSize(1);
                     var counterexample = pair.counterexamples().getFirst();
                     assertThat(counterexample.sentence())
-                            .isEqualTo("player6 stops; robot6 waits for player6.setValues, which nobody will answer");
+                            .isEqualTo("player6 stops; robot6 waits for player6.setValues, which no component will answer");
                     assertThat(counterexample.firings()).hasSize(8).allMatch(step -> step.contains("6"));
                     assertThat(counterexample.circle())
                             .extracting(Wait::component)
@@ -383,6 +383,6 @@ class PaperWiringTest {
                 "wiring 2 robots: robot2 is in no group that stops, but can do nothing else in state leaving");
         refused(
                 () -> ticking.withSynchronisedStops(List.of(Set.of("clock"))),
-                "wiring w: nobody stops in group [clock]; expected a component that declares a stop");
+                "wiring w: no component stops in group [clock]; expected a component that declares a stop");
     }
 }

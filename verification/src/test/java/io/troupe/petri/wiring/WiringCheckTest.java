@@ -101,7 +101,7 @@ class WiringCheckTest {
         assertThat(result.figures().deadMarkings()).isEqualTo(1);
         assertThat(result.counterexample().sentence())
                 .isEqualTo("node1 waits for node2.take; node2 waits for node3.take; node3 waits for node1.take: all ask"
-                        + " and nobody answers");
+                        + " and none answers");
         assertThat(result.counterexample().firings())
                 .containsExactlyInAnyOrder("node1 asks node2.take", "node2 asks node3.take", "node3 asks node1.take");
         assertThat(result.counterexample().circle())
@@ -115,7 +115,7 @@ class WiringCheckTest {
         assertThatThrownBy(
                         () -> assertThat(result).as("an assertion that fails").isInstanceOf(Proved.class))
                 .isInstanceOf(AssertionError.class)
-                .hasMessageContaining("node3 waits for node1.take: all ask and nobody answers");
+                .hasMessageContaining("node3 waits for node1.take: all ask and none answers");
     }
 
     /** A server that takes two resources before it serves, and a user who may take a lock twice. */
@@ -216,7 +216,7 @@ class WiringCheckTest {
                 wiring("blocked", server.build(), user.build(), clock.build()).build());
         assertThat(result.figures().deadMarkings()).isZero();
         assertThat(result.counterexample().sentence())
-                .isEqualTo("server stops; user waits for server.use, which nobody will answer");
+                .isEqualTo("server stops; user waits for server.use, which no component will answer");
         assertThat(result.counterexample().waits()).extracting(Wait::component).containsExactly("server", "user");
         assertThat(result.pairs()).extracting(PairResult::isFree).containsExactly(false);
     }
@@ -232,7 +232,7 @@ class WiringCheckTest {
         var result = (Blocked) WiringCheck.check(
                 wiring("cancel", server.build(), client.build()).build());
         assertThat(result.counterexample().sentence())
-                .isEqualTo("client waits for server.cancel, which nobody will answer");
+                .isEqualTo("client waits for server.cancel, which no component will answer");
     }
 
     @Test
@@ -292,8 +292,8 @@ class WiringCheckTest {
                 WiringCheck.check(wiring("order", wrong.build(), server.build()).build());
         assertThat(result.figures().neverReached()).contains("server.second", "wrong.then");
         assertThat(result.counterexample().sentence())
-                .isEqualTo("wrong waits for server.second, which nobody will answer; server (first) waits to be called:"
-                        + " first by wrong, which nobody will do");
+                .isEqualTo("wrong waits for server.second, which no component will answer; server (first) waits to be called:"
+                        + " first by wrong, which no component will do");
     }
 
     // ---- declarations that are refused
@@ -340,7 +340,7 @@ class WiringCheckTest {
                 mean setValues? known: setValues
                 wiring w: robot requests robot2.move in state idle, but robot2 never offers move; there are none
                 wiring w: robot requests robot.move in state idle of itself; expected another component
-                wiring w: player offers setValues, but nobody requests it; request it, or declare player.setValues open
+                wiring w: player offers setValues, but no component requests it; request it, or declare player.setValues open
                 wiring w: open call player.setValue is not offered; did you mean player.setValues? known: \
                 player.setValues
                 wiring w: player.setValues is declared open and requested by [robot]; expected one of the two

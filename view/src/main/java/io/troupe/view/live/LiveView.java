@@ -60,6 +60,8 @@ public final class LiveView implements AutoCloseable {
     static final int MOST_VIEWERS = 64;
     static final int MOST_COMMAND_BYTES = 4_096;
     static final int MOST_CHOSEN = 16;
+    private static final int MOST_ROBOTS = 0xFFFF; // that a page can choose among
+    private static final String NO_DELAY = "sun.net.httpserver.nodelay";
 
     private static final System.Logger LOG = System.getLogger(LiveView.class.getName());
     private static final String FOXGLOVE = "https://app.foxglove.dev";
@@ -111,12 +113,27 @@ public final class LiveView implements AutoCloseable {
         this.token = bound.isLoopbackAddress() ? null : word();
     }
 
+    /**
+     * Creates the server behind the port of the page. Without the setting a small frame would wait for the previous
+     * one. The JDK reads it once, with the first server of the JVM, and has no other way; the property is not left
+     * behind.
+     */
+    private static synchronized HttpServer localServer() throws IOException {
+        var address = new InetSocketAddress(InetAddress.getLoopbackAddress(), 0);
+        if (System.getProperty(NO_DELAY) != null) {
+            return HttpServer.create(address, 0);
+        }
+        System.setProperty(NO_DELAY, "true");
+        try {
+            return HttpServer.create(address, 0);
+        } finally {
+            System.clearProperty(NO_DELAY);
+        }
+    }
+
     /** Begins to listen. */
     public static LiveView open(Settings settings) throws IOException {
-        if (System.getProperty("sun.net.httpserver.nodelay") == null) {
-            System.setProperty("sun.net.httpserver.nodelay", "true"); // a small frame would wait for the previous one
-        }
-        HttpServer server = HttpServer.create(new InetSocketAddress(InetAddress.getLoopbackAddress(), 0), 0);
+        HttpServer server = localServer();
         SharedPort port;
         try {
             port = SharedPort.bind(settings.address(), settings.port(), server.getAddress());
@@ -304,7 +321,7 @@ public final class LiveView implements AutoCloseable {
             viewer.chosen = Arrays.stream(words)
                     .skip(1)
                     .limit(MOST_CHOSEN)
-                    .map(word -> ((ViewCommand.Release) ViewCommand.parse("release " + word, 0xFFFF)).robot())
+                    .map(word -> ViewCommand.robot(word, MOST_ROBOTS))
                     .toList();
             board.wakeAll();
         } catch (IllegalArgumentException e) {

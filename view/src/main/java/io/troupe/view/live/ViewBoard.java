@@ -1,13 +1,15 @@
 package io.troupe.view.live;
 
 import java.util.ArrayDeque;
-import java.util.ArrayList;
+import java.util.Arrays;
 import java.util.Deque;
 import java.util.List;
+import java.util.Objects;
 import java.util.Set;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.locks.LockSupport;
 import java.util.function.BooleanSupplier;
+import java.util.stream.LongStream;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -73,15 +75,16 @@ final class ViewBoard implements ViewSink {
     private volatile @Nullable ViewedWorld world;
     private volatile @Nullable Shown newest;
     private final Deque<Shown> past = new ArrayDeque<>(); // guarded by this, as are the events
-    private final List<String> events = new ArrayList<>();
+    private final @Nullable String[] events = new String[MOST_EVENTS]; // each at the rest of its number
     private long firstEvent;
+    private long endOfEvents; // the number of the next one
     private long pastMicros = Long.MIN_VALUE;
 
     @Override
     public synchronized void world(ViewedWorld begun) {
         past.clear();
-        firstEvent += events.size();
-        events.clear();
+        firstEvent = endOfEvents;
+        Arrays.fill(events, null);
         pastMicros = Long.MIN_VALUE;
         newest = null;
         world = begun;
@@ -129,11 +132,13 @@ final class ViewBoard implements ViewSink {
 
     @Override
     public synchronized void event(String json) {
-        events.add(json);
-        if (events.size() > MOST_EVENTS) {
-            events.removeFirst();
-            firstEvent++;
-        }
+        events[place(endOfEvents)] = json;
+        endOfEvents++;
+        firstEvent = Math.max(firstEvent, endOfEvents - MOST_EVENTS);
+    }
+
+    private static int place(long number) {
+        return (int) (number % MOST_EVENTS);
     }
 
     @Nullable
@@ -161,8 +166,9 @@ final class ViewBoard implements ViewSink {
 
     synchronized Events eventsFrom(long number) {
         long from = Math.max(number, firstEvent);
-        long end = firstEvent + events.size();
-        int begin = (int) Math.min(from - firstEvent, events.size());
-        return new Events(from, end, List.copyOf(events.subList(begin, events.size())));
+        List<String> json = LongStream.range(from, endOfEvents)
+                .mapToObj(each -> Objects.requireNonNull(events[place(each)]))
+                .toList();
+        return new Events(from, endOfEvents, json);
     }
 }

@@ -162,7 +162,12 @@ public sealed interface ViewCommand {
         return new Speed(factor);
     }
 
-    private static int robot(String word, int robots) {
+    /**
+     * The index of a robot by its number, which begins with 1.
+     *
+     * @throws IllegalArgumentException if the word is no number from 1 to {@code robots}
+     */
+    static int robot(String word, int robots) {
         if (word.matches("[0-9]{1,6}")) {
             int number = Integer.parseInt(word);
             if (number >= 1 && number <= robots) {

@@ -89,6 +89,7 @@ class LiveViewTest {
                 result = run.run(log, viewed.listener(RecordedRun.Listener.NONE));
             }
         }
+        assertThat(System.getProperty("sun.net.httpserver.nodelay")).isNull();
         assertThat(address).matches("http://localhost:\\d+/");
         assertThat(result.duration()).isEqualTo("2.0");
     }

@@ -67,7 +67,7 @@ public final class ComponentKinds {
     private static ComponentKind player() {
         return new ComponentKind(
                 "player",
-                "the robots of a Player server: they say what they sense, and hear how to move",
+                "the robots of a Player server: they report what they sense, and receive commands to move",
                 List.of(
                         new Parameter("host", "where the server is", "localhost"),
                         new Parameter("port", "its port", "6665"),
@@ -132,7 +132,7 @@ public final class ComponentKinds {
     private static ComponentKind colourFinder() {
         return new ComponentKind(
                 "colourFinder",
-                "says which colour has come into sight",
+                "reports which colour has come into sight",
                 List.of(new Parameter("ignore", "colours that mean nothing", "black,orange")),
                 (name, arguments) -> ColourFinderComponent.of(
                         name,

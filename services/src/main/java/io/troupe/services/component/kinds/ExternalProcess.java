@@ -204,7 +204,7 @@ final class ExternalProcess implements ComponentCommunication<String, String> {
 
     private String lastErrors() {
         String last = errors.text();
-        return last.isEmpty() ? "" : "; it said: " + last;
+        return last.isEmpty() ? "" : "; it printed: " + last;
     }
 
     private String commandLine() {

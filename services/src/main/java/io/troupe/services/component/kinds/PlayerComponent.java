@@ -320,7 +320,7 @@ public final class PlayerComponent {
             private void checkCommandLimit() {
                 if (moving && ++readingsSinceCommand >= MAX_READINGS_WITHOUT_COMMAND) {
                     stop();
-                    signals.info("robot " + (robot.index() + 1) + " has heard no command for "
+                    signals.info("robot " + (robot.index() + 1) + " has received no command for "
                             + MAX_READINGS_WITHOUT_COMMAND + " readings, and is stopped");
                 }
             }

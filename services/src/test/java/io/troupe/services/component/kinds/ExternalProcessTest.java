@@ -179,14 +179,14 @@ class ExternalProcessTest {
         awaitNote("script has failed");
         assertThatThrownBy(() -> done(provider.check()))
                 .isInstanceOf(ProviderException.class)
-                .hasMessageContaining("ended with status 7; it said: out of wheels");
+                .hasMessageContaining("ended with status 7; it printed: out of wheels");
     }
 
     @Test
     void processThatEndsBeforeItsFirstLine_isNotStarted() {
         assertThatThrownBy(() -> started("echo 'no such robot' >&2; exit 1"))
                 .hasMessageStartingWith("here/script has failed: ")
-                .hasMessageEndingWith("ended with status 1; it said: no such robot");
+                .hasMessageEndingWith("ended with status 1; it printed: no such robot");
     }
 
     @Test
