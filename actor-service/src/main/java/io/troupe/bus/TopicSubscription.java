@@ -10,7 +10,10 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
     private long dropped; // guarded by this
 
     TopicSubscription(BusPort port, BusTopic<T> topic, BusPort.Subscriber<? super T> subscriber) {
-        super(port, port.address() + " receives " + topic.name(), topic.onlyLatest() ? 1 : port.node.settings.capacity());
+        super(
+                port,
+                port.address() + " receives " + topic.name(),
+                topic.onlyLatest() ? 1 : port.node.settings.capacity());
         this.topic = topic;
         this.subscriber = subscriber;
     }

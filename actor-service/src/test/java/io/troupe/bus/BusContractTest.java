@@ -89,8 +89,8 @@ class BusContractTest extends BusContract {
         assertThat(theOnlyLoss())
                 .isEqualTo(
                         new Loss.Discarded(new Address(far.node(), "a"), "counts", 2, "it does not subscribe any more"))
-                .hasToString(
-                        far.node() + "/a does not receive 2 values of counts that waited: it does not subscribe any more");
+                .hasToString(far.node()
+                        + "/a does not receive 2 values of counts that waited: it does not subscribe any more");
     }
 
     @Test

@@ -348,7 +348,8 @@ class RemoteNodesTest {
         arrives(publication(1, 1));
         subscription.close();
         assertThat(take(losses))
-                .containsExactly("near/a does not receive 1 values of counts that waited: it does not subscribe any more");
+                .containsExactly(
+                        "near/a does not receive 1 values of counts that waited: it does not subscribe any more");
         subscribe(COUNTS);
         arrives(publication(9, 9));
         test.runQueued();
@@ -368,7 +369,8 @@ class RemoteNodesTest {
         test.runQueued();
         assertThat(received).containsExactly(1, 3);
         assertThat(take(losses))
-                .containsExactly("near/a does not receive publication on counts from far/b (number 2): it is 301 ms old");
+                .containsExactly(
+                        "near/a does not receive publication on counts from far/b (number 2): it is 301 ms old");
         assertThat(bus.metrics().stale()).isEqualTo(1);
         assertThatThrownBy(() -> COUNTS.droppingOlderThan(Duration.ZERO))
                 .isInstanceOf(IllegalArgumentException.class)

@@ -192,8 +192,7 @@ class MainTest extends CommandLineBench {
         printed("draw DIR/energy.world --out DIR/w.svg");
         String first = "troupe: warning: DIR/energy.world:1:9: \"joules\" has no effect here: energy is not simulated";
         String second = "troupe: warning: DIR/energy.world:1:18: \"watts\" has no effect here: energy is not simulated";
-        assertThat(err.toString().lines())
-                .startsWith(local(first + " .. and 2 more of this kind"), local(second));
+        assertThat(err.toString().lines()).startsWith(local(first + " .. and 2 more of this kind"), local(second));
     }
 
     @Test

@@ -103,7 +103,8 @@ final class PnmlReader {
     static PnmlException malformed(String source, XMLStreamException e) {
         var at = e.getLocation() == null ? 0 : e.getLocation().getLineNumber();
         if (e.getNestedException() instanceof CharacterCodingException) {
-            return new PnmlException(source, at, "the file is not in UTF-8, which it names as its encoding or by naming none", e);
+            return new PnmlException(
+                    source, at, "the file is not in UTF-8, which it names as its encoding or by naming none", e);
         }
         // the parser's message repeats the position in its first line
         var reason = String.valueOf(e.getMessage())

@@ -326,7 +326,8 @@ final class DriversSvg {
         x = newLine(x);
         for (State state : result.table().states()) {
             String colour = result.table().colourName(state.colour());
-            x = entry(x, Svg.colour(state.colour()), STATE_OPACITY, "state " + state.number() + " (" + colour + ")", "");
+            x = entry(
+                    x, Svg.colour(state.colour()), STATE_OPACITY, "state " + state.number() + " (" + colour + ")", "");
         }
     }
 
@@ -339,9 +340,12 @@ final class DriversSvg {
     private double entry(double x, String colour, String opacity, String text, String node) {
         double width = 34 + Svg.width(text, FONT_PX) + 6;
         double from = x > LEFT_PX && x + width > LEFT_PX + PLOT_PX ? newLine(x) : x;
-        withName(body, node, () -> body.add(
-                "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"%s\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">%s</text>\n",
-                from, y - 12, colour, opacity, from + 34, y, text));
+        withName(
+                body,
+                node,
+                () -> body.add(
+                        "<rect x=\"%.1f\" y=\"%.1f\" width=\"26\" height=\"14\" fill=\"%s\" fill-opacity=\"%s\" stroke=\"#333333\" stroke-width=\"0.6\"/><text x=\"%.1f\" y=\"%.1f\">%s</text>\n",
+                        from, y - 12, colour, opacity, from + 34, y, text));
         return from + width;
     }
 }

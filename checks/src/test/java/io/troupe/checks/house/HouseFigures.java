@@ -411,7 +411,8 @@ final class HouseFigures {
     record Literal(int firstLine, String text) {
         /** The text without its escapes; none if it has no blank, and so is a name or a keyword. */
         String words() {
-            String words = text.replaceAll("^\"+|\"+$", "").replaceAll("\\\\.", " ").strip();
+            String words =
+                    text.replaceAll("^\"+|\"+$", "").replaceAll("\\\\.", " ").strip();
             return words.contains(" ") ? words : "";
         }
     }

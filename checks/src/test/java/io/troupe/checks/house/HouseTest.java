@@ -160,8 +160,7 @@ class HouseTest {
     }
 
     private static SourceFile file(String path, Comment comment, List<Literal> texts) {
-        return new SourceFile(
-                Path.of(path), "a", 9, 8, 0, List.of(), List.of(comment), texts, Set.of(), List.of());
+        return new SourceFile(Path.of(path), "a", 9, 8, 0, List.of(), List.of(comment), texts, Set.of(), List.of());
     }
 
     @Test

@@ -14,9 +14,8 @@ import picocli.CommandLine.Option;
 import picocli.CommandLine.Spec;
 
 /**
- * Reads worlds the same way in all commands. Warnings with their position go to standard error, equal ones
- * once. What is unknown or
- * cannot be used is a warning only with {@code --lenient}.
+ * Reads worlds the same way in all commands. Warnings with their position go to standard error, equal ones once. What
+ * is unknown or cannot be used is a warning only with {@code --lenient}.
  */
 public final class WorldLoader {
     @Spec(Spec.Target.MIXEE)
@@ -57,8 +56,10 @@ public final class WorldLoader {
         }
 
         void print(PrintWriter err) {
-            byProblem.values().forEach(group -> err.println("troupe: warning: " + group.first
-                    + (group.size == 1 ? "" : " .. and " + (group.size - 1) + " more of this kind")));
+            byProblem
+                    .values()
+                    .forEach(group -> err.println("troupe: warning: " + group.first
+                            + (group.size == 1 ? "" : " .. and " + (group.size - 1) + " more of this kind")));
             err.flush();
         }
     }

@@ -57,8 +57,9 @@ class DeclarationsTest {
     @Test
     void call_thatIsOfferedInOneState_deadlocks_inSeveralItDoesNot() {
         assertThat(story(server(false)))
-                .isEqualTo("server (busy) waits to be called: done by worker, which no component will do; worker waits for"
-                        + " server.status, which no component will answer");
+                .isEqualTo(
+                        "server (busy) waits to be called: done by worker, which no component will do; worker waits for"
+                                + " server.status, which no component will answer");
         requireProved(server(true));
     }
 
@@ -237,8 +238,9 @@ class DeclarationsTest {
     @Test
     void stream_whoseSubscriberCallsItsProvider_deadlocksWhenTheWindowIsFull() {
         assertThat(story(frames(1)))
-                .isEqualTo("viewer waits for camera.adjust, which no component will answer; camera waits for room to send"
-                        + " frames to viewer, which has not taken [frames]");
+                .isEqualTo(
+                        "viewer waits for camera.adjust, which no component will answer; camera waits for room to send"
+                                + " frames to viewer, which has not taken [frames]");
         requireProved(frames(2));
     }
 

@@ -281,7 +281,8 @@ class PaperWiringTest {
                     assertThat(pair.counterexamples()).hasSize(1);
                     var counterexample = pair.counterexamples().getFirst();
                     assertThat(counterexample.sentence())
-                            .isEqualTo("player6 stops; robot6 waits for player6.setValues, which no component will answer");
+                            .isEqualTo(
+                                    "player6 stops; robot6 waits for player6.setValues, which no component will answer");
                     assertThat(counterexample.firings()).hasSize(8).allMatch(step -> step.contains("6"));
                     assertThat(counterexample.circle())
                             .extracting(Wait::component)

@@ -292,8 +292,9 @@ class WiringCheckTest {
                 WiringCheck.check(wiring("order", wrong.build(), server.build()).build());
         assertThat(result.figures().neverReached()).contains("server.second", "wrong.then");
         assertThat(result.counterexample().sentence())
-                .isEqualTo("wrong waits for server.second, which no component will answer; server (first) waits to be called:"
-                        + " first by wrong, which no component will do");
+                .isEqualTo(
+                        "wrong waits for server.second, which no component will answer; server (first) waits to be called:"
+                                + " first by wrong, which no component will do");
     }
 
     // ---- declarations that are refused

@@ -17,7 +17,10 @@ class ViewBoardTest {
         var kept = board.eventsFrom(0);
         assertThat(kept.first()).isEqualTo(3);
         assertThat(kept.last()).isEqualTo(all);
-        assertThat(kept.json()).hasSize(ViewBoard.MOST_EVENTS).startsWith("e3", "e4").endsWith("e" + (all - 1));
+        assertThat(kept.json())
+                .hasSize(ViewBoard.MOST_EVENTS)
+                .startsWith("e3", "e4")
+                .endsWith("e" + (all - 1));
         assertThat(board.eventsFrom(all - 2).json()).containsExactly("e" + (all - 2), "e" + (all - 1));
         assertThat(board.eventsFrom(all).json()).isEmpty();
         assertThat(board.eventsFrom(all + 5).json()).isEmpty();

@@ -270,7 +270,8 @@ class ComponentKindsTest extends ComponentBench {
         assertThat(robots.commands(0)).hasSize(1);
         robots.tick(100);
         assertThat(robots.lastCommand(0)).isEqualTo(STOP);
-        assertThat(notes.take()).containsExactly("robots robot 1 has received no command for 5 readings, and is stopped");
+        assertThat(notes.take())
+                .containsExactly("robots robot 1 has received no command for 5 readings, and is stopped");
         robots.tick(100);
         assertThat(robots.commands(0)).hasSize(2);
     }
