@@ -303,8 +303,8 @@ final class WiringNet {
         var service = new Service(
                 offer,
                 where,
-                provider + " before " + offer.call() + where,
-                provider + " after " + offer.call() + where);
+                provider + " has taken " + offer.call() + where,
+                provider + " has done " + offer.call() + where);
         var serving = new ComponentState.Serving(provider, offer.call());
         draft.local(provider, service.before(), 0, serving);
         draft.local(provider, service.after(), 0, serving);

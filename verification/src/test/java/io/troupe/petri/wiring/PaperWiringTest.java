@@ -94,9 +94,9 @@ class PaperWiringTest {
         names.put(caller + " waits for " + provider + "." + call, meld.waiting());
         names.put(provider + " takes " + call + " from " + caller, meld.accept());
         names.put(caller + " is served " + provider + "." + call, meld.pending());
-        names.put(provider + " before " + call, meld.before());
+        names.put(provider + " has taken " + call, meld.before());
         names.put(provider + " does " + call, meld.offer());
-        names.put(provider + " after " + call, meld.after());
+        names.put(provider + " has done " + call, meld.after());
         names.put(provider + " answers " + call + " to " + caller, meld.answer());
     }
 
