@@ -200,7 +200,7 @@ final class HouseFigures {
         List<String> places = new ArrayList<>();
         for (SourceFile file : sources) {
             file.comments().forEach(comment -> addHouseWords(places, file, comment.firstLine(), comment.words()));
-            if (file.isMain()) { // those of tests are the data of samples, too: a parrot may say something
+            if (file.isMain()) { // those of tests are also the data of samples
                 file.texts().forEach(text -> addHouseWords(places, file, text.firstLine(), text.words()));
             }
         }
