@@ -163,9 +163,9 @@ public final class ActorPool<A> implements AutoCloseable {
     /**
      * A proxy whose calls go to all actors that live, with the same arguments. A request is fulfilled when all of them
      * have answered, with the value of the first one, or rejected with the first error; cancelling it cancels the
-     * request to each of them. A callback receives the results
-     * of all of them, and ends with the first error, or without one when the last of them has finished. For a caller
-     * outside every space it runs on the space of the first of them.
+     * request to each of them. A callback receives the results of all of them, and ends with the first error, or
+     * without one when the last of them has finished. For a caller outside every space it runs on the space of the
+     * first of them.
      */
     public A broadcast() {
         return broadcast;

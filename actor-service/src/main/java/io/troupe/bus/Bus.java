@@ -386,7 +386,9 @@ public final class Bus implements AutoCloseable {
 
     private String noWayTo(String others, Throwable failure) {
         return "the way from node " + name + " to " + others + " failed: "
-                + (failure instanceof IllegalStateException disconnected ? BoundedText.ofMessage(disconnected) : BoundedText.of(failure));
+                + (failure instanceof IllegalStateException disconnected
+                        ? BoundedText.ofMessage(disconnected)
+                        : BoundedText.of(failure));
     }
 
     private void cannotSend(BusMessage message, String why, long toIncarnation) {

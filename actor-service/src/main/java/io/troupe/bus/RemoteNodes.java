@@ -350,7 +350,10 @@ final class RemoteNodes implements BusEngine.Listener {
                     "cannot read it: " + unreadable.getMessage());
             return;
         } catch (Error machine) { // memory or stack: the requester still gets to know
-            bus.reject(request.to(), arrival.of(frame.message(UNREAD), limitNanos), "cannot read it: " + BoundedText.of(machine));
+            bus.reject(
+                    request.to(),
+                    arrival.of(frame.message(UNREAD), limitNanos),
+                    "cannot read it: " + BoundedText.of(machine));
             throw machine;
         }
         MessageDelivery delivery = arrival.of(message, limitNanos);

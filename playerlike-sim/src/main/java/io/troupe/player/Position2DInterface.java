@@ -181,8 +181,8 @@ public class Position2DInterface extends AbstractPositionDevice {
     private void checkFinite(String action, double... values) {
         for (double value : values) {
             if (!Double.isFinite(value)) {
-                throw new PlayerException(
-                        this + " was commanded to " + action + " " + Arrays.toString(values) + ", expected finite numbers");
+                throw new PlayerException(this + " was commanded to " + action + " " + Arrays.toString(values)
+                        + ", expected finite numbers");
             }
         }
     }

@@ -24,8 +24,8 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Role.</b> Created by {@link TestSpace#probe}; {@link #actor} is passed to the code under test. It is an
  * ordinary actor of that space. A call is written with the texts of its arguments, {@code greet(Ann)}, each of 1,000
- * characters at most, and {@code callback} for a {@link Callback}. A suspend function of Kotlin is a request like
- * those that return a promise.
+ * characters at most, and {@code callback} for a {@link Callback}. A suspend function of Kotlin is a request like those
+ * that return a promise.
  *
  * {@snippet :
  * Probe<Shop> shop = test.probe(Shop.class);

@@ -685,9 +685,8 @@ public final class RecordCodec {
             } catch (Error machine) {
                 throw machine;
             } catch (Throwable rejected) {
-                throw new UnreadableException(
-                        "expected a " + type.getSimpleName() + ", which rejects its values: "
-                                + BoundedText.of(rejected));
+                throw new UnreadableException("expected a " + type.getSimpleName() + ", which rejects its values: "
+                        + BoundedText.of(rejected));
             }
         }
     }

@@ -90,7 +90,8 @@ public final class RecordCopier {
             } catch (ReflectiveOperationException failure) {
                 Throwable cause = failure.getCause() == null ? failure : failure.getCause();
                 throw new IllegalArgumentException(
-                        "a value of " + value.getClass().getName() + " could not be copied for the bus: " + BoundedText.of(cause),
+                        "a value of " + value.getClass().getName() + " could not be copied for the bus: "
+                                + BoundedText.of(cause),
                         cause);
             }
         }
