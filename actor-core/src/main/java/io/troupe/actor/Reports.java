@@ -66,12 +66,6 @@ final class Reports {
     private static final String NOTHING = String.valueOf("");
     private static final String SPACE = String.valueOf(" ");
 
-    static { // loads what is used when memory is short
-        HandlerTurn.now();
-        ActorStoppedException.withoutMemory(true);
-        Trouble.values();
-    }
-
     private final SpaceHome space;
     private final SpaceSettings settings;
     private final AtomicLong errors = new AtomicLong(); // never allocates

@@ -19,6 +19,10 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Threads.</b> Queueing and reading the state from any thread; turns on the space's thread.
  */
 final class SpaceHome extends Home {
+    static {
+        EarlyClasses.load();
+    }
+
     // fields of the space itself, because every call from another thread and every answer reads them
     private final NodeQueue inbox = new NodeQueue();
     private final NodeQueue callbackInbox = new NodeQueue();

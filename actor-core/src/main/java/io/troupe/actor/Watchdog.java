@@ -84,6 +84,7 @@ final class Watchdog {
     private static final class Looks implements Runnable {
         private static final long IDLE_SECONDS = 10;
         private static final long IDLE_NANOS = IDLE_SECONDS * 1_000_000_000;
+        private static final long AFTER_ERROR_NANOS = 100_000_000;
 
         private final Clock clock = Clock.system();
         private volatile @Nullable Watchdog first; // written under this
@@ -133,7 +134,7 @@ final class Watchdog {
                     }
                     LockSupport.parkNanos(this, pause);
                 } catch (Throwable broken) { // of the JDK's own code: nothing here throws
-                    LockSupport.parkNanos(this, IDLE_NANOS);
+                    LockSupport.parkNanos(this, AFTER_ERROR_NANOS);
                 }
             }
         }

@@ -221,6 +221,7 @@ class FullHeapTest {
 
         private static ActorSpace hogs() {
             return ActorSpace.create(SpaceSettings.named("hogs")
+                    .withOnStall(Duration.ofMillis(50), stall -> {}) // is noticed while the heap is full
                     .withOnError((where, error) -> {})
                     .withOnDeadLetter(letter -> {}));
         }
@@ -240,8 +241,10 @@ class FullHeapTest {
             int before = stalls.get();
             end[0] = new CountDownLatch(1);
             other.stall(end[0]);
+            boolean soon = end[0].await(5, TimeUnit.SECONDS); // the watchdog looks every 75 ms
+            end[0].countDown();
             other.thread().get(PATIENCE.multipliedBy(2));
-            say(stalls.get() > before ? "the watchdog of another space reports" : "NO REPORT OF A STALL");
+            say(soon && stalls.get() > before ? "the watchdog of another space reports" : "NO REPORT OF A STALL");
         }
 
         private static void serve() throws Exception {

@@ -1,0 +1,69 @@
+package io.troupe.actor;
+
+import java.util.List;
+
+/**
+ * Initialises the classes of this library that a space may need for the first time when memory or stack is short. A
+ * class whose initialisation fails there can never be used again: without helper threads, for example, no space of the
+ * JVM would report a stall or run a sequential body any more.
+ */
+final class EarlyClasses {
+    /** All classes with an initialiser, but that of the global space. */
+    static final List<String> NAMES = List.of(
+            "java.lang.System$Logger$Level",
+            "io.troupe.actor.ActorCell$1", // the table of a switch
+            "io.troupe.actor.ActorSettings",
+            "io.troupe.actor.ActorStoppedException$WithoutMemory",
+            "io.troupe.actor.ActorType",
+            "io.troupe.actor.Backlog",
+            "io.troupe.actor.BoundedMailbox$Admission",
+            "io.troupe.actor.CallObserver$Turn",
+            "io.troupe.actor.CleanThreads",
+            "io.troupe.actor.Closing",
+            "io.troupe.actor.EntryCounter",
+            "io.troupe.actor.HandlerTurn",
+            "io.troupe.actor.HelperThreads",
+            "io.troupe.actor.IdleStrategy",
+            "io.troupe.actor.MailboxBound$Overflow",
+            "io.troupe.actor.NodeRing",
+            "io.troupe.actor.PoolProxyGenerator",
+            "io.troupe.actor.ProxyGenerator",
+            "io.troupe.actor.ProxyGenerator$Kind",
+            "io.troupe.actor.Reports",
+            "io.troupe.actor.Reports$Trouble",
+            "io.troupe.actor.ReturningCallback",
+            "io.troupe.actor.ReturningCallback$Ending",
+            "io.troupe.actor.ReturningCallback$Kind",
+            "io.troupe.actor.SpaceHome$Contexts",
+            "io.troupe.actor.SpaceLog",
+            "io.troupe.actor.Supervision",
+            "io.troupe.actor.Supervision$Directive",
+            "io.troupe.actor.Watchdog",
+            "io.troupe.actor.Watchdog$Words",
+            "io.troupe.actor.internal.SuspendingCalls$Found",
+            "io.troupe.actor.internal.SuspendingRequest",
+            "io.troupe.actor.internal.loop.Home",
+            "io.troupe.actor.internal.loop.NodeQueue",
+            "io.troupe.actor.internal.loop.TimerWheel",
+            "io.troupe.actor.internal.loop.TimerWheel$1",
+            "io.troupe.actor.promise.Listeners",
+            "io.troupe.actor.promise.Promise$Settled",
+            "io.troupe.actor.promise.Settleable",
+            "io.troupe.actor.promise.Settleable$AlreadySettled",
+            "io.troupe.actor.promise.TimeLimitedPromise",
+            "io.troupe.actor.time.Schedule",
+            "io.troupe.actor.time.SystemClock");
+
+    private EarlyClasses() {}
+
+    /** Initialises them, as far as it can: throws nothing. */
+    static void load() {
+        for (String name : NAMES) {
+            try {
+                Class.forName(name, true, EarlyClasses.class.getClassLoader());
+            } catch (Throwable broken) {
+                // memory is short already: the first use will say so
+            }
+        }
+    }
+}
