@@ -175,6 +175,11 @@ final class ActorCell extends Recipient {
         return space;
     }
 
+    /** True for a connection, which passes its calls on. */
+    boolean forwards() {
+        return forwards;
+    }
+
     void bind(Object newProxy) {
         proxy = newProxy;
     }
@@ -742,8 +747,8 @@ final class ActorCell extends Recipient {
     @Override
     protected void timedOut(Request<?> request) {
         space.reports().logArgumentsOfLate(request);
-        if (request.isAbandoned()) {
-            cancelled(request);
+        if (forwards && request.isAbandoned()) {
+            request.cancel();
         }
     }
 

@@ -50,6 +50,9 @@ public interface CallObserver {
         /** The arguments; callbacks as the actor sees them. */
         List<@Nullable Object> arguments();
 
+        /** True if its receiver is a connection to a service, which makes the same call of the provider. */
+        boolean isPassedOn();
+
         /**
          * Calls back with the error, or null, when the promise of the request is settled, on the thread that settles
          * it; never for a one-way message.

@@ -19,6 +19,11 @@ final class ObservedCalls {
 
     private record ObservedCall(ActorCell actor, Node node) implements CallObserver.Call {
         @Override
+        public boolean isPassedOn() {
+            return actor.forwards();
+        }
+
+        @Override
         public Class<?> type() {
             return actor.type();
         }

@@ -382,7 +382,10 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
             if (sent != null) {
                 sent.cancel();
             }
-            reject(new CancellationException(this + " was given up by its caller"));
+            cancelLimit();
+            if (answer != null) {
+                answer.cancel();
+            }
         }
 
         boolean isCancelled() {

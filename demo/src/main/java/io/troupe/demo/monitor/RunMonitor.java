@@ -168,7 +168,9 @@ public final class RunMonitor {
             @Override
             public void called(Party from, Party to, Call call) {
                 if (call.type() == RobotServices.class) {
-                    RunMonitor.this.called(call);
+                    if (!call.isPassedOn()) {
+                        RunMonitor.this.called(call);
+                    }
                 } else if (call.type() == Arbitrator.class && call.method().equals("live")) {
                     alive();
                 }
@@ -176,7 +178,7 @@ public final class RunMonitor {
 
             @Override
             public void begun(Party actor, Call call) {
-                if (call.type() == RobotServices.class) {
+                if (call.type() == RobotServices.class && !call.isPassedOn()) {
                     RunMonitor.this.begun(call);
                 }
             }
