@@ -38,6 +38,8 @@ class ServicesTest : InTestSpace() {
 
         suspend fun warmest(places: List<String>): Reading = places.map { read(it) }.maxBy { it.degrees }
 
+        suspend fun coldest(places: List<String>): Reading = places.map { read(it) }.minBy { it.degrees }
+
         fun count(limit: Int, to: Callback<Int>)
     }
 
@@ -63,6 +65,8 @@ class ServicesTest : InTestSpace() {
         }
 
         override fun save(): Promise<Unit> = promise { log += "saved" }
+
+        override suspend fun coldest(places: List<String>): Reading = Reading(-1.0, "where the actor says")
 
         override fun count(limit: Int, to: Callback<Int>) {
             (1..limit).forEach(to::next)
@@ -120,6 +124,7 @@ class ServicesTest : InTestSpace() {
         assertThat(result<Any> { thermometer.save().coAwait() }).isEqualTo(Unit)
         assertThat(log).containsExactly("reset", "saved")
         assertThat(result { thermometer.warmest(listOf("a", "attic", "hall")) }).isEqualTo(Reading(5.0, "attic"))
+        assertThat(result { thermometer.coldest(listOf("a", "attic")) }).isEqualTo(Reading(-1.0, "where the actor says"))
         assertThat(result { callbacks<Int> { thermometer.count(3, it) }.toList() }).containsExactly(1, 2, 3)
     }
 
