@@ -62,7 +62,7 @@ final class EarlyClasses {
             try {
                 Class.forName(name, true, EarlyClasses.class.getClassLoader());
             } catch (Throwable broken) {
-                // memory is short already: the first use will say so
+                // memory is short already: the first use throws the same error
             }
         }
     }

@@ -17,7 +17,7 @@ import org.objectweb.asm.Opcodes;
 
 /** A class that is initialised for the first time when memory is short may be lost for good. */
 class EarlyClassesTest {
-    /** They begin the rest, or make a space of their own. */
+    /** They begin the rest, or make a space. */
     private static final Set<String> OTHERS = Set.of(
             "io.troupe.actor.ActorSpace",
             "io.troupe.actor.ActorSpace$Global",

@@ -403,7 +403,7 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
             return answer == null;
         }
 
-        /** Returns whether nobody waits for the answer any more. */
+        /** Returns whether no caller waits for the answer any more. */
         boolean isAbandoned() {
             return call instanceof Request<?> request && request.isAbandoned();
         }

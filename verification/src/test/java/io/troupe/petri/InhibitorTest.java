@@ -184,8 +184,9 @@ class InhibitorTest {
             var net = Pnml.parse("x", text, warnings::add);
             assertThat(net.transition("t").inhibitors()).isEmpty();
             assertThat(warnings)
-                    .containsExactly("x:3: what the tool \"Snoopy\" has written about an inhibitor in arc a is left out, expected"
-                            + " type=\"inhibitor\" at the arc");
+                    .containsExactly(
+                            "x:3: what the tool \"Snoopy\" has written about an inhibitor in arc a is left out, expected"
+                                    + " type=\"inhibitor\" at the arc");
         }
     }
 

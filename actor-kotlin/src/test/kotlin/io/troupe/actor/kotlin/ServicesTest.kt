@@ -124,7 +124,8 @@ class ServicesTest : InTestSpace() {
         assertThat(result<Any> { thermometer.save().coAwait() }).isEqualTo(Unit)
         assertThat(log).containsExactly("reset", "saved")
         assertThat(result { thermometer.warmest(listOf("a", "attic", "hall")) }).isEqualTo(Reading(5.0, "attic"))
-        assertThat(result { thermometer.coldest(listOf("a", "attic")) }).isEqualTo(Reading(-1.0, "where the actor says"))
+        val coldest = result { thermometer.coldest(listOf("a", "attic")) }
+        assertThat(coldest).isEqualTo(Reading(-1.0, "where the actor says"))
         assertThat(result { callbacks<Int> { thermometer.count(3, it) }.toList() }).containsExactly(1, 2, 3)
     }
 
