@@ -110,6 +110,7 @@ class ActorServicesTest extends BrokerBench {
         assertThat(test.error(hello))
                 .isInstanceOf(ServiceCallException.class)
                 .hasMessageContaining("what cannot be printed: java.lang.UnsupportedOperationException");
+        assertThat(test.takeProblems()).hasSize(1);
     }
 
     @Test

@@ -4,11 +4,13 @@ import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.DeadLetter;
 import io.troupe.actor.SpaceSettings;
+import io.troupe.actor.internal.loop.PlainText;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.time.ManualClock;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
+import java.util.Objects;
 import java.util.concurrent.TimeoutException;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;
@@ -179,6 +181,18 @@ public final class TestSpace implements AutoCloseable {
         return taken;
     }
 
+    /** The error, or one in its place if its text cannot be made: then a build tool may lose the failure of the test. */
+    private static Throwable printable(Throwable error) {
+        try {
+            Objects.requireNonNull(error.toString());
+            return error;
+        } catch (Throwable unprintable) {
+            var shown = new AssertionError(PlainText.of(error));
+            shown.setStackTrace(error.getStackTrace());
+            return shown;
+        }
+    }
+
     /**
      * Closes the space.
      *
@@ -192,7 +206,7 @@ public final class TestSpace implements AutoCloseable {
         if (!problems.isEmpty()) {
             var failure = new AssertionError("the space reported " + problems.size() + " problem(s), the first in "
                     + problems.getFirst().where() + "; if they are expected, takeProblems()");
-            problems.forEach(problem -> failure.addSuppressed(problem.error()));
+            problems.forEach(problem -> failure.addSuppressed(printable(problem.error())));
             throw failure;
         }
         if (!deadLetters.isEmpty()) {

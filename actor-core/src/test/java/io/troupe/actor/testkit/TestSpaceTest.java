@@ -2,6 +2,7 @@ package io.troupe.actor.testkit;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
+import static org.assertj.core.api.Assertions.catchThrowable;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.InTestSpace;
@@ -148,6 +149,29 @@ class TestSpaceTest extends InTestSpace {
         test.runQueued();
         assertFails(test::close, "Silent.poke(String) of Silent#1; if they are expected, takeProblems()");
         test.takeProblems();
+    }
+
+    /** Maven's reports lose a failure with an error that cannot be printed, and the test counts as passed. */
+    @Test
+    void forgottenProblem_thatCannotBePrinted_isPrintedAnotherWay() {
+        var unprintable = new IllegalStateException() {
+            private static final long serialVersionUID = 1L;
+
+            @Override
+            public String getMessage() {
+                throw new UnsupportedOperationException();
+            }
+        };
+        test.space().execute(() -> {
+            throw unprintable;
+        });
+        test.runQueued();
+        var failure = catchThrowable(test::close);
+        test.takeProblems();
+        assertThat(failure.getSuppressed())
+                .singleElement()
+                .satisfies(shown -> assertThat(shown.toString()).contains("UnsupportedOperationException"))
+                .satisfies(shown -> assertThat(shown.getStackTrace()).isEqualTo(unprintable.getStackTrace()));
     }
 
     @Test
