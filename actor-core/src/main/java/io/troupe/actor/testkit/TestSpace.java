@@ -181,7 +181,7 @@ public final class TestSpace implements AutoCloseable {
         return taken;
     }
 
-    /** The error, or one in its place if its text cannot be made: then a build tool may lose the failure of the test. */
+    /** The error; or, since build tools may lose a failure that cannot be printed, one that can. */
     private static Throwable printable(Throwable error) {
         try {
             Objects.requireNonNull(error.toString());
