@@ -10,7 +10,6 @@ import java.util.List;
 final class EarlyClasses {
     /** All classes with an initialiser, but that of the global space. */
     static final List<String> NAMES = List.of(
-            "java.lang.System$Logger$Level",
             "io.troupe.actor.ActorCell$1", // the table of a switch
             "io.troupe.actor.ActorSettings",
             "io.troupe.actor.ActorStoppedException$WithoutMemory",
@@ -54,16 +53,33 @@ final class EarlyClasses {
             "io.troupe.actor.time.Schedule",
             "io.troupe.actor.time.SystemClock");
 
+    /** Classes of the JDK that the watchdog and helper threads need; those of other versions are not there. */
+    private static final List<String> OF_THE_JDK = List.of(
+            "java.lang.System$Logger$Level",
+            "java.lang.StackTraceElement$HashedModules",
+            "java.util.concurrent.LinkedTransferQueue$DualNode",
+            "java.util.concurrent.SynchronousQueue$TransferStack",
+            "java.util.concurrent.SynchronousQueue$TransferStack$SNode",
+            "java.util.concurrent.ThreadPoolExecutor$Worker");
+
     private EarlyClasses() {}
 
     /** Initialises them, as far as it can: throws nothing. */
     static void load() {
-        for (String name : NAMES) {
-            try {
-                Class.forName(name, true, EarlyClasses.class.getClassLoader());
-            } catch (Throwable broken) {
-                // memory is short already: the first use throws the same error
-            }
+        OF_THE_JDK.forEach(EarlyClasses::load);
+        NAMES.forEach(EarlyClasses::load);
+        try {
+            Watchdog.isInATurn(List.of(Thread.currentThread().getStackTrace())); // links what it calls
+        } catch (Throwable broken) {
+            // as below
+        }
+    }
+
+    private static void load(String name) {
+        try {
+            Class.forName(name, true, EarlyClasses.class.getClassLoader());
+        } catch (Throwable broken) {
+            // memory is short already: the first use throws the same error
         }
     }
 }
