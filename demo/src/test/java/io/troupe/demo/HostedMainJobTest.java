@@ -203,13 +203,13 @@ class HostedMainJobTest extends CommandLineBench {
         for (int robot = 0; robot < ROBOTS; robot++) {
             assertStoppedAndDrivenAgain(robot, killedMicros);
             String of = "\"robot\":" + (robot + 1) + ",";
-            assertThat(log("driver", of)).hasSize(2);
-            assertThat(log("driver", of).getFirst()).contains("\"node\":\"host-a\"");
-            assertThat(log("lost", of))
-                    .singleElement()
-                    .asString()
-                    .contains("\"node\":\"host-a\"", "host-a/robotServices");
-            assertThat(log("driver", of).getLast()).contains("\"node\":\"host-b\"");
+            var drivers = log("driver", of);
+            assertThat(drivers.getFirst()).contains("\"node\":\"host-a\"");
+            assertThat(drivers.subList(1, drivers.size())) // one, unless a busy machine keeps host-b from renewing
+                    .isNotEmpty()
+                    .allSatisfy(line -> assertThat(line).contains("\"node\":\"host-b\""));
+            assertThat(log("lost", of)).hasSize(drivers.size() - 1);
+            assertThat(log("lost", of).getFirst()).contains("\"node\":\"host-a\"", "host-a/robotServices");
             assertThat(out.toString())
                     .contains("robot " + (robot + 1) + " has lost its driver host-a")
                     .contains("robot " + (robot + 1) + " is driven by host-b");
