@@ -55,7 +55,7 @@ public abstract class Actor {
         } else if (context.cell() == mine) {
             context.begin(mine.life());
         } else {
-            throw new ActorException("the factory of " + mine + " answered an object that is the actor "
+            throw new ActorException("the factory of " + mine + " returned an object that is the actor "
                     + context.cell() + " already, expected a separate one");
         }
     }

@@ -255,10 +255,10 @@ final class ActorCell extends Recipient {
     private void begin() {
         Object made = Objects.requireNonNull(factory).get();
         if (made == null) {
-            throw new ActorException("the factory of " + this + " answered null, expected its implementation");
+            throw new ActorException("the factory of " + this + " returned null, expected its implementation");
         }
         if (made instanceof ActorProxy) {
-            throw new ActorException("the factory of " + this + " answered a proxy, expected a new implementation");
+            throw new ActorException("the factory of " + this + " returned a proxy, expected a new implementation");
         }
         if (made instanceof Actor actor) {
             actor.join(this);
@@ -765,7 +765,7 @@ final class ActorCell extends Recipient {
 
     @Override
     protected RuntimeException answeredNull(String method) {
-        return new ActorException(method + " of " + this + " answered null, expected a promise");
+        return new ActorException(method + " of " + this + " returned null, expected a promise");
     }
 
     @Override

@@ -106,9 +106,10 @@ public final class ActorSpace implements AutoCloseable {
      * The methods of an actor type that are messages: for code that sends its calls elsewhere. Of an interface these
      * are the abstract methods, and the default methods that return {@code void} or a {@link Promise}, or suspend.
      *
-     * @throws ActorTypeException if a method cannot be a message
+     * @throws ActorTypeException if it cannot be an actor type, as by {@link #spawn}
      */
     public static List<Method> messages(Class<?> type) {
+        ActorType.of(type);
         return List.copyOf(ActorMethods.of(type).messages());
     }
 
@@ -406,7 +407,7 @@ public final class ActorSpace implements AutoCloseable {
     public Promise<@Nullable Void> repeatWhile(BooleanSupplier condition, Supplier<? extends Promise<?>> body) {
         Objects.requireNonNull(body, "body");
         return promises.repeatWhile(
-                condition, () -> Objects.requireNonNull(body.get(), "the function answered null, not a promise"));
+                condition, () -> Objects.requireNonNull(body.get(), "the function returned null, not a promise"));
     }
 
     /**

@@ -97,7 +97,7 @@ final class SpacePromises {
         TimeLimit before = space.limit();
         space.setLimit(common);
         try {
-            answer.resolveFrom(Objects.requireNonNull(question.get(), "the function answered null, not a promise"));
+            answer.resolveFrom(Objects.requireNonNull(question.get(), "the function returned null, not a promise"));
         } catch (Throwable thrown) {
             answer.reject(thrown);
         } finally {

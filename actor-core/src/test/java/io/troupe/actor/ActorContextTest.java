@@ -253,7 +253,7 @@ class ActorContextTest extends InTestSpace {
         assertThat(takeErrors())
                 .singleElement()
                 .asString()
-                .contains("the factory of Doer#2 answered an object that is the actor Doer#1 already");
+                .contains("the factory of Doer#2 returned an object that is the actor Doer#1 already");
         assertThat(values(asked)).containsExactly("ActorStoppedException");
         test.advance(SECOND);
         assertThat(log).containsExactly("timer of the first");

@@ -87,7 +87,7 @@ class FailedCallTest extends InTestSpace {
         }
         Careless careless = test.spawn(Careless.class, () -> () -> null);
         assertThat(test.error(careless.ask()))
-                .hasMessage("Careless.ask() of Careless#2 answered null, expected a promise");
+                .hasMessage("Careless.ask() of Careless#2 returned null, expected a promise");
     }
 
     @Test

@@ -78,8 +78,8 @@ class InterfaceTypeTest extends InTestSpace {
         test.spawn(TextBox.class, () -> inner);
         assertThat(takeErrors())
                 .satisfiesExactly(
-                        first -> assertThat(first).contains("answered null"),
-                        second -> assertThat(second).contains("answered a proxy"));
+                        first -> assertThat(first).contains("returned null"),
+                        second -> assertThat(second).contains("returned a proxy"));
         assertThat(inner).hasToString("TextBox#1").isEqualTo(inner);
     }
 

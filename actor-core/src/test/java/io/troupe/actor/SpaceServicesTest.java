@@ -187,7 +187,7 @@ class SpaceServicesTest extends InTestSpace {
                 .handle((value, error) -> log.add("ended with " + error)));
         assertThat(log)
                 .containsExactly(
-                        "ended with java.lang.NullPointerException: the function answered null, not a promise");
+                        "ended with java.lang.NullPointerException: the function returned null, not a promise");
         assertThat(rounds).hasValue(1);
     }
 

@@ -196,7 +196,6 @@ public final class ActorServices {
             throw new IllegalArgumentException(
                     "a connection is made by an interface, and " + type.getName() + " is a class: publish it by one");
         }
-        ActorSpace.messages(type);
         ActorSpace current = ActorSpace.current();
         return ActorConnection.open(current == null ? home : current, this, type, need, settings);
     }

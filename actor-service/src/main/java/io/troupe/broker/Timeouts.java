@@ -54,7 +54,7 @@ final class Timeouts {
 
     private static Promise<?> answerOf(Supplier<? extends @Nullable Promise<?>> call) {
         try {
-            return Objects.requireNonNull(call.get(), "it answered null, expected a promise");
+            return Objects.requireNonNull(call.get(), "it returned null, expected a promise");
         } catch (Throwable thrown) { // an exception from a provider counts as its answer
             return Promise.failed(thrown);
         }

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSettings;
-import io.troupe.actor.ActorTypeException;
 import io.troupe.actor.Supervision;
 import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
@@ -315,9 +314,6 @@ class ActorServicesTest extends BrokerBench {
                 .hasMessage("\"robot 1\" calls the service \"parrot\" as " + Clock.class.getName()
                         + ", and its provider node/parrot is a " + Parrot.class.getName());
         assertThat(test.error(answer)).isSameAs(test.error(connection.first()));
-        assertThatThrownBy(() -> services.connect(List.class, PARROT))
-                .isInstanceOf(ActorTypeException.class)
-                .hasMessageContaining("expected void (a one-way message) or Promise (a request)");
         assertThatThrownBy(() -> services.connect(String.class, PARROT))
                 .hasMessageContaining("java.lang.String is a class");
     }

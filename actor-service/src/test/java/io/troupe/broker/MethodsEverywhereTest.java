@@ -13,13 +13,15 @@ import java.util.Collections;
 import java.util.List;
 import java.util.Objects;
 import java.util.concurrent.CountDownLatch;
+import java.util.function.Supplier;
 import java.util.stream.Stream;
 import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.AfterEach;
-import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;
 import org.junit.jupiter.params.ParameterizedTest;
+import org.junit.jupiter.params.provider.Arguments;
 import org.junit.jupiter.params.provider.EnumSource;
+import org.junit.jupiter.params.provider.MethodSource;
 
 /**
  * One interface with every kind of method means the same wherever its actor is called: by its own proxy, from another
@@ -256,21 +258,37 @@ class MethodsEverywhereTest extends HostsBench {
         String look();
     }
 
-    @Test
-    void typeThatCannotBeAnActor_isRefusedInOneWay_whereItIsWritten() {
+    sealed interface Closed {}
+
+    record OnlyOne() implements Closed {}
+
+    static Stream<Arguments> noActorTypes() {
+        return Stream.of(
+                Arguments.of(
+                        Looks.class,
+                        "Looks.look() of actor type " + Looks.class.getName()
+                                + " returns String, expected void (a one-way message) or Promise (a request)"),
+                Arguments.of(Closed.class, Closed.class.getName() + " cannot be an actor type: it is sealed"));
+    }
+
+    @ParameterizedTest
+    @MethodSource("noActorTypes")
+    <A> void typeThatCannotBeAnActor_isRefusedInOneWay_whereItIsWritten(Class<A> type, String why) {
         Host host = host("host");
         var broker = Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
         var local = new ActorServices(broker, "alone", test.space(), event -> {});
+        Supplier<A> none = () -> {
+            throw new AssertionError("made");
+        };
         Stream.<Runnable>of(
-                        () -> provider.spawn(Looks.class, () -> () -> ""),
-                        () -> local.publish(provider, Looks.class, "looks", List.of(), () -> () -> ""),
-                        () -> local.connect(Looks.class, Need.ofService("user", "looks")),
-                        () -> host.services.publish(provider, Looks.class, "looks", List.of(), () -> () -> ""),
-                        () -> host.services.connect(Looks.class, Need.ofService("user", "looks")))
+                        () -> provider.spawn(type, none),
+                        () -> local.publish(provider, type, "looks", List.of(), none),
+                        () -> local.connect(type, Need.ofService("user", "looks")),
+                        () -> host.services.publish(provider, type, "looks", List.of(), none),
+                        () -> host.services.connect(type, Need.ofService("user", "looks")))
                 .forEach(each -> assertThatThrownBy(each::run)
                         .isInstanceOf(ActorTypeException.class)
-                        .hasMessageContaining("Looks.look() of actor type " + Looks.class.getName()
-                                + " returns String, expected void (a one-way message) or Promise (a request)"));
+                        .hasMessageContaining(why));
         await(broker.shutDown());
     }
 }

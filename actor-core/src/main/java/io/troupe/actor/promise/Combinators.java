@@ -138,7 +138,7 @@ final class Combinators {
             Supplier<? extends Promise<?>> action, Throwable error) {
         Promise<?> last;
         try {
-            last = Objects.requireNonNull(action.get(), "the function answered null, not a promise");
+            last = Objects.requireNonNull(action.get(), "the function returned null, not a promise");
         } catch (Throwable thrown) {
             throw suppressing(thrown, error);
         }

@@ -397,7 +397,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
         }
 
         private void followAnswer(@Nullable Promise<? extends T> answer) {
-            Node next = followAtHome(Objects.requireNonNull(answer, "the function answered null, not a promise"));
+            Node next = followAtHome(Objects.requireNonNull(answer, "the function returned null, not a promise"));
             if (next
                     instanceof
                     Stage<?, ?> listener) { // queued, so that a chain of such functions gives other entries their turn

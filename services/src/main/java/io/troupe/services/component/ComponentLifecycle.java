@@ -300,7 +300,7 @@ final class ComponentLifecycle<I, O> extends Lifecycle<ComponentLifecycle<I, O>.
 
         private static Promise<@Nullable Void> attempt(Supplier<? extends @Nullable Promise<@Nullable Void>> action) {
             try {
-                return Objects.requireNonNull(action.get(), "it answered null, expected a promise");
+                return Objects.requireNonNull(action.get(), "it returned null, expected a promise");
             } catch (RuntimeException | Error thrown) {
                 return Promise.failed(thrown);
             }

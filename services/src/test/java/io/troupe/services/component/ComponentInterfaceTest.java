@@ -272,7 +272,7 @@ class ComponentInterfaceTest extends ComponentBench {
         };
         assertInvocationFails(provider, "no such library");
         script.invoke = () -> null;
-        assertInvocationFails(provider, "it answered null, expected a promise");
+        assertInvocationFails(provider, "it returned null, expected a promise");
         script.communication = () -> {
             throw new NoClassDefFoundError("a/driver");
         };
