@@ -7,10 +7,8 @@ import java.io.IOException;
 import java.lang.reflect.Field;
 import java.lang.reflect.Method;
 import java.lang.reflect.Modifier;
-import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
 import org.junit.jupiter.params.provider.ValueSource;
@@ -108,20 +106,8 @@ final class CacheLinesTest {
     }
 
     private static List<String> outputWith(String layout) throws IOException, InterruptedException {
-        var child = new ProcessBuilder(
-                        Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                        "-XX:+IgnoreUnrecognizedVMOptions",
-                        layout,
-                        "-cp",
-                        System.getProperty("java.class.path"),
-                        CacheLinesTest.class.getName())
-                .redirectError(ProcessBuilder.Redirect.DISCARD)
-                .start();
-        try (var lines = child.inputReader()) {
-            return lines.lines().toList();
-        } finally {
-            child.destroy();
-            child.waitFor(1, TimeUnit.MINUTES);
-        }
+        var options = List.of("-XX:+IgnoreUnrecognizedVMOptions", layout);
+        return ChildJvm.run(ProcessBuilder.Redirect.DISCARD, options, CacheLinesTest.class)
+                .lines();
     }
 }

@@ -3,12 +3,8 @@ package io.troupe.actor;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.promise.Promise;
-import java.io.IOException;
-import java.nio.file.Path;
 import java.time.Duration;
-import java.util.ArrayList;
 import java.util.List;
-import java.util.concurrent.TimeUnit;
 import java.util.function.Supplier;
 import org.junit.jupiter.api.Tag;
 import org.junit.jupiter.api.Test;
@@ -18,34 +14,15 @@ import org.junit.jupiter.api.Timeout;
 @Tag("threads")
 @Timeout(120)
 class FirstUseTest {
-    private record Result(List<String> lines, int exitCode) {}
-
-    private static Result outputOf(Class<?> program, String... options) throws IOException, InterruptedException {
-        var command = new ArrayList<>(
-                List.of(Path.of(System.getProperty("java.home"), "bin", "java").toString()));
-        command.addAll(List.of(options));
-        command.addAll(List.of("-cp", System.getProperty("java.class.path"), program.getName()));
-        var child = new ProcessBuilder(command)
-                .redirectError(ProcessBuilder.Redirect.INHERIT)
-                .start();
-        try (var lines = child.inputReader()) {
-            var all = lines.lines().toList();
-            child.waitFor(1, TimeUnit.MINUTES);
-            return new Result(all, child.exitValue());
-        } finally {
-            child.destroyForcibly();
-        }
-    }
-
     @Test
     void proxies_firstMadeAtTheEndOfAStack_canBeMadeLater() throws Exception {
-        assertThat(outputOf(EndOfTheStack.class).lines())
+        assertThat(ChildJvm.run(List.of(), EndOfTheStack.class).lines())
                 .containsExactly("failed where the stack ends: true", "made later: hello");
     }
 
     @Test
     void classActor_onARuntimeWithoutTheModuleThatItNeeds_isRejectedWithItsName() throws Exception {
-        Result result = outputOf(ClassActors.class, "--limit-modules", "java.management,jdk.jfr");
+        ChildJvm.Result result = ChildJvm.run(List.of("--limit-modules", "java.management,jdk.jfr"), ClassActors.class);
         assertThat(result.lines())
                 .containsExactly("the proxy of a class actor needs module jdk.unsupported, "
                         + "which this Java runtime does not have: link it with jdk.unsupported, "
@@ -54,9 +31,9 @@ class FirstUseTest {
 
     @Test
     void exit_calledByAnActor_doesNotWaitForAHookThatClosesItsSpace() throws Exception {
-        Result result = outputOf(Exiting.class);
+        ChildJvm.Result result = ChildJvm.run(List.of(), Exiting.class);
         assertThat(result.lines()).containsExactly("the hook has closed the space");
-        assertThat(result.exitCode()).isEqualTo(3);
+        assertThat(result.exitStatus()).isEqualTo(3);
     }
 
     public interface Greeter {

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.promise.Deferred;
 import io.troupe.actor.promise.Promise;
 import java.io.IOException;
-import java.nio.file.Path;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -83,19 +82,7 @@ class FullHeapTest {
     }
 
     private static List<String> outputOf(Jvm jvm, String scenario) throws IOException, InterruptedException {
-        var command = new ArrayList<String>();
-        command.add(Path.of(System.getProperty("java.home"), "bin", "java").toString());
-        command.addAll(jvm.all());
-        command.addAll(List.of("-cp", System.getProperty("java.class.path"), Child.class.getName(), scenario));
-        var child = new ProcessBuilder(command)
-                .redirectError(ProcessBuilder.Redirect.INHERIT)
-                .start();
-        try (var lines = child.inputReader()) {
-            return lines.lines().toList();
-        } finally {
-            child.destroy();
-            child.waitFor(1, TimeUnit.MINUTES);
-        }
+        return ChildJvm.run(jvm.all(), Child.class, scenario).lines();
     }
 
     /** The program of the other JVM. */

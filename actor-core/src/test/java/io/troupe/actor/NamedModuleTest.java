@@ -13,7 +13,6 @@ import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.Set;
-import java.util.concurrent.TimeUnit;
 import java.util.spi.ToolProvider;
 import java.util.stream.Collectors;
 import java.util.stream.Stream;
@@ -158,19 +157,9 @@ class NamedModuleTest {
                 .compile("--module-path", path(library(), asm(), location(NullMarked.class)));
     }
 
-    /** What a program prints on a Java runtime, whose errors are those of the test. */
     private static List<String> java(Path home, String... options) throws IOException, InterruptedException {
-        var command = new ArrayList<>(List.of(home.resolve("bin/java").toString()));
-        command.addAll(List.of(options));
-        var child = new ProcessBuilder(command)
-                .redirectError(ProcessBuilder.Redirect.INHERIT)
-                .start();
-        try (var lines = child.inputReader()) {
-            return lines.lines().toList();
-        } finally {
-            child.destroy();
-            child.waitFor(1, TimeUnit.MINUTES);
-        }
+        return ChildJvm.run(ProcessBuilder.Redirect.INHERIT, home, List.of(options))
+                .lines();
     }
 
     private static Path running() {

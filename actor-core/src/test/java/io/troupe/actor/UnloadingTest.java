@@ -6,7 +6,6 @@ import io.troupe.actor.promise.Promise;
 import java.io.IOException;
 import java.io.InputStream;
 import java.lang.ref.WeakReference;
-import java.nio.file.Path;
 import java.security.ProtectionDomain;
 import java.time.Duration;
 import java.util.List;
@@ -163,22 +162,10 @@ class UnloadingTest {
 
     @Test
     void plugin_isUnloaded_afterItsEnd_whateverItHasUsedFirst() throws Exception {
-        var command = List.of(
-                Path.of(System.getProperty("java.home"), "bin", "java").toString(),
-                "-Xmx64m",
-                "-XX:+UseSerialGC",
-                "-cp",
-                System.getProperty("java.class.path"),
-                UnloadingTest.class.getName());
-        var child = new ProcessBuilder(command).redirectErrorStream(true).start();
-        try (var lines = child.inputReader()) {
-            assertThat(lines.lines().toList())
-                    .containsExactly(Stream.of(Use.values())
-                            .map(use -> use + ": unloaded")
-                            .toArray(String[]::new));
-        } finally {
-            child.destroy();
-        }
+        assertThat(ChildJvm.run(List.of("-Xmx64m", "-XX:+UseSerialGC"), UnloadingTest.class)
+                        .lines())
+                .containsExactly(
+                        Stream.of(Use.values()).map(use -> use + ": unloaded").toArray(String[]::new));
     }
 
     /** Once more, with a longer delay, if it was over before the continuation was registered. */
