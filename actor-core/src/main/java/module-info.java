@@ -12,9 +12,7 @@ module io.troupe.actor {
     requires org.objectweb.asm;
 
     exports io.troupe.actor;
-    exports io.troupe.actor.promise;
     exports io.troupe.actor.testkit;
-    exports io.troupe.actor.time;
     exports io.troupe.actor.internal to // and to the modules of actor types, when their proxies are generated
             io.troupe.actor.kotlin,
             io.troupe.service;

@@ -3,7 +3,7 @@ package greeter
 import io.troupe.actor.Actor
 import io.troupe.actor.ActorSpace
 import io.troupe.actor.Callback
-import io.troupe.actor.promise.Promise
+import io.troupe.actor.Promise
 
 /** An actor type as Kotlin code writes it: Unit is void, the companion and the default arguments stay where they are called. */
 interface Greeter {

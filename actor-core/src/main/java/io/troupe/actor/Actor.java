@@ -1,6 +1,5 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Promise;
 import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 

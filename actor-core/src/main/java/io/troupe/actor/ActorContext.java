@@ -1,8 +1,5 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Schedule;
-import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.HashMap;
 import java.util.Map;

@@ -2,7 +2,6 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.internal.TypeArguments;
-import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodType;
 import java.lang.reflect.GenericArrayType;
 import java.lang.reflect.Method;

@@ -2,9 +2,6 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Clock;
 import java.lang.reflect.Method;
 import java.time.Duration;
 import java.util.List;

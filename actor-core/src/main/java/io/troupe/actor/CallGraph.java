@@ -1,7 +1,6 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.IdentityHashMap;

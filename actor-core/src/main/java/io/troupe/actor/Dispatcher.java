@@ -4,8 +4,6 @@ import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
 import io.troupe.actor.internal.loop.Nodes;
-import io.troupe.actor.internal.loop.TimerWheel;
-import io.troupe.actor.time.Clock;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -43,15 +43,15 @@ final class EarlyClasses {
             "io.troupe.actor.internal.SuspendingRequest",
             "io.troupe.actor.internal.loop.Home",
             "io.troupe.actor.internal.loop.NodeQueue",
-            "io.troupe.actor.internal.loop.TimerWheel",
-            "io.troupe.actor.internal.loop.TimerWheel$1",
-            "io.troupe.actor.promise.Listeners",
-            "io.troupe.actor.promise.Promise$Settled",
-            "io.troupe.actor.promise.Settleable",
-            "io.troupe.actor.promise.Settleable$AlreadySettled",
-            "io.troupe.actor.promise.TimeLimitedPromise",
-            "io.troupe.actor.time.Schedule",
-            "io.troupe.actor.time.SystemClock");
+            "io.troupe.actor.TimerWheel",
+            "io.troupe.actor.TimerWheel$1",
+            "io.troupe.actor.Listeners",
+            "io.troupe.actor.Promise$Settled",
+            "io.troupe.actor.Settleable",
+            "io.troupe.actor.Settleable$AlreadySettled",
+            "io.troupe.actor.TimeLimitedPromise",
+            "io.troupe.actor.Schedule",
+            "io.troupe.actor.SystemClock");
 
     /** Classes of the JDK that the watchdog and helper threads need; those of other versions are not there. */
     private static final List<String> OF_THE_JDK = List.of(

@@ -1,7 +1,6 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.CacheLinePadding;
-import io.troupe.actor.time.Clock;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.concurrent.locks.LockSupport;

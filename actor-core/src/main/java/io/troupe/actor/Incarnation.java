@@ -5,7 +5,6 @@ import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.SuspendingRequest;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
-import io.troupe.actor.time.Timer;
 import java.util.ArrayList;
 import java.util.List;
 import org.jspecify.annotations.Nullable;

@@ -4,7 +4,6 @@ import static org.objectweb.asm.Opcodes.*;
 
 import io.troupe.actor.ProxyGenerator.Kind;
 import io.troupe.actor.internal.Router;
-import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
 import java.util.function.IntConsumer;

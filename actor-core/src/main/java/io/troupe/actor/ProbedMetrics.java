@@ -1,6 +1,5 @@
 package io.troupe.actor;
 
-import io.troupe.actor.time.Clock;
 import java.lang.invoke.VarHandle;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;

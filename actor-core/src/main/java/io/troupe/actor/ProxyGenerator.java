@@ -9,7 +9,6 @@ import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.internal.SuspendingRequest;
 import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.promise.Promise;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
 import java.util.Arrays;

@@ -6,8 +6,6 @@ import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
-import io.troupe.actor.internal.loop.TimerWheel;
-import io.troupe.actor.promise.Promise;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.Collections;

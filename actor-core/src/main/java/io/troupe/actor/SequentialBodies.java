@@ -3,8 +3,6 @@ package io.troupe.actor;
 import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Owner;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Set;

@@ -7,8 +7,6 @@ import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
 import io.troupe.actor.internal.loop.Nodes;
 import io.troupe.actor.internal.loop.Owner;
-import io.troupe.actor.internal.loop.TimerWheel;
-import io.troupe.actor.promise.Promise;
 import java.util.Objects;
 import java.util.function.Supplier;
 import org.jspecify.annotations.Nullable;

@@ -2,8 +2,6 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.concurrent.Callable;

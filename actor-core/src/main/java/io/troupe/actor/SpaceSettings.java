@@ -1,6 +1,5 @@
 package io.troupe.actor;
 
-import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.function.Consumer;

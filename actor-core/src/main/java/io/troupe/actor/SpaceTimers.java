@@ -2,10 +2,6 @@ package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.internal.loop.TimerWheel;
-import io.troupe.actor.time.Clock;
-import io.troupe.actor.time.Schedule;
-import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.Objects;
 import java.util.Set;

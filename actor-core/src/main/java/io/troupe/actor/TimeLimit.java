@@ -4,7 +4,6 @@ import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Owner;
-import io.troupe.actor.promise.Deferred;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

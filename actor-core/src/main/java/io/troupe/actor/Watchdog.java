@@ -3,7 +3,6 @@ package io.troupe.actor;
 import io.troupe.actor.RecorderEvents.SpaceFiguresEvent;
 import io.troupe.actor.RecorderEvents.StallEvent;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.time.Clock;
 import java.time.Duration;
 import java.util.List;
 import java.util.concurrent.locks.LockSupport;

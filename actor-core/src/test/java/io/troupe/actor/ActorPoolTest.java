@@ -6,8 +6,6 @@ import static io.troupe.actor.Concurrently.onThreads;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.CallbackProbe;
 import java.time.Duration;
 import java.util.ArrayList;

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.internal.ActorProxy;
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.io.IOException;
 import java.lang.invoke.MethodHandles;
@@ -124,7 +123,7 @@ class ActorTypeRejectionTest extends InTestSpace {
             """;
 
     private static final String IMPORTS =
-            "package types; import io.troupe.actor.*; import io.troupe.actor.promise.*; import java.util.*;"
+            "package types; import io.troupe.actor.*; import io.troupe.actor.*; import java.util.*;"
                     + " import java.util.concurrent.*; ";
 
     @TempDir
@@ -145,11 +144,10 @@ class ActorTypeRejectionTest extends InTestSpace {
         sources.add("two.Bad", "package two; public class Bad extends one.Base { void help() {} }");
         sources.add("two.Good", "package two; public class Good extends one.Open {}");
         sources.add("far.Plain", "package far; public interface Plain { void go(); }");
-        sources.add(
-                "far.Asked", "package far; public interface Asked { io.troupe.actor.promise.Promise<String> go(); }");
+        sources.add("far.Asked", "package far; public interface Asked { io.troupe.actor.Promise<String> go(); }");
         sources.add("far.Greeter", """
                 package far;
-                import io.troupe.actor.promise.Promise;
+                import io.troupe.actor.Promise;
                 interface Parent { Promise<String> greet(String name); }
                 public interface Greeter extends Parent {
                     class Polite implements Greeter {

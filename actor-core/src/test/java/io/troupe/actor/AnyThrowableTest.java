@@ -6,10 +6,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
 import io.troupe.actor.MailboxBound.Overflow;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Clock;
-import io.troupe.actor.time.ManualClock;
 import java.time.Duration;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;

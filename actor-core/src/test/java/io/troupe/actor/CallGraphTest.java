@@ -2,8 +2,6 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.ManualClock;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

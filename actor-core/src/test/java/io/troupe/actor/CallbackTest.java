@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.MailboxBound.Overflow;
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.util.ArrayList;
 import java.util.List;

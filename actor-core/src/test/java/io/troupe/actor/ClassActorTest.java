@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.internal.Request;
-import io.troupe.actor.promise.Promise;
 import java.io.IOException;
 import java.util.Collections;
 import java.util.List;

@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.io.File;
 import java.lang.StackWalker.Option;

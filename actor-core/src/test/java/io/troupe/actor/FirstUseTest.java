@@ -2,7 +2,6 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.List;
 import java.util.function.Supplier;

@@ -4,8 +4,6 @@ import static io.troupe.actor.Concurrently.LONG;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.MailboxBound.Overflow;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

@@ -5,8 +5,6 @@ import static io.troupe.actor.Concurrently.onThreads;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.internal.ActorProxy;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

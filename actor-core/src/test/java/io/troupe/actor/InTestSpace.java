@@ -1,6 +1,5 @@
 package io.troupe.actor;
 
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.util.ArrayList;
 import java.util.List;

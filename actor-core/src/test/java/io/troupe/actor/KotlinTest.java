@@ -4,7 +4,6 @@ import static io.troupe.actor.ActorTypeRejectionTest.rejects;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.internal.ActorProxy;
-import io.troupe.actor.promise.Promise;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;
 import java.nio.file.Path;

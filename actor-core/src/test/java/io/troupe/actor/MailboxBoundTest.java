@@ -5,7 +5,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.MailboxBound.Overflow;
-import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

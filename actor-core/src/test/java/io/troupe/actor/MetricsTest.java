@@ -4,8 +4,6 @@ import static io.troupe.actor.Concurrently.await;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import java.io.IOException;
 import java.io.InputStream;
 import java.lang.management.ManagementFactory;

@@ -30,7 +30,7 @@ class NamedModuleTest {
             package %s;
             import io.troupe.actor.Actor;
             import io.troupe.actor.ActorTypeException;
-            import io.troupe.actor.promise.Promise;
+            import io.troupe.actor.Promise;
             import io.troupe.actor.testkit.TestSpace;
             interface Lamp { Promise<String> light(String colour); }
             class Bell extends Actor { public Promise<String> ring() { return Promise.of("ding"); } }

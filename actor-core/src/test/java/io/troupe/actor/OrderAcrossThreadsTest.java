@@ -3,8 +3,6 @@ package io.troupe.actor;
 import static io.troupe.actor.Concurrently.onAnotherThread;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import org.junit.jupiter.api.Test;
 

@@ -9,7 +9,6 @@ import static java.util.stream.Collectors.toList;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatNullPointerException;
 
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.CallbackProbe;
 import io.troupe.actor.testkit.TestSpace;
 import java.time.Duration;

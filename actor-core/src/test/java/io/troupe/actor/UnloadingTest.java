@@ -2,7 +2,6 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.promise.Promise;
 import java.io.IOException;
 import java.io.InputStream;
 import java.lang.ref.WeakReference;

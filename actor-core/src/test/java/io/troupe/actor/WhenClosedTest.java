@@ -2,7 +2,6 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.promise.Deferred;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

@@ -2,9 +2,9 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.internal.Forwarder;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import java.util.Objects;
 import java.util.function.Supplier;
 import java.util.stream.Collectors;

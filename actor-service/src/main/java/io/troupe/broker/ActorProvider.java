@@ -2,11 +2,11 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicReference;

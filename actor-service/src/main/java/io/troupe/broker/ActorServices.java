@@ -2,7 +2,7 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import java.time.Duration;

@@ -3,7 +3,7 @@ package io.troupe.broker;
 import io.troupe.actor.ActorSettings;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.Address;
 import java.util.List;
 import java.util.Objects;

@@ -2,9 +2,9 @@ package io.troupe.broker;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.Promise;
 import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.internal.TypeArguments;
-import io.troupe.actor.promise.Promise;
 import io.troupe.bus.internal.CborItem;
 import io.troupe.bus.internal.CborReader;
 import io.troupe.bus.internal.CborWriter;

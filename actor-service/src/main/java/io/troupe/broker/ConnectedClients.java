@@ -1,8 +1,8 @@
 package io.troupe.broker;
 
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.List;

@@ -1,7 +1,7 @@
 package io.troupe.broker;
 
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.RemoteFailure;
 import io.troupe.bus.internal.UnreadableException;

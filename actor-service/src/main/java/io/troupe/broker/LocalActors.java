@@ -1,8 +1,8 @@
 package io.troupe.broker;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import java.util.Arrays;

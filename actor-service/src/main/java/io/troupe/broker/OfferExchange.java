@@ -1,10 +1,10 @@
 package io.troupe.broker;
 
 import io.troupe.actor.Actor;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Schedule;
-import io.troupe.actor.time.Timer;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
+import io.troupe.actor.Schedule;
+import io.troupe.actor.Timer;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusException;

@@ -1,7 +1,7 @@
 package io.troupe.broker;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import org.jspecify.annotations.Nullable;
 
 /**

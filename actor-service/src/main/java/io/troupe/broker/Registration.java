@@ -1,8 +1,8 @@
 package io.troupe.broker;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Timer;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
+import io.troupe.actor.Timer;
 import io.troupe.broker.internal.Lifecycle;
 import io.troupe.bus.Address;
 import java.time.Duration;

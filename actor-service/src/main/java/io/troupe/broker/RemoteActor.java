@@ -1,8 +1,8 @@
 package io.troupe.broker;
 
+import io.troupe.actor.Promise;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.loop.Node;
-import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.List;

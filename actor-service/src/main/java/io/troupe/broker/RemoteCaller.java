@@ -1,7 +1,7 @@
 package io.troupe.broker;
 
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusException;
 import io.troupe.bus.BusPort;

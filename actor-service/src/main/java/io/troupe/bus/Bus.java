@@ -1,9 +1,9 @@
 package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Clock;
+import io.troupe.actor.Promise;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Clock;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.internal.BoundedText;

@@ -1,6 +1,6 @@
 package io.troupe.bus;
 
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashSet;

@@ -1,6 +1,6 @@
 package io.troupe.bus;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.Operation.Kind;

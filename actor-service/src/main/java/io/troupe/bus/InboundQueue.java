@@ -2,9 +2,9 @@ package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.Promise;
 import io.troupe.actor.Topic;
 import io.troupe.actor.internal.CancellationFlag;
-import io.troupe.actor.promise.Promise;
 import java.util.ArrayDeque;
 import java.util.List;
 import java.util.Objects;

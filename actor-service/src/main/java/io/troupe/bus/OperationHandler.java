@@ -1,7 +1,7 @@
 package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.internal.BoundedText;
 import io.troupe.bus.internal.CancellableAnswer;
 import io.troupe.bus.internal.NotBegunException;

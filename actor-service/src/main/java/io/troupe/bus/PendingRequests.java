@@ -1,9 +1,9 @@
 package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.internal.loop.Home;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import io.troupe.bus.BusMessage.Purpose;
 import java.time.Duration;
 import java.util.List;

@@ -3,8 +3,8 @@ package io.troupe.broker;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.ActorSettings;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Address;
 import io.troupe.common.measure.Thorough;

@@ -7,7 +7,7 @@ import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Address;
 import io.troupe.bus.BusException;
@@ -229,7 +229,7 @@ class ActorServicesOverHostsTest extends HostsBench {
                         + " java.lang.Thread: expected primitives");
         assertRefused(
                 RawPromise.class,
-                "RawPromise.now() cannot be called from other hosts: it has a io.troupe.actor.promise.Promise, expected"
+                "RawPromise.now() cannot be called from other hosts: it has a io.troupe.actor.Promise, expected"
                         + " a Promise of a value");
         assertRefused(
                 ThreadStream.class,

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSettings;
+import io.troupe.actor.Promise;
 import io.troupe.actor.Supervision;
-import io.troupe.actor.promise.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.lang.ref.WeakReference;
 import java.time.Duration;

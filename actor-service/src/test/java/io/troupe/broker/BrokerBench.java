@@ -1,6 +1,6 @@
 package io.troupe.broker;
 
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Address;
 import java.time.Duration;

@@ -3,7 +3,7 @@ package io.troupe.broker;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.Address;
 import java.time.Duration;
 import java.util.ArrayList;

@@ -3,8 +3,8 @@ package io.troupe.broker;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;

@@ -3,7 +3,7 @@ package io.troupe.bus;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Operation.Kind;
 import java.time.Duration;

@@ -2,7 +2,7 @@ package io.troupe.bus;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.time.Duration;
 import java.util.ArrayList;

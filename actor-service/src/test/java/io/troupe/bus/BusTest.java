@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import java.lang.ref.WeakReference;
 import java.time.Duration;
 import java.util.ArrayList;

@@ -3,9 +3,9 @@ package io.troupe.bus;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import io.troupe.bus.BusContract.Count;
 import io.troupe.bus.BusContract.Text;
 import java.time.Duration;

@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;

@@ -2,7 +2,7 @@ package hello;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerObserver;

@@ -2,9 +2,9 @@ package io.troupe.bench;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.concurrent.TimeUnit;
 import org.openjdk.jmh.annotations.Benchmark;

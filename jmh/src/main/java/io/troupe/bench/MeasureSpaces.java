@@ -2,11 +2,11 @@ package io.troupe.bench;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
 import io.troupe.common.measure.SampleStatistics;
 import java.lang.management.ManagementFactory;

@@ -1,8 +1,8 @@
 package io.troupe.bench;
 
 import io.troupe.actor.ActorPool;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

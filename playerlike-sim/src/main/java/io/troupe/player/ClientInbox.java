@@ -1,7 +1,7 @@
 package io.troupe.player;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.player.structures.PlayerConstants;
 import io.troupe.player.wire.DataSink;
 import io.troupe.player.wire.DeviceDataMessage;

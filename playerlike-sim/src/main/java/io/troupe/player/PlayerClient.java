@@ -1,7 +1,7 @@
 package io.troupe.player;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.player.structures.PlayerDevAddr;
 import io.troupe.player.structures.player.PlayerDeviceDevlist;
 import io.troupe.player.structures.player.PlayerDeviceDriverInfo;

@@ -1,6 +1,6 @@
 package io.troupe.sim;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.util.concurrent.locks.LockSupport;
 import org.jspecify.annotations.Nullable;
 

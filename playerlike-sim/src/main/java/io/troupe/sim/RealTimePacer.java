@@ -1,6 +1,6 @@
 package io.troupe.sim;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.function.LongConsumer;

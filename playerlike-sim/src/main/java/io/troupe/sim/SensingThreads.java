@@ -1,6 +1,6 @@
 package io.troupe.sim;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -2,9 +2,9 @@ package io.troupe.sim;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Clock;
-import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.Clock;
+import io.troupe.actor.ManualClock;
+import io.troupe.actor.Promise;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.ConnectionClosedException;
 import io.troupe.sim.model.ColouredBox;

@@ -1,6 +1,6 @@
 package io.troupe.sim;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.lang.System.Logger.Level;
 import java.util.Objects;
 import java.util.concurrent.CompletableFuture;

@@ -3,7 +3,7 @@ package io.troupe.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.ManualClock;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.WireClient;
 import io.troupe.player.wire.DataSink;

@@ -2,7 +2,6 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Nodes;
-import io.troupe.actor.promise.Promise;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;

@@ -1,9 +1,6 @@
 package io.troupe.actor;
 
 import io.troupe.actor.internal.Request;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.ManualClock;
 import java.time.Duration;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;

@@ -2,8 +2,6 @@ package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
-import io.troupe.actor.internal.loop.TimerWheel;
-import io.troupe.actor.time.Clock;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
 import org.openjdk.jcstress.annotations.Expect;

@@ -1,6 +1,6 @@
 package io.troupe.view;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
 import io.troupe.player.Position2DInterface;

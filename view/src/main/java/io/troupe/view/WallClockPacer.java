@@ -1,6 +1,6 @@
 package io.troupe.view;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.util.concurrent.locks.LockSupport;
 
 /** Slows a simulation down to real time, which begins when this object is created. */

@@ -1,9 +1,9 @@
 package io.troupe.actor.internal;
 
+import io.troupe.actor.Promise;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
-import io.troupe.actor.promise.Promise;
 import java.util.concurrent.CancellationException;
 import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;

@@ -1,6 +1,6 @@
 package io.troupe.actor.internal;
 
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import org.jspecify.annotations.Nullable;
 
 /**

@@ -1,7 +1,7 @@
 package io.troupe.actor.internal;
 
+import io.troupe.actor.Promise;
 import io.troupe.actor.internal.loop.Owner;
-import io.troupe.actor.promise.Promise;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
 import java.lang.reflect.ParameterizedType;

@@ -1,10 +1,10 @@
 package io.troupe.actor.testkit;
 
 import io.troupe.actor.Callback;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.internal.SuspendingCalls;
 import io.troupe.actor.internal.loop.PlainText;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import java.lang.reflect.Method;
 import java.lang.reflect.ParameterizedType;
 import java.lang.reflect.Proxy;

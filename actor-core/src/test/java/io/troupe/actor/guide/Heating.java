@@ -1,8 +1,8 @@
 package io.troupe.actor.guide;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 
 /** The first program of docs/guide/01-actors.md, complete. */
 public class Heating {

@@ -1,7 +1,7 @@
 package io.troupe.actor.guide;
 
 import io.troupe.actor.*;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 
 /** The complete program of the README. */
 public class Hello {

@@ -1,7 +1,7 @@
 package io.troupe.actor.model;
 
 import io.troupe.actor.ActorEnd;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import java.util.ArrayList;
 import java.util.List;
 import java.util.stream.Stream;

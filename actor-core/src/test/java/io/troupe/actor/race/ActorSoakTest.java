@@ -2,7 +2,7 @@ package io.troupe.actor.race;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.util.EnumMap;
 import java.util.Random;
 import org.junit.jupiter.api.Tag;

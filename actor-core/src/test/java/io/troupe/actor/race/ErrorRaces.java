@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSettings;
+import io.troupe.actor.Promise;
 import io.troupe.actor.Supervision;
-import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.Collections;
 import java.util.HashSet;

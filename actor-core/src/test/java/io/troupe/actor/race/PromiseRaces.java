@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import java.time.Duration;
 import java.util.List;
 import java.util.Queue;

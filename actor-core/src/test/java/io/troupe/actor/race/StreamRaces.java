@@ -4,8 +4,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.Deferred;
 import io.troupe.actor.Topic;
-import io.troupe.actor.promise.Deferred;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -7,7 +7,7 @@ import io.troupe.actor.Actor;
 import io.troupe.actor.ActorTypeException;
 import io.troupe.actor.Callback;
 import io.troupe.actor.InTestSpace;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import java.time.Duration;
 import java.util.List;
 import java.util.Map;

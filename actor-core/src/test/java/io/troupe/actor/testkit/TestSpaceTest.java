@@ -5,9 +5,9 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
 import io.troupe.actor.Actor;
+import io.troupe.actor.Deferred;
 import io.troupe.actor.InTestSpace;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;

@@ -3,9 +3,9 @@
 
 package io.troupe.actor.kotlin
 
+import io.troupe.actor.Deferred
+import io.troupe.actor.Promise
 import io.troupe.actor.internal.loop.Home
-import io.troupe.actor.promise.Deferred
-import io.troupe.actor.promise.Promise
 import java.util.concurrent.CancellationException
 import java.util.function.BiFunction
 import kotlin.coroutines.Continuation

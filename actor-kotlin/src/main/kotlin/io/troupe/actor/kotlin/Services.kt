@@ -3,7 +3,7 @@
 package io.troupe.actor.kotlin
 
 import io.troupe.actor.ActorSpace
-import io.troupe.actor.promise.Promise
+import io.troupe.actor.Promise
 import io.troupe.broker.ActorConnection
 import io.troupe.broker.ActorServices
 import io.troupe.broker.ConnectionSettings

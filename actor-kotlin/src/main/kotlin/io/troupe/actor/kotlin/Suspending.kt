@@ -2,12 +2,12 @@
 
 package io.troupe.actor.kotlin
 
+import io.troupe.actor.Deferred
+import io.troupe.actor.Promise
 import io.troupe.actor.internal.SuspendingCalls
 import io.troupe.actor.internal.SuspendingRequest
 import io.troupe.actor.internal.loop.Home
 import io.troupe.actor.internal.loop.Owner
-import io.troupe.actor.promise.Deferred
-import io.troupe.actor.promise.Promise
 import java.lang.invoke.MethodHandles
 import java.lang.invoke.VarHandle
 import java.util.concurrent.CancellationException

@@ -3,7 +3,7 @@ package io.troupe.actor.kotlin;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import java.util.concurrent.CancellationException;
 import org.junit.jupiter.api.AfterEach;

@@ -1,9 +1,9 @@
 package io.troupe.actor.kotlin
 
 import io.troupe.actor.ActorSpace
+import io.troupe.actor.Deferred
+import io.troupe.actor.Promise
 import io.troupe.actor.SpaceSettings
-import io.troupe.actor.promise.Deferred
-import io.troupe.actor.promise.Promise
 import java.time.Duration
 import kotlin.coroutines.CoroutineContext
 import kotlin.system.measureNanoTime

@@ -3,12 +3,12 @@ package io.troupe.actor.kotlin
 import io.troupe.actor.Actor
 import io.troupe.actor.ActorSettings
 import io.troupe.actor.ActorStoppedException
+import io.troupe.actor.Deferred
 import io.troupe.actor.MailboxBound.Overflow
 import io.troupe.actor.MailboxFullException
+import io.troupe.actor.Promise
 import io.troupe.actor.Supervision
 import io.troupe.actor.Topic
-import io.troupe.actor.promise.Deferred
-import io.troupe.actor.promise.Promise
 import java.io.IOException
 import java.time.Duration
 import java.util.concurrent.CancellationException

@@ -1,6 +1,6 @@
 package io.troupe.actor.kotlin
 
-import io.troupe.actor.promise.Promise
+import io.troupe.actor.Promise
 import io.troupe.actor.testkit.TestSpace
 import java.time.Duration
 import org.junit.jupiter.api.AfterEach

@@ -3,8 +3,8 @@ package io.troupe.actor.kotlin
 import io.troupe.actor.ActorPool
 import io.troupe.actor.ActorSettings
 import io.troupe.actor.ActorSpace
-import io.troupe.actor.promise.Deferred
-import io.troupe.actor.promise.Promise
+import io.troupe.actor.Deferred
+import io.troupe.actor.Promise
 import java.time.Duration
 import java.util.concurrent.TimeoutException
 import kotlinx.coroutines.async

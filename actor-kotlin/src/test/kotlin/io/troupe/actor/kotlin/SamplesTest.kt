@@ -2,9 +2,9 @@ package io.troupe.actor.kotlin
 
 import io.troupe.actor.ActorSpace
 import io.troupe.actor.Callback
+import io.troupe.actor.Promise
 import io.troupe.actor.SpaceSettings
 import io.troupe.actor.Topic
-import io.troupe.actor.promise.Promise
 import io.troupe.broker.ActorServices
 import io.troupe.broker.Broker
 import io.troupe.broker.BrokerSettings

@@ -2,9 +2,9 @@ package io.troupe.actor.kotlin
 
 import io.troupe.actor.Actor
 import io.troupe.actor.ActorSpace
+import io.troupe.actor.Deferred
+import io.troupe.actor.Promise
 import io.troupe.actor.SpaceSettings
-import io.troupe.actor.promise.Deferred
-import io.troupe.actor.promise.Promise
 import java.io.IOException
 import java.util.concurrent.CancellationException
 import java.util.concurrent.atomic.AtomicReference

@@ -1,7 +1,7 @@
 package io.troupe.actor.kotlin
 
 import io.troupe.actor.Callback
-import io.troupe.actor.promise.Promise
+import io.troupe.actor.Promise
 import io.troupe.broker.ActorServices
 import io.troupe.broker.Broker
 import io.troupe.broker.BrokerSettings

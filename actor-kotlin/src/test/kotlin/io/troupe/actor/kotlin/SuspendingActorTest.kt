@@ -3,7 +3,7 @@ package io.troupe.actor.kotlin
 import io.troupe.actor.Actor
 import io.troupe.actor.ActorTypeException
 import io.troupe.actor.Callback
-import io.troupe.actor.promise.Promise
+import io.troupe.actor.Promise
 import java.time.Duration
 import kotlinx.coroutines.delay
 import kotlinx.coroutines.yield

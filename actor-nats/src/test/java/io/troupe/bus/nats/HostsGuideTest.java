@@ -3,8 +3,8 @@ package io.troupe.bus.nats;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerObserver;

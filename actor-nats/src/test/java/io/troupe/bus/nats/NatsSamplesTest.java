@@ -2,7 +2,7 @@ package io.troupe.bus.nats;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusEngine;

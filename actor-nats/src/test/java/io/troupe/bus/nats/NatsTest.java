@@ -1,8 +1,8 @@
 package io.troupe.bus.nats;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusEngine;

@@ -1,7 +1,7 @@
 package io.troupe.broker.internal;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import java.util.LinkedHashSet;
 import java.util.List;
 import java.util.Objects;

@@ -2,8 +2,8 @@ package io.troupe.broker.internal;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.broker.internal.Lifecycle.State;
 import java.util.ArrayList;

@@ -49,7 +49,7 @@ class ApiSizeTest {
                 .filteredOn(type -> !type.isForTheLibraryOnly())
                 .extracting(PublicType::name)
                 .as("API types of actor-core")
-                .contains("io.troupe.actor.ActorSpace", "io.troupe.actor.promise.Promise")
+                .contains("io.troupe.actor.ActorSpace", "io.troupe.actor.Promise")
                 .hasSizeLessThanOrEqualTo(MOST_TYPES);
     }
 

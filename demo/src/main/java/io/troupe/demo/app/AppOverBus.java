@@ -1,6 +1,6 @@
 package io.troupe.demo.app;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusMessage;

@@ -2,9 +2,9 @@ package io.troupe.demo.app;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.CallObserver;
+import io.troupe.actor.Clock;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Clock;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerSettings;
 import io.troupe.bus.Bus;

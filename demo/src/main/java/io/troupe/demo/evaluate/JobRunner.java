@@ -1,6 +1,6 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.common.measure.MeasuringJvm;
 import io.troupe.common.text.NamedColours;
 import io.troupe.demo.evaluate.Measurement.Kind;

@@ -1,8 +1,8 @@
 package io.troupe.demo.hosts;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Clock;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.time.Clock;
 import io.troupe.broker.BrokerEvent;
 import io.troupe.bus.BusObserver;
 import io.troupe.bus.BusSettings;

@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.ManualClock;
 import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.CommandLineBench;
 import io.troupe.demo.evaluate.Measurement.Kind;

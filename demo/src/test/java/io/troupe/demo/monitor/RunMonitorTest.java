@@ -6,9 +6,9 @@ import static org.assertj.core.api.Assertions.catchThrowable;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
 import io.troupe.common.measure.Thorough;
 import io.troupe.demo.OwnPort;
 import io.troupe.petri.wiring.Conformance;

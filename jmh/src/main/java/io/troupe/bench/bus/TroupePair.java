@@ -4,8 +4,8 @@ import static io.troupe.bench.bus.SampleValues.ECHO;
 import static io.troupe.bench.bus.SampleValues.SONAR;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 import io.troupe.bus.Address;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;

@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;

@@ -2,7 +2,7 @@ package io.troupe.player.wire;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.io.IOException;
 import java.io.InterruptedIOException;
 import java.lang.System.Logger.Level;

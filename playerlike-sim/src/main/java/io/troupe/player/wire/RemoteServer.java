@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.io.IOException;
 import java.io.InputStream;
 import java.net.ConnectException;

@@ -1,7 +1,7 @@
 package io.troupe.player.wire;
 
 import com.sun.management.UnixOperatingSystemMXBean;
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.lang.System.Logger;

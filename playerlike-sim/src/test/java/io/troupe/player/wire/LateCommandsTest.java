@@ -3,7 +3,7 @@ package io.troupe.player.wire;
 import static io.troupe.player.wire.Interfaces.POSITION2D;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.ManualClock;
 import java.io.IOException;
 import java.net.InetAddress;
 import java.net.ServerSocket;

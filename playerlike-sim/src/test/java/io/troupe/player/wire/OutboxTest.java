@@ -2,7 +2,7 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import java.io.ByteArrayInputStream;
 import java.io.ByteArrayOutputStream;
 import java.io.IOException;

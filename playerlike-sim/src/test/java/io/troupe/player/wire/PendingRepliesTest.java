@@ -2,7 +2,7 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.ManualClock;
 import io.troupe.player.wire.PendingReplies.Request;
 import org.junit.jupiter.api.Test;
 

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.fail;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.ManualClock;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.time.ManualClock;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
 import io.troupe.player.Position2DInterface;

@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowableOfType;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Clock;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.time.Clock;
 import io.troupe.player.PlayerException;
 import io.troupe.player.structures.PlayerConstants;
 import java.io.IOException;

@@ -1,6 +1,6 @@
 package io.troupe.player.wire;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.player.PlayerPorts;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;

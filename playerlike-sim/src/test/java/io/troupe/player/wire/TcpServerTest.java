@@ -7,8 +7,8 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.time.Clock;
-import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.Clock;
+import io.troupe.actor.ManualClock;
 import io.troupe.player.PlayerPorts;
 import java.io.IOException;
 import java.net.InetAddress;

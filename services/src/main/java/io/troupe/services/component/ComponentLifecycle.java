@@ -2,8 +2,8 @@ package io.troupe.services.component;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.broker.ProviderException;
 import io.troupe.broker.internal.Lifecycle;
 import io.troupe.bus.Address;

@@ -1,7 +1,7 @@
 package io.troupe.services.robot;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.structures.PlayerConstants;
 import java.time.Duration;

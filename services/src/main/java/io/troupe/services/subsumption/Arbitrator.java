@@ -2,8 +2,8 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import java.util.stream.IntStream;
 import org.jspecify.annotations.Nullable;
 

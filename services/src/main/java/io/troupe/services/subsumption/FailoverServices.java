@@ -2,9 +2,9 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
-import io.troupe.actor.time.Timer;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
+import io.troupe.actor.Timer;
 import io.troupe.broker.Broker;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;

@@ -2,8 +2,8 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.CallObserver;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 import io.troupe.broker.ActorConnection;
 import io.troupe.broker.ConnectionSettings;
 import io.troupe.broker.MissingServiceException;

@@ -1,7 +1,7 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.player.PlayerException;
 import io.troupe.services.behaviour.Velocity;
 import java.security.SecureRandom;

@@ -1,8 +1,8 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.broker.ActorServices;
 import io.troupe.broker.Broker;
 import io.troupe.broker.BrokerObserver;

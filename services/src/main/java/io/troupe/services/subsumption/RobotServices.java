@@ -1,7 +1,7 @@
 package io.troupe.services.subsumption;
 
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import java.util.Optional;
 import org.jspecify.annotations.Nullable;
 

@@ -2,7 +2,7 @@ package io.troupe.services.subsumption;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;
 import io.troupe.services.behaviour.ColourFinder;

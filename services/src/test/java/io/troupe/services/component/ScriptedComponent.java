@@ -1,7 +1,7 @@
 package io.troupe.services.component;
 
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.bus.BusTopic;
 import java.util.ArrayList;
 import java.util.List;

@@ -9,7 +9,7 @@ import static io.troupe.services.subsumption.FakeRobots.STOP;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.player.PlayerException;
 import io.troupe.services.behaviour.Velocity;
 import java.nio.file.Path;

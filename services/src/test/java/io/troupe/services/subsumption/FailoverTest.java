@@ -5,7 +5,7 @@ import static io.troupe.common.text.NamedColours.RED;
 import static io.troupe.services.subsumption.FakeRobots.STOP;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
 import io.troupe.bus.Bus;

@@ -10,7 +10,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatCode;
 
 import io.troupe.actor.Actor;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.BusTopic;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.PlayerException;

@@ -4,9 +4,9 @@ import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Clock;
+import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
-import io.troupe.actor.time.Clock;
 import io.troupe.common.text.NamedColours;
 import io.troupe.player.wire.DeviceCommand;
 import io.troupe.services.behaviour.Velocity;

@@ -2,7 +2,7 @@ package io.troupe.faults.node;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.broker.ActorConnection;
 import io.troupe.broker.ActorServices;
 import io.troupe.broker.ConnectionSettings;

@@ -2,7 +2,7 @@ package io.troupe.faults.node;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.faults.history.Event.Executed;
 import io.troupe.faults.history.History;
 import java.time.Duration;

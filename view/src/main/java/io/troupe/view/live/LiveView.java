@@ -4,7 +4,7 @@ import com.sun.net.httpserver.Headers;
 import com.sun.net.httpserver.HttpExchange;
 import com.sun.net.httpserver.HttpServer;
 import io.troupe.actor.CallGraph;
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.view.Json;
 import io.troupe.view.tools.FoxgloveConnection;
 import io.troupe.view.tools.FoxgloveConnection.Events;

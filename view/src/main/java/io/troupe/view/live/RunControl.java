@@ -1,6 +1,6 @@
 package io.troupe.view.live;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.view.live.ViewCommand.Intervention;
 import io.troupe.view.tools.RecordedInterventions;

@@ -1,6 +1,6 @@
 package io.troupe.view.live;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.sim.Pace;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.SimulationRunner;

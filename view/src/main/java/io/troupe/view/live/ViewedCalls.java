@@ -1,7 +1,7 @@
 package io.troupe.view.live;
 
 import io.troupe.actor.CallGraph;
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.view.Json;
 import java.time.Duration;
 import java.util.IdentityHashMap;

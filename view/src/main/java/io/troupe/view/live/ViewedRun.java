@@ -2,7 +2,7 @@ package io.troupe.view.live;
 
 import io.troupe.actor.CallGraph;
 import io.troupe.actor.CallObserver;
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Contact;

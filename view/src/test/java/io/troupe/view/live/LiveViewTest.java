@@ -4,7 +4,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.ManualClock;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.RobotReading;
 import io.troupe.sim.Simulation;

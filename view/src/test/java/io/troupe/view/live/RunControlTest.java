@@ -3,7 +3,7 @@ package io.troupe.view.live;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.time.ManualClock;
+import io.troupe.actor.ManualClock;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.WorldSpec;
 import java.nio.file.Files;

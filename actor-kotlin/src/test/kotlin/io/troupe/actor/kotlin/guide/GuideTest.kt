@@ -4,6 +4,7 @@ import io.troupe.actor.Actor
 import io.troupe.actor.ActorSettings
 import io.troupe.actor.ActorSpace
 import io.troupe.actor.Callback
+import io.troupe.actor.Promise
 import io.troupe.actor.SpaceSettings
 import io.troupe.actor.Supervision
 import io.troupe.actor.Topic
@@ -19,7 +20,6 @@ import io.troupe.actor.kotlin.publishTo
 import io.troupe.actor.kotlin.scope
 import io.troupe.actor.kotlin.sendTo
 import io.troupe.actor.kotlin.spawn
-import io.troupe.actor.promise.Promise
 import io.troupe.actor.testkit.TestSpace
 import java.io.ByteArrayOutputStream
 import java.io.IOException

@@ -2,8 +2,8 @@ package io.troupe.paper;
 
 import io.troupe.actor.Actor;
 import io.troupe.actor.Callback;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.player.BlobfinderInterface;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.Position2DInterface;

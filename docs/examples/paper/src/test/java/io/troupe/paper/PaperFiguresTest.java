@@ -3,8 +3,8 @@ package io.troupe.paper;
 import static org.assertj.core.api.Assertions.assertThat;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Clock;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.time.Clock;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.services.subsumption.Arbitrator;

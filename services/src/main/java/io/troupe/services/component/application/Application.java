@@ -1,8 +1,8 @@
 package io.troupe.services.component.application;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Deferred;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Deferred;
+import io.troupe.actor.Promise;
 import io.troupe.broker.Broker;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;

@@ -1,7 +1,7 @@
 package io.troupe.services.component.application;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
 import io.troupe.services.component.ComponentInterface;

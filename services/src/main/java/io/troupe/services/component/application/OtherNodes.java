@@ -1,7 +1,7 @@
 package io.troupe.services.component.application;
 
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.broker.MissingServiceException;
 import io.troupe.broker.Need;
 import io.troupe.broker.Provider;

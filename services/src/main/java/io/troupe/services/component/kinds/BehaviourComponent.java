@@ -1,6 +1,6 @@
 package io.troupe.services.component.kinds;
 
-import io.troupe.actor.promise.Promise;
+import io.troupe.actor.Promise;
 import io.troupe.bus.BusTopic;
 import io.troupe.services.behaviour.Behaviour;
 import io.troupe.services.behaviour.Blob;

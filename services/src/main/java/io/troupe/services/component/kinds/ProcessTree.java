@@ -1,6 +1,6 @@
 package io.troupe.services.component.kinds;
 
-import io.troupe.actor.time.Clock;
+import io.troupe.actor.Clock;
 import io.troupe.common.process.Programs;
 import java.io.File;
 import java.io.IOException;

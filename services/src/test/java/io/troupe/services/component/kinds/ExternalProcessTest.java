@@ -5,8 +5,8 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 import io.troupe.broker.ProviderException;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;

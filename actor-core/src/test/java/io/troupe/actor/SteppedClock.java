@@ -1,4 +1,4 @@
-package io.troupe.actor.time;
+package io.troupe.actor;
 
 /** Runs by itself from the point of view of a space or a wheel, so that a timer can be late; the test moves it. */
 public final class SteppedClock implements Clock {

@@ -1,4 +1,4 @@
-package io.troupe.actor.time;
+package io.troupe.actor;
 
 import java.time.Duration;
 import java.util.List;

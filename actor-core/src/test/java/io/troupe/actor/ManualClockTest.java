@@ -1,13 +1,10 @@
-package io.troupe.actor.time;
+package io.troupe.actor;
 
 import static io.troupe.actor.Concurrently.LONG;
 import static io.troupe.actor.Concurrently.onThreads;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.ActorSpace;
-import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.promise.Promise;
 import java.time.Duration;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Tag;

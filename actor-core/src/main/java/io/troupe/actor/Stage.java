@@ -1,9 +1,9 @@
-package io.troupe.actor.promise;
+package io.troupe.actor;
 
+import io.troupe.actor.SettledState.Rejection;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
-import io.troupe.actor.promise.SettledState.Rejection;
 import java.util.Objects;
 import java.util.concurrent.CancellationException;
 import java.util.function.BiConsumer;

@@ -1,4 +1,4 @@
-package io.troupe.actor.promise;
+package io.troupe.actor;
 
 import org.jspecify.annotations.Nullable;
 

@@ -1,4 +1,4 @@
-package io.troupe.actor.promise;
+package io.troupe.actor;
 
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;

@@ -1,4 +1,4 @@
-package io.troupe.actor.promise;
+package io.troupe.actor;
 
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;

@@ -1,8 +1,8 @@
-package io.troupe.actor.promise;
+package io.troupe.actor;
 
+import io.troupe.actor.SettledState.Rejection;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Nodes;
-import io.troupe.actor.promise.SettledState.Rejection;
 import java.time.Duration;
 import java.util.Collection;
 import java.util.List;

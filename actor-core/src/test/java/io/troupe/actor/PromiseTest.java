@@ -1,13 +1,8 @@
-package io.troupe.actor.promise;
+package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.ActorSpace;
-import io.troupe.actor.Backlog;
-import io.troupe.actor.Callback;
-import io.troupe.actor.InTestSpace;
-import io.troupe.actor.Topic;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;

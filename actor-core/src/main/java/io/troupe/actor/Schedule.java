@@ -1,4 +1,4 @@
-package io.troupe.actor.time;
+package io.troupe.actor;
 
 /**
  * When a periodic timer runs next, in particular after a run that was late because its thread was busy.

@@ -1,13 +1,9 @@
-package io.troupe.actor.promise;
+package io.troupe.actor;
 
 import static io.troupe.actor.Concurrently.onAnotherThread;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.ActorSpace;
-import io.troupe.actor.Doer;
-import io.troupe.actor.InTestSpace;
-import io.troupe.actor.Reachable;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;

@@ -1,4 +1,4 @@
-package io.troupe.actor.time;
+package io.troupe.actor;
 
 /**
  * A task with a deadline, as returned by {@code after(..)} and {@code every(..)} of an actor's context.

@@ -1,4 +1,4 @@
-package io.troupe.actor.time;
+package io.troupe.actor;
 
 /**
  * A source of time, with a callback for clocks that are moved by hand.

@@ -1,8 +1,5 @@
-package io.troupe.actor.internal.loop;
+package io.troupe.actor;
 
-import io.troupe.actor.time.Clock;
-import io.troupe.actor.time.Schedule;
-import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Arrays;
@@ -27,7 +24,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p><b>Source.</b> Varghese and Lauck, "Hashed and hierarchical timing wheels", scheme 7 (1987).
  */
-public final class TimerWheel {
+final class TimerWheel {
     /*
      * Time is counted in ticks of 2^20 ns. Timers that are due up to the tick "position" are near: they are in a heap,
      * in exact order. Each other timer is on the wheel of the highest digit (of six bits) in which its tick differs

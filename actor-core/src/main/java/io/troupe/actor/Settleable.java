@@ -1,13 +1,13 @@
-package io.troupe.actor.promise;
+package io.troupe.actor;
 
+import io.troupe.actor.Listeners.Follower;
+import io.troupe.actor.Listeners.Many;
+import io.troupe.actor.SettledState.PendingNotification;
+import io.troupe.actor.SettledState.Rejection;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Nodes;
 import io.troupe.actor.internal.loop.Owner;
-import io.troupe.actor.promise.Listeners.Follower;
-import io.troupe.actor.promise.Listeners.Many;
-import io.troupe.actor.promise.SettledState.PendingNotification;
-import io.troupe.actor.promise.SettledState.Rejection;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import java.util.Objects;

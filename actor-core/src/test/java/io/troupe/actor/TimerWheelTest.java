@@ -1,12 +1,8 @@
-package io.troupe.actor.internal.loop;
+package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.time.ManualClock;
-import io.troupe.actor.time.Schedule;
-import io.troupe.actor.time.SteppedClock;
-import io.troupe.actor.time.Timer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Comparator;
