@@ -5,7 +5,6 @@ import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.Forwarder;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Nodes;
@@ -164,7 +163,7 @@ final class ActorCell extends Recipient {
     }
 
     @Override
-    protected Home home() {
+    public Home home() {
         return space;
     }
 
@@ -187,7 +186,7 @@ final class ActorCell extends Recipient {
     }
 
     @Override
-    protected Incarnation life() {
+    public Incarnation life() {
         return life;
     }
 
@@ -493,7 +492,7 @@ final class ActorCell extends Recipient {
     }
 
     @Override
-    protected @Nullable Object target(Message message) {
+    public @Nullable Object target(Message message) {
         Object target = implementation;
         if (target == null) {
             deliverNext(message);
@@ -503,7 +502,7 @@ final class ActorCell extends Recipient {
     }
 
     @Override
-    protected @Nullable Object target(Request<?> request) {
+    public @Nullable Object target(Request<?> request) {
         Object target = implementation;
         if (target == null || request.isDone() || request.mayBeGivenUp()) {
             deliverNext(request);
@@ -689,7 +688,7 @@ final class ActorCell extends Recipient {
      * before anything else.
      */
     @Override
-    protected void failed(Object what, Throwable thrown) {
+    public void failed(Object what, Throwable thrown) {
         space.reports().failed(what, this, thrown, settings.onError());
         if (stopped) {
             return;
@@ -726,7 +725,7 @@ final class ActorCell extends Recipient {
     }
 
     @Override
-    protected void requestFailed(Request<?> request, Throwable thrown, boolean isReported) {
+    public void requestFailed(Request<?> request, Throwable thrown, boolean isReported) {
         if (countsRequests(thrown)) {
             failed(request, thrown);
         } else if (isReported) {
@@ -735,14 +734,14 @@ final class ActorCell extends Recipient {
     }
 
     @Override
-    protected void cancelled(Request<?> request) {
+    public void cancelled(Request<?> request) {
         if (forwards) {
             space.enqueue(Entry.urgent(() -> abandoned(request), () -> {}));
         }
     }
 
     @Override
-    protected void timedOut(Request<?> request) {
+    public void timedOut(Request<?> request) {
         space.reports().logArgumentsOfLate(request);
         if (forwards && request.isAbandoned()) {
             request.cancel();
@@ -761,12 +760,12 @@ final class ActorCell extends Recipient {
     }
 
     @Override
-    protected RuntimeException answeredNull(String method) {
+    public RuntimeException answeredNull(String method) {
         return new ActorException(method + " of " + this + " returned null, expected a promise");
     }
 
     @Override
-    protected String progressOf(Request<?> request) {
+    public String progressOf(Request<?> request) {
         int inMailbox = placeInMailbox(request);
         int before = inMailbox >= 0 ? inMailbox : space.dispatcher.messagesBefore(request, COUNTED);
         if (before >= 0) {

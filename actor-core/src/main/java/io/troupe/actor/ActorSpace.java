@@ -130,13 +130,7 @@ public final class ActorSpace implements AutoCloseable {
         return cell.space().facade();
     }
 
-    /**
-     * The internal side of this space.
-     *
-     * @hidden
-     */
-    @SuppressWarnings("exports") // for this library only
-    public Home home() {
+    Home home() {
         return home;
     }
 

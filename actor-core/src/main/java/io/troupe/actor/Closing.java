@@ -3,7 +3,6 @@ package io.troupe.actor;
 import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Nodes;

@@ -38,7 +38,6 @@ import org.jspecify.annotations.Nullable;
  * <p><b>Errors.</b> A rejection without a listener is reported to the error handler of the promise's space. That of a
  * deferred without a space is not reported.
  */
-@SuppressWarnings("exports") // what is hidden is for this module and its sisters
 public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     private final @Nullable Home home;
     private final boolean madeOutside;
@@ -50,12 +49,11 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
     }
 
     /**
-     * Creates a deferred for this library: public because spaces are in another package.
+     * Creates a deferred of an event loop, or of none.
      *
      * @param ifCancelled runs on the thread that cancels the promise
-     * @hidden
      */
-    public Deferred(@Nullable Home home, @Nullable Runnable ifCancelled) {
+    Deferred(@Nullable Home home, @Nullable Runnable ifCancelled) {
         this.home = home;
         this.madeOutside = home != null && !home.isCurrent();
         this.ifCancelled = ifCancelled;
@@ -69,17 +67,19 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
         return new Deferred<>(null, null);
     }
 
-    /** @hidden */
     @Override
-    protected void cancelled() {
+    void cancelled() {
         if (ifCancelled != null) {
             ifCancelled.run();
         }
     }
 
-    /** @hidden */
+    boolean isForOneCaller() {
+        return ifCancelled instanceof LibraryAccess.Work;
+    }
+
     @Override
-    protected boolean madeOutside() {
+    boolean madeOutside() {
         return madeOutside;
     }
 
@@ -107,19 +107,19 @@ public final class Deferred<T extends @Nullable Object> extends Promise<T> {
         follow(Objects.requireNonNull(other, "other"));
     }
 
-    /** @hidden */
     @Override
-    protected @Nullable Home home() {
+    @Nullable
+    Home home() {
         return home;
     }
 
     @Override
-    protected String name() {
-        return PromiseText.describe(this);
+    String name() {
+        return isForOneCaller() ? String.valueOf(ifCancelled) : PromiseText.describe(this);
     }
 
     @Override
     public String toString() {
-        return PromiseText.withOutcome("promise", this);
+        return PromiseText.withOutcome(isForOneCaller() ? name() : "promise", this);
     }
 }

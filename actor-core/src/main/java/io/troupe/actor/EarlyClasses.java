@@ -40,7 +40,7 @@ final class EarlyClasses {
             "io.troupe.actor.Watchdog",
             "io.troupe.actor.Watchdog$Words",
             "io.troupe.actor.internal.SuspendingCalls$Found",
-            "io.troupe.actor.internal.SuspendingRequest",
+            "io.troupe.actor.SuspendingRequest",
             "io.troupe.actor.internal.loop.Home",
             "io.troupe.actor.internal.loop.NodeQueue",
             "io.troupe.actor.TimerWheel",

@@ -1,8 +1,6 @@
 package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
-import io.troupe.actor.internal.Request;
-import io.troupe.actor.internal.SuspendingRequest;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
 import java.util.ArrayList;

@@ -2,7 +2,6 @@ package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
@@ -41,7 +40,7 @@ final class ObservedCalls {
         @Override
         public void whenSettled(Consumer<@Nullable Throwable> callback) {
             if (node instanceof Request<?> request) {
-                Request.whenSettled(
+                Promise.whenSettled(
                         request, () -> false, () -> guard(actor.space(), () -> callback.accept(request.error())));
             }
         }

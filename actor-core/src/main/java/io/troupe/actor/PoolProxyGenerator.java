@@ -26,7 +26,7 @@ import org.objectweb.asm.Type;
  *         int number = router.first(a0);
  *         Promise<String> answer = ((Greeter) router.actor(number)).greet(a0);
  *         while ((number = router.after(number)) >= 0) {
- *             answer = Router.both(answer, ((Greeter) router.actor(number)).greet(a0));
+ *             answer = Request.both(answer, ((Greeter) router.actor(number)).greet(a0));
  *         }
  *         return answer;
  *     }
@@ -165,7 +165,7 @@ final class PoolProxyGenerator {
         call(code, method, router, number);
         if (isRequest) {
             String both = "(" + PROMISE_DESCRIPTOR + PROMISE_DESCRIPTOR + ")" + PROMISE_DESCRIPTOR;
-            code.visitMethodInsn(INVOKESTATIC, ROUTER, "both", both, false);
+            code.visitMethodInsn(INVOKESTATIC, Type.getInternalName(Request.class), "both", both, false);
             code.visitVarInsn(ASTORE, answer);
         }
         code.visitJumpInsn(GOTO, again);

@@ -49,8 +49,7 @@ import org.jspecify.annotations.Nullable;
  * {@code then}.
  */
 public abstract class Promise<T extends @Nullable Object> extends Settleable<T> {
-    /** @hidden */
-    protected Promise() {}
+    Promise() {}
 
     Promise(Object outcome) {
         super(outcome);
@@ -301,18 +300,14 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
 
     /**
      * Called on the cancelling thread after this promise was cancelled. For promises whose work can then be skipped.
-     *
-     * @hidden
      */
-    protected void cancelled() {}
+    void cancelled() {}
 
     /**
      * Called on the thread of the timer when a time limit on this promise has passed; {@link #isGivenUp} is false if
      * other listeners remain.
-     *
-     * @hidden
      */
-    protected void timedOut() {}
+    void timedOut() {}
 
     /**
      * Returns a {@link CompletableFuture} that follows this promise; cancelling the future does not cancel the promise.
@@ -342,15 +337,6 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return Combinators.all(promises);
     }
 
-    /**
-     * Two requests as one: fulfilled with the value of the first when both are fulfilled; cancelling it cancels both.
-     *
-     * @hidden
-     */
-    public static Promise<?> ofRequests(Promise<?> first, Promise<?> second) {
-        return Combinators.ofRequests(first, second);
-    }
-
     /** All outcomes, in the order of the arguments; never rejected. */
     public static <T extends @Nullable Object> Promise<List<Outcome<T>>> allSettled(
             Collection<? extends Promise<? extends T>> promises) {
@@ -373,17 +359,12 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return Combinators.race(promises);
     }
 
-    /**
-     * What this promise is called in messages: without its value, which may be secret.
-     *
-     * @hidden
-     */
-    protected String name() {
+    /** What this promise is called in messages: without its value, which may be secret. */
+    String name() {
         return toString();
     }
 
-    /** @hidden */
-    protected final String withOutcome(String name) {
+    final String withOutcome(String name) {
         return PromiseText.withOutcome(name, this);
     }
 
@@ -393,12 +374,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         return null;
     }
 
-    /**
-     * A progress note for error messages, put behind the promise's name: empty, or beginning with a comma.
-     *
-     * @hidden
-     */
-    protected String progress() {
+    /** A progress note for error messages, put behind the promise's name: empty, or beginning with a comma. */
+    String progress() {
         return "";
     }
 
@@ -416,10 +393,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
     /**
      * True for an error of the virtual machine, except a stack overflow or an out-of-memory error: it is reported
      * although it also rejects a promise.
-     *
-     * @hidden
      */
-    protected static boolean isOfTheMachine(Throwable error) {
+    static boolean isOfTheMachine(Throwable error) {
         return error instanceof VirtualMachineError
                 && !(error instanceof StackOverflowError)
                 && !(error instanceof OutOfMemoryError);
@@ -434,7 +409,8 @@ public abstract class Promise<T extends @Nullable Object> extends Settleable<T> 
         }
 
         @Override
-        protected @Nullable Home home() {
+        @Nullable
+        Home home() {
             return null;
         }
 

@@ -5,9 +5,7 @@ import static org.objectweb.asm.Opcodes.*;
 import io.troupe.actor.internal.ActorProxy;
 import io.troupe.actor.internal.Message;
 import io.troupe.actor.internal.Recipient;
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.SuspendingCalls;
-import io.troupe.actor.internal.SuspendingRequest;
 import io.troupe.actor.internal.loop.Node;
 import java.lang.invoke.MethodHandles;
 import java.lang.reflect.Method;
@@ -358,7 +356,7 @@ final class ProxyGenerator {
         }
 
         private void methodName(ClassWriter writer) {
-            MethodVisitor code = writer.visitMethod(ACC_PROTECTED, "method", "()Ljava/lang/String;", null, null);
+            MethodVisitor code = writer.visitMethod(ACC_PUBLIC, "method", "()Ljava/lang/String;", null, null);
             code.visitCode();
             code.visitLdcInsn(type.getSimpleName() + "." + SuspendingCalls.signature(method));
             code.visitInsn(ARETURN);
@@ -366,7 +364,7 @@ final class ProxyGenerator {
         }
 
         private void argumentArray(ClassWriter writer) {
-            MethodVisitor code = writer.visitMethod(ACC_PROTECTED, "arguments", "()[Ljava/lang/Object;", null, null);
+            MethodVisitor code = writer.visitMethod(ACC_PUBLIC, "arguments", "()[Ljava/lang/Object;", null, null);
             code.visitCode();
             code.visitIntInsn(SIPUSH, arguments.length);
             code.visitTypeInsn(ANEWARRAY, "java/lang/Object");

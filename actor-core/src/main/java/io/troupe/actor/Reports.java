@@ -3,7 +3,6 @@ package io.troupe.actor;
 import io.troupe.actor.RecorderEvents.DeadLetterEvent;
 import io.troupe.actor.RecorderEvents.ErrorEvent;
 import io.troupe.actor.internal.Message;
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
 import java.util.ArrayDeque;
@@ -358,7 +357,7 @@ final class Reports {
         void report() {
             for (int left = lost.size(); left > 0; left--) {
                 Lost next = lost.remove();
-                if (!Request.isHandled(next.promise)) {
+                if (!Promise.isHandled(next.promise)) {
                     reports.rejected(next.promise, next.error);
                 }
             }

@@ -1,7 +1,6 @@
 package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Owner;
 import java.util.LinkedHashSet;
 import java.util.List;
@@ -57,7 +56,7 @@ final class SequentialBodies {
                             + ": register what comes next with then(..), return thenCompose(..), or call await() in the body of sequential(..); in a Kotlin coroutine: coAwait()");
         }
         sequence.checkOwner();
-        Request.whenSettled(
+        Promise.whenSettled(
                 promise,
                 sequence::hasEnded,
                 () -> space.enqueue(Entry.urgent(() -> resume(sequence), () -> resume(sequence))));

@@ -71,26 +71,16 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     /**
      * The home where listeners from outside every space run, and where an unhandled rejection is reported; null if
      * there is none.
-     *
-     * @hidden
      */
-    protected abstract @Nullable Home home();
+    abstract @Nullable Home home();
 
-    /**
-     * True if it changes on its home's thread only.
-     *
-     * @hidden
-     */
-    protected boolean isLocal() {
+    /** True if it changes on its home's thread only. */
+    boolean isLocal() {
         return false;
     }
 
-    /**
-     * True if it was made by a thread outside its home, which may need a moment to register a listener.
-     *
-     * @hidden
-     */
-    protected boolean madeOutside() {
+    /** True if it was made by a thread outside its home, which may need a moment to register a listener. */
+    boolean madeOutside() {
         return false;
     }
 
@@ -149,10 +139,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
     /**
      * True if it is settled, or if no listener registered so far still needs the outcome; a thread whose wait timed out
      * counts as a listener, because it may wait again. For promises that are not local.
-     *
-     * @hidden
      */
-    protected final boolean isGivenUp() {
+    final boolean isGivenUp() {
         while (true) {
             Object now = STATE.getAcquire(this);
             if (!(now instanceof Node newest)) {
@@ -166,30 +154,18 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         }
     }
 
-    /**
-     * True if a time limit on this promise has passed, perhaps not that of every listener; see {@link #isGivenUp}.
-     *
-     * @hidden
-     */
-    protected boolean mayBeGivenUp() {
+    /** True if a time limit on this promise has passed, perhaps not that of every listener; see {@link #isGivenUp}. */
+    boolean mayBeGivenUp() {
         return false;
     }
 
-    /**
-     * True if the promise was made by a thread outside its home; see {@link #madeOutside}.
-     *
-     * @hidden
-     */
-    protected static boolean isMadeOutside(Promise<?> promise) {
+    /** True if the promise was made by a thread outside its home; see {@link #madeOutside}. */
+    static boolean isMadeOutside(Promise<?> promise) {
         return ((Settleable<?>) promise).madeOutside();
     }
 
-    /**
-     * True if a listener of the promise has received, or will receive, the outcome.
-     *
-     * @hidden
-     */
-    protected static boolean isHandled(Promise<?> promise) {
+    /** True if a listener of the promise has received, or will receive, the outcome. */
+    static boolean isHandled(Promise<?> promise) {
         return ((Settleable<?>) promise).isHandled();
     }
 
@@ -197,9 +173,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * Runs an action when the promise is settled, on the thread that settles it.
      *
      * @param isOver true once the action is no longer needed, so that the promise may drop it; called by any thread
-     * @hidden
      */
-    protected static void whenSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
+    static void whenSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
         promise.register(new Listeners.Inline(action, isOver));
     }
 
@@ -235,9 +210,8 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
      * Settles this promise with the outcome of the other one, like {@link #follow}; on its home's thread.
      *
      * @return the listener that must be run next and is in no queue, or null
-     * @hidden
      */
-    protected final @Nullable Node followAtHome(Promise<? extends T> other) {
+    final @Nullable Node followAtHome(Promise<? extends T> other) {
         Object outcome = other.outcomeNow();
         if (outcome == null || other == this) {
             followPending(other);
@@ -253,21 +227,13 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return null;
     }
 
-    /**
-     * The rest of {@link #followAtHome} if the other promise is still pending.
-     *
-     * @hidden
-     */
-    protected void followPending(Promise<? extends T> other) {
+    /** The rest of {@link #followAtHome} if the other promise is still pending. */
+    void followPending(Promise<? extends T> other) {
         follow(other);
     }
 
-    /**
-     * Like {@link #follow}; until it is settled, this promise is one of the owner's open requests.
-     *
-     * @hidden
-     */
-    protected final void follow(Promise<? extends T> other, Owner owner) {
+    /** Like {@link #follow}; until it is settled, this promise is one of the owner's open requests. */
+    final void follow(Promise<? extends T> other, Owner owner) {
         Listeners.OpenRequests.follow(this, other, owner);
     }
 
@@ -281,30 +247,18 @@ abstract class Settleable<T extends @Nullable Object> extends Node {
         return finish(listeners, outcome);
     }
 
-    /**
-     * Fulfils this promise; false if it was already settled.
-     *
-     * @hidden
-     */
-    protected final boolean settleValue(T value) {
+    /** Fulfils this promise; false if it was already settled. */
+    final boolean settleValue(T value) {
         return settle(asOutcome(value));
     }
 
-    /**
-     * Rejects this promise; false if it was already settled.
-     *
-     * @hidden
-     */
-    protected final boolean settleError(Throwable error) {
+    /** Rejects this promise; false if it was already settled. */
+    final boolean settleError(Throwable error) {
         return settle(rejection(error));
     }
 
-    /**
-     * Settles this promise with the outcome of the other one, as soon as that is settled.
-     *
-     * @hidden
-     */
-    protected final void follow(Promise<? extends T> other) {
+    /** Settles this promise with the outcome of the other one, as soon as that is settled. */
+    final void follow(Promise<? extends T> other) {
         if (other == this) {
             settleError(new IllegalStateException("a promise cannot wait for itself: " + this));
             return;

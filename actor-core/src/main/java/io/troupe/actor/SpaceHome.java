@@ -1,7 +1,6 @@
 package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
@@ -190,7 +189,7 @@ final class SpaceHome extends Home {
     }
 
     private void noteRejected(Promise<?> promise, Throwable error) {
-        if (idle.isClosed() && (Request.isMadeOutside(promise) || error instanceof ActorStoppedException)) {
+        if (idle.isClosed() && (Promise.isMadeOutside(promise) || error instanceof ActorStoppedException)) {
             return; // a late caller gets the rejection, and the other requests are counted
         }
         if (!isCurrent()) {
@@ -199,7 +198,7 @@ final class SpaceHome extends Home {
             return; // counted among the leftovers
         } else if ((HandlerTurn.now() & HandlerTurn.ERROR) != 0) {
             reports.rejected(promise, error); // sent by the error handler
-        } else if (Request.isMadeOutside(promise)) {
+        } else if (Promise.isMadeOutside(promise)) {
             rejections.hold(promise, error);
         } else {
             rejections.add(promise, error);

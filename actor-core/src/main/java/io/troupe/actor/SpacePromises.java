@@ -1,6 +1,5 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import java.time.Duration;
 import java.util.Objects;
@@ -126,7 +125,7 @@ final class SpacePromises {
      */
     private static void next(Promise<?> step, Function<@Nullable Throwable, @Nullable Void> listener, Deferred<?> end) {
         Promise<?> result = step.handle((value, error) -> listener.apply(error));
-        Request.whenSettled(result, end::isDone, () -> {
+        Promise.whenSettled(result, end::isDone, () -> {
             Throwable error = result.error();
             if (error != null) {
                 end.reject(error);

@@ -196,17 +196,17 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     }
 
     @Override
-    protected final @Nullable Home home() {
+    final @Nullable Home home() {
         return owner == null ? null : owner.home();
     }
 
     @Override
-    protected final boolean isLocal() {
+    final boolean isLocal() {
         return owner != null && !owner.isOutside();
     }
 
     @Override
-    protected final boolean madeOutside() {
+    final boolean madeOutside() {
         return owner != null && owner.isOutside();
     }
 
@@ -221,7 +221,7 @@ abstract class Stage<S extends @Nullable Object, T extends @Nullable Object> ext
     }
 
     @Override
-    protected final String name() {
+    final String name() {
         return PromiseText.describe(this);
     }
 

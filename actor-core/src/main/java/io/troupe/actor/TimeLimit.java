@@ -1,7 +1,6 @@
 package io.troupe.actor;
 
 import io.troupe.actor.Reports.Trouble;
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Owner;
 import java.time.Duration;

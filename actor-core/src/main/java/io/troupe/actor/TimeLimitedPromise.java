@@ -85,17 +85,17 @@ final class TimeLimitedPromise<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected void cancelled() {
+    void cancelled() {
         withdraw.run();
     }
 
     @Override
-    protected Home home() {
+    Home home() {
         return home;
     }
 
     @Override
-    protected boolean madeOutside() {
+    boolean madeOutside() {
         return madeOutside;
     }
 

@@ -3,7 +3,6 @@ package io.troupe.actor;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.internal.Request;
 import java.io.IOException;
 import java.util.Collections;
 import java.util.List;

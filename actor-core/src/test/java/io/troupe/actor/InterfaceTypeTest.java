@@ -2,7 +2,6 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.internal.Request;
 import java.io.IOException;
 import java.util.List;
 import org.junit.jupiter.api.Test;

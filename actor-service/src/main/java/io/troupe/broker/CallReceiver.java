@@ -3,11 +3,10 @@ package io.troupe.broker;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Deferred;
+import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
-import io.troupe.actor.internal.loop.Home;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusPort;
-import io.troupe.bus.internal.CancellableAnswer;
 import io.troupe.bus.internal.NotBegunException;
 import io.troupe.bus.internal.UnreadableException;
 import java.lang.reflect.InvocationTargetException;
@@ -90,36 +89,21 @@ final class CallReceiver {
     }
 
     private Promise<CallMessages.Result> answer(CallableMethods.CallableMethod method, @Nullable Object returned) {
-        Deferred<CallMessages.Result> answer = Deferred.unbound();
-        if (returned instanceof Promise<?> promise) {
-            promise.toCompletableFuture() // at once, also if the actor's space has been closed
-                    .whenComplete((value, error) -> settle(answer, method, value, error));
-            if (method.isSuspending()) {
-                return new SuspendingAnswer(answer, promise);
-            }
-        } else {
-            answer.resolve(new CallMessages.Result(method.encodeResult(null)));
+        if (!(returned instanceof Promise<?> promise)) {
+            return Promise.of(new CallMessages.Result(method.encodeResult(null)));
         }
+        Deferred<CallMessages.Result> answer =
+                method.isSuspending() ? LibraryAccess.deferred(null, new Coroutine(promise)) : Deferred.unbound();
+        promise.toCompletableFuture() // at once, also if the actor's space has been closed
+                .whenComplete((value, error) -> settle(answer, method, value, error));
         return answer;
     }
 
-    /** The answer of a suspend function of Kotlin, whose coroutine is cancelled with its caller. */
-    private static final class SuspendingAnswer extends Promise<CallMessages.Result> implements CancellableAnswer {
-        private final Promise<?> call;
-
-        SuspendingAnswer(Promise<CallMessages.Result> answer, Promise<?> call) {
-            this.call = call;
-            follow(answer);
-        }
-
+    /** Cancels the coroutine of a suspend function of Kotlin with its caller. */
+    private record Coroutine(Promise<?> call) implements LibraryAccess.Work {
         @Override
-        protected void cancelled() {
+        public void run() {
             call.cancel();
-        }
-
-        @Override
-        protected @Nullable Home home() {
-            return null;
         }
 
         @Override

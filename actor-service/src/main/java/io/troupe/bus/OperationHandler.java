@@ -1,9 +1,9 @@
 package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
+import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
 import io.troupe.bus.internal.BoundedText;
-import io.troupe.bus.internal.CancellableAnswer;
 import io.troupe.bus.internal.NotBegunException;
 import java.util.ArrayList;
 import java.util.LinkedHashMap;
@@ -26,7 +26,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
         final MessageDelivery request;
 
         @Nullable
-        CancellableAnswer answer;
+        Promise<?> answer;
 
         Begun(MessageDelivery request) {
             this.request = request;
@@ -92,8 +92,8 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
             settle(request, null, thrown);
             return;
         }
-        if (answer instanceof CancellableAnswer cancellable) {
-            cancelWith(request, cancellable);
+        if (LibraryAccess.isForOneCaller(answer)) {
+            cancelWith(request, answer);
         }
         answer.toCompletableFuture() // notifies at once, on any thread, even if the actor has stopped
                 .whenComplete((value, error) -> settle(request, value, error));
@@ -134,7 +134,7 @@ final class OperationHandler<Q extends Record, A extends Record> extends Inbound
     }
 
     /** Notes the answer that is cancelled with a request; cancels it if that has happened meanwhile. */
-    private void cancelWith(MessageDelivery request, CancellableAnswer answer) {
+    private void cancelWith(MessageDelivery request, Promise<?> answer) {
         Begun open;
         synchronized (begun) {
             open = begun.get(request.id());

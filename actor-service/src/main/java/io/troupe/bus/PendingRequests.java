@@ -2,8 +2,8 @@ package io.troupe.bus;
 
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Deferred;
+import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
-import io.troupe.actor.internal.loop.Home;
 import io.troupe.bus.BusMessage.Purpose;
 import java.time.Duration;
 import java.util.List;
@@ -149,20 +149,21 @@ final class PendingRequests {
     }
 
     /** A request that waits for its reply. */
-    private static final class PendingRequest<A extends Record> {
+    private static final class PendingRequest<A extends Record> implements LibraryAccess.Work {
         final BusPort requester;
         private final Address to;
         private final Operation<?, A> operation;
         private final BusMessage request;
-        private final Reply answer;
+        private final Deferred<A> answer; // the promise that the requester gets
         private final Deferred<@Nullable Void> over;
+        private volatile Runnable whenCancelled = () -> {};
 
         PendingRequest(BusPort requester, Address to, Operation<?, A> operation, BusMessage request, ActorSpace home) {
             this.requester = requester;
             this.to = to;
             this.operation = operation;
             this.request = request;
-            this.answer = new Reply(home);
+            this.answer = LibraryAccess.deferred(LibraryAccess.home(home), this);
             this.over = home.deferred();
         }
 
@@ -259,50 +260,20 @@ final class PendingRequests {
 
         /** Registers an action to run when the requester cancels. */
         void whenCancelled(Runnable action) {
-            answer.whenCancelled = () -> {
-                action.run();
-                over.resolve(null);
-            };
+            whenCancelled = action;
         }
 
-        /** The promise that the requester gets. */
-        private final class Reply extends Promise<A> {
-            private final ActorSpace home;
-            private final boolean madeOutside;
-            private volatile Runnable whenCancelled = () -> {};
+        /** The requester has cancelled the promise. */
+        @Override
+        public void run() {
+            whenCancelled.run();
+            over.resolve(null);
+        }
 
-            Reply(ActorSpace home) {
-                this.home = home;
-                this.madeOutside = ActorSpace.current() != home;
-            }
-
-            boolean resolve(A value) {
-                return settleValue(value);
-            }
-
-            boolean reject(Throwable error) {
-                return settleError(error);
-            }
-
-            @Override
-            protected void cancelled() {
-                whenCancelled.run();
-            }
-
-            @Override
-            protected @Nullable Home home() {
-                return home.home();
-            }
-
-            @Override
-            protected boolean madeOutside() {
-                return madeOutside;
-            }
-
-            @Override
-            public String toString() {
-                return requester.address() + "'s question to " + to + " for " + operation.name();
-            }
+        /** The name of the promise. */
+        @Override
+        public String toString() {
+            return requester.address() + "'s request to " + to + " for " + operation.name();
         }
     }
 }

@@ -6,11 +6,10 @@ import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Deferred;
+import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
-import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.testkit.TestSpace;
-import io.troupe.bus.internal.CancellableAnswer;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
@@ -20,7 +19,6 @@ import java.util.Optional;
 import java.util.function.Function;
 import java.util.stream.IntStream;
 import org.assertj.core.api.AbstractThrowableAssert;
-import org.jspecify.annotations.Nullable;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedClass;
 import org.junit.jupiter.params.provider.EnumSource;
@@ -511,22 +509,16 @@ class BusContractTest extends BusContract {
                         Loss.Late.class, late -> assertThat(late.why()).isEqualTo("no caller waits for it any more"));
     }
 
-    private static final class Cancellable extends Promise<Text> implements CancellableAnswer {
-        private final Promise<Text> work;
-
-        Cancellable(Promise<Text> work) {
-            this.work = work;
-            follow(work);
-        }
-
+    private record Speller(Promise<Text> work) implements LibraryAccess.Work {
         @Override
-        protected void cancelled() {
+        public void run() {
             work.cancel();
         }
 
-        @Override
-        protected @Nullable Home home() {
-            return null;
+        Promise<Text> answer() {
+            Deferred<Text> answer = LibraryAccess.deferred(null, this);
+            answer.resolveFrom(work);
+            return answer;
         }
     }
 
@@ -539,7 +531,7 @@ class BusContractTest extends BusContract {
             if (count.value() == 2) {
                 asked.getLast().cancel();
             }
-            return new Cancellable(work.getLast());
+            return new Speller(work.getLast()).answer();
         });
         asked.add(ask(asker, speller, 1));
         test.runQueued();

@@ -1,6 +1,5 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.Request;
 import io.troupe.actor.internal.loop.Nodes;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
@@ -64,12 +63,12 @@ public class CancelAgainstStart {
         }
 
         @Override
-        protected String method() {
+        public String method() {
             return "ask()";
         }
 
         @Override
-        protected Object[] arguments() {
+        public Object[] arguments() {
             return new Object[0];
         }
     }

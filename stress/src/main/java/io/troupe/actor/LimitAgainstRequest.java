@@ -1,6 +1,5 @@
 package io.troupe.actor;
 
-import io.troupe.actor.internal.Request;
 import java.time.Duration;
 import org.openjdk.jcstress.annotations.Actor;
 import org.openjdk.jcstress.annotations.Arbiter;
@@ -54,12 +53,12 @@ public class LimitAgainstRequest {
         }
 
         @Override
-        protected String method() {
+        public String method() {
             return "ask()";
         }
 
         @Override
-        protected Object[] arguments() {
+        public Object[] arguments() {
             return new Object[0];
         }
     }

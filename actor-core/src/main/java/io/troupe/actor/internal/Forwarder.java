@@ -1,6 +1,7 @@
 package io.troupe.actor.internal;
 
 import io.troupe.actor.Promise;
+import io.troupe.actor.Request;
 import java.util.function.Supplier;
 
 /**

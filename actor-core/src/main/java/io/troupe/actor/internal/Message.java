@@ -1,5 +1,6 @@
 package io.troupe.actor.internal;
 
+import io.troupe.actor.Request;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
 import io.troupe.actor.internal.loop.PlainText;

@@ -1,5 +1,6 @@
 package io.troupe.actor.internal;
 
+import io.troupe.actor.Request;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Owner;
 import org.jspecify.annotations.Nullable;
@@ -33,43 +34,43 @@ public abstract class Recipient {
      *
      * @return the target to invoke, or null if the message was already handled or rejected
      */
-    protected abstract @Nullable Object target(Message message);
+    public abstract @Nullable Object target(Message message);
 
     /**
      * Begins the turn of a request.
      *
      * @return the target to invoke, or null if the request was already handled or rejected
      */
-    protected abstract @Nullable Object target(Request<?> request);
+    public abstract @Nullable Object target(Request<?> request);
 
-    protected abstract Home home();
+    public abstract Home home();
 
     /** The incarnation that owns the requests that begin now. */
-    protected abstract Owner life();
+    public abstract Owner life();
 
     /**
      * Reports a failure and applies supervision.
      *
      * @param what the one-way message that failed, or what else did, in words
      */
-    protected abstract void failed(Object what, Throwable thrown);
+    public abstract void failed(Object what, Throwable thrown);
 
     /**
      * Called when an exception of a request has rejected it: applies supervision if that counts such exceptions.
      *
      * @param isReported true if it is reported in any case
      */
-    protected abstract void requestFailed(Request<?> request, Throwable thrown, boolean isReported);
+    public abstract void requestFailed(Request<?> request, Throwable thrown, boolean isReported);
 
     /** Called when a request was cancelled; by any thread. */
-    protected abstract void cancelled(Request<?> request);
+    public abstract void cancelled(Request<?> request);
 
     /** Called when a time limit on a request has passed; by any thread. */
-    protected abstract void timedOut(Request<?> request);
+    public abstract void timedOut(Request<?> request);
 
     /** The error of a request whose method returned null. */
-    protected abstract RuntimeException answeredNull(String method);
+    public abstract RuntimeException answeredNull(String method);
 
     /** See {@link Request#progress}. */
-    protected abstract String progressOf(Request<?> request);
+    public abstract String progressOf(Request<?> request);
 }

@@ -1,6 +1,5 @@
 package io.troupe.actor.internal;
 
-import io.troupe.actor.Promise;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -37,9 +36,4 @@ public abstract class Router {
 
     /** The proxy of an actor. */
     public abstract Object actor(int number);
-
-    /** Fulfilled with the value of the first promise when both are fulfilled; cancelling it cancels both. */
-    public static Promise<?> both(Promise<?> first, Promise<?> second) {
-        return Promise.ofRequests(first, second);
-    }
 }

@@ -1,6 +1,7 @@
 package io.troupe.actor.internal;
 
 import io.troupe.actor.Promise;
+import io.troupe.actor.SuspendingRequest;
 import io.troupe.actor.internal.loop.Owner;
 import java.lang.reflect.InvocationTargetException;
 import java.lang.reflect.Method;
@@ -102,7 +103,8 @@ public abstract class SuspendingCalls {
         return taker.promise();
     }
 
-    static SuspendingCalls known() {
+    /** The calls of suspend functions, which {@link #areSupported}. */
+    public static SuspendingCalls known() {
         return Objects.requireNonNull(Found.CALLS);
     }
 
@@ -119,7 +121,7 @@ public abstract class SuspendingCalls {
     /** See {@link #await}; on the caller's thread. */
     protected abstract @Nullable Object suspend(Promise<?> call, Object continuation);
 
-    protected abstract PromiseTaker newTaker();
+    public abstract PromiseTaker newTaker();
 
     protected abstract Object unitValue();
 
@@ -129,6 +131,5 @@ public abstract class SuspendingCalls {
      * @param life the incarnation of the actor
      * @return settled with the outcome of the function
      */
-    protected abstract Promise<?> start(SuspendingRequest<?> request, Object implementation, Owner life)
-            throws Throwable;
+    public abstract Promise<?> start(SuspendingRequest<?> request, Object implementation, Owner life) throws Throwable;
 }

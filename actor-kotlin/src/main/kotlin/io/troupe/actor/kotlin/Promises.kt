@@ -4,6 +4,7 @@
 package io.troupe.actor.kotlin
 
 import io.troupe.actor.Deferred
+import io.troupe.actor.LibraryAccess
 import io.troupe.actor.Promise
 import io.troupe.actor.internal.loop.Home
 import java.util.concurrent.CancellationException
@@ -147,7 +148,7 @@ private class PromiseCoroutine<T>(context: CoroutineContext) :
     init {
         val dispatcher = context[ContinuationInterceptor]
         val home = if (dispatcher is OwnerDispatcher) dispatcher.owner.home() else Home.current()
-        promise = Deferred(home) { cancel(CancellationException("its promise was cancelled")) }
+        promise = LibraryAccess.deferred(home) { cancel(CancellationException("its promise was cancelled")) }
     }
 
     override fun onCompleted(value: T) {

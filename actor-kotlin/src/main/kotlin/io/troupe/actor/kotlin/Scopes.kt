@@ -4,6 +4,7 @@
 package io.troupe.actor.kotlin
 
 import io.troupe.actor.ActorSpace
+import io.troupe.actor.LibraryAccess
 import io.troupe.actor.internal.loop.Home
 import io.troupe.actor.internal.loop.Node
 import io.troupe.actor.internal.loop.Owner
@@ -75,7 +76,7 @@ public val ActorSpace.scope: CoroutineScope
  */
 public fun ActorSpace.asDispatcher(): CoroutineDispatcher = owner().scope().dispatcher
 
-private fun ActorSpace.owner(): Owner = home().itself()
+private fun ActorSpace.owner(): Owner = LibraryAccess.home(this).itself()
 
 /**
  * Registers what a coroutine waits for. The end of the actor whose turn it is would drop a listener of that actor; but

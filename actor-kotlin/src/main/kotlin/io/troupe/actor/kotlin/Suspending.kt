@@ -3,9 +3,10 @@
 package io.troupe.actor.kotlin
 
 import io.troupe.actor.Deferred
+import io.troupe.actor.LibraryAccess
 import io.troupe.actor.Promise
+import io.troupe.actor.SuspendingRequest
 import io.troupe.actor.internal.SuspendingCalls
-import io.troupe.actor.internal.SuspendingRequest
 import io.troupe.actor.internal.loop.Home
 import io.troupe.actor.internal.loop.Owner
 import java.lang.invoke.MethodHandles
@@ -97,7 +98,7 @@ private class SuspendedCall(scope: OwnerScope) :
 
     /** The promise of the outcome, once the function has suspended. */
     fun answerLater(request: SuspendingRequest<*>, home: Home): Promise<*> {
-        val answer = Deferred<Any?>(home, null)
+        val answer = LibraryAccess.deferred<Any?>(home, null)
         request.answeredBy(this)
         if (!setEnd(answer)) {
             settle(answer, end as Result<*>)

@@ -1,14 +1,18 @@
-package io.troupe.actor.internal;
+package io.troupe.actor;
 
-import io.troupe.actor.Promise;
+import io.troupe.actor.internal.Recipient;
+import io.troupe.actor.internal.SuspendingCalls;
 import java.lang.invoke.MethodHandles;
 import java.lang.invoke.VarHandle;
 import org.jspecify.annotations.Nullable;
 
 /**
  * The call of a suspend function of Kotlin. For generated code: each suspend function of an actor type has a subclass
- * whose fields are the arguments, without the continuation of the caller.
+ * whose fields are the arguments, without the continuation of the caller. Public only for these.
+ *
+ * @hidden
  */
+@SuppressWarnings("exports") // of what it is made is for this library
 public abstract class SuspendingRequest<T extends @Nullable Object> extends Request<T> {
     private static final VarHandle COROUTINE;
 
@@ -64,7 +68,7 @@ public abstract class SuspendingRequest<T extends @Nullable Object> extends Requ
     }
 
     @Override
-    protected final void cancelled() {
+    final void cancelled() {
         cancelCoroutine();
         super.cancelled();
     }

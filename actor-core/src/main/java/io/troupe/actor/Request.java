@@ -1,17 +1,20 @@
-package io.troupe.actor.internal;
+package io.troupe.actor;
 
-import io.troupe.actor.Promise;
+import io.troupe.actor.internal.Forwarder;
+import io.troupe.actor.internal.Recipient;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Owner;
 import java.util.concurrent.CancellationException;
-import java.util.function.BooleanSupplier;
 import org.jspecify.annotations.Nullable;
 
 /**
  * A message that returns a result; also the promise of that result. For generated code: each method of an actor type
- * that returns a promise has a subclass whose fields are the arguments.
+ * that returns a promise has a subclass whose fields are the arguments. Public only for these.
+ *
+ * @hidden
  */
+@SuppressWarnings("exports") // of what it is made is for this library
 public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     private final Recipient receiver;
     private boolean calledInside;
@@ -25,10 +28,10 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     protected abstract @Nullable Promise<? extends T> invoke(Object implementation) throws Throwable;
 
     /** The method's name and parameter types. */
-    protected abstract String method();
+    public abstract String method();
 
     /** The arguments, for log and error messages. */
-    protected abstract Object[] arguments();
+    public abstract Object[] arguments();
 
     public final Recipient receiver() {
         return receiver;
@@ -94,24 +97,24 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected final Home home() {
+    final Home home() {
         return receiver.home();
     }
 
     @Override
-    protected void cancelled() {
+    void cancelled() {
         receiver.cancelled(this);
     }
 
     @Override
-    protected final void timedOut() {
+    final void timedOut() {
         timedOut = true;
         receiver.timedOut(this);
     }
 
     /** True if this request may have been given up: {@link #shed} decides. */
     @Override
-    public final boolean mayBeGivenUp() {
+    final boolean mayBeGivenUp() {
         return timedOut;
     }
 
@@ -131,17 +134,17 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
     }
 
     @Override
-    protected final boolean isLocal() {
+    final boolean isLocal() {
         return calledInside;
     }
 
     @Override
-    protected final boolean madeOutside() {
+    final boolean madeOutside() {
         return !calledInside;
     }
 
     @Override
-    protected final String progress() {
+    final String progress() {
         return isDone() || !home().isCurrent() ? "" : receiver.progressOf(this);
     }
 
@@ -168,7 +171,7 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
      * rejected. The request of another call is an exception: its actor settles it, or the end of that actor does.
      */
     @Override
-    protected final void followPending(Promise<? extends T> answer) {
+    final void followPending(Promise<? extends T> answer) {
         if (answer instanceof Request<?>) {
             follow(answer);
         } else {
@@ -193,24 +196,8 @@ public abstract class Request<T extends @Nullable Object> extends Promise<T> {
         return withOutcome(name());
     }
 
-    // ---- access to any promise, for this library
-
-    /** True if the promise was made by a thread outside its home, which may be about to register a listener. */
-    public static boolean isMadeOutside(Promise<?> promise) {
-        return Promise.isMadeOutside(promise);
-    }
-
-    /** True if the promise has, or had, a listener that receives its outcome. */
-    public static boolean isHandled(Promise<?> promise) {
-        return Promise.isHandled(promise);
-    }
-
-    /**
-     * Runs an action when the promise is settled, on the thread that settles it.
-     *
-     * @param isOver true once the action is no longer needed, so that the promise may drop it; called by any thread
-     */
-    public static void whenSettled(Promise<?> promise, BooleanSupplier isOver, Runnable action) {
-        Promise.whenSettled(promise, isOver, action);
+    /** Fulfilled with the value of the first promise when both are fulfilled; cancelling it cancels both. */
+    public static Promise<?> both(Promise<?> first, Promise<?> second) {
+        return Combinators.ofRequests(first, second);
     }
 }
