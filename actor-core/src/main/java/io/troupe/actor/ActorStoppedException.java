@@ -8,14 +8,12 @@ import org.jspecify.annotations.Nullable;
  *
  * {@snippet :
  * Promise<String> answer = first.greet("Ada")
- *         .exceptionallyCompose(error -> error instanceof ActorStoppedException stopped && !stopped.wasBegun()
- *                 ? second.greet("Ada")
- *                 : Promise.failed(error));
+ *         .exceptionally(error -> error instanceof ActorStoppedException ? "gone" : "failed");
  * }
  *
  * <p>The cause is the exception that made the actor stop or restart, if there was one.
  */
-public final class ActorStoppedException extends ActorException {
+public final class ActorStoppedException extends ActorException implements Unanswered {
     private static final long serialVersionUID = 1L;
 
     private final boolean begun;
@@ -47,11 +45,9 @@ public final class ActorStoppedException extends ActorException {
                 new ActorStoppedException("a request was not begun, and there is no memory for more words", false);
     }
 
-    /**
-     * True if the actor had begun the request, so that part of the work may have been done. If false, the request can
-     * be repeated elsewhere.
-     */
-    public boolean wasBegun() {
+    /** True if the actor had begun the request. */
+    @Override
+    public boolean mayHaveRun() {
         return begun;
     }
 }

@@ -8,10 +8,16 @@ package io.troupe.actor;
  *         .exceptionally(error -> error instanceof MailboxFullException ? "later" : "never");
  * }
  */
-public final class MailboxFullException extends ActorException {
+public final class MailboxFullException extends ActorException implements Unanswered {
     private static final long serialVersionUID = 1L;
 
     MailboxFullException(String message) {
         super(message);
+    }
+
+    /** False: the request was not even queued, or was taken out of the queue. */
+    @Override
+    public boolean mayHaveRun() {
+        return false;
     }
 }

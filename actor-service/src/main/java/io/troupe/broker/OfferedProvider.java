@@ -236,7 +236,7 @@ final class OfferedProvider implements Provider {
         doubted = true;
         check().handle((well, error) -> {
             doubted = false;
-            if (use == used && error instanceof ProviderException failed && !failed.isOverdue()) {
+            if (use == used && error instanceof ProviderException failed && !failed.mayHaveRun()) {
                 end(used, failed);
             }
             return null;

@@ -1,5 +1,6 @@
 package io.troupe.broker;
 
+import io.troupe.actor.Unanswered;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -7,7 +8,7 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Users meet it as the error of {@link Broker#replace} and {@link Broker#withdraw}, and in {@link BrokerEvent}s.
  */
-public final class ProviderException extends RuntimeException {
+public final class ProviderException extends RuntimeException implements Unanswered {
     private static final long serialVersionUID = 1L;
 
     private final boolean overdue;
@@ -35,8 +36,9 @@ public final class ProviderException extends RuntimeException {
         return new ProviderException(message, cause, true);
     }
 
-    /** Returns whether the operation timed out. It may have been carried out, or may be carried out later. */
-    public boolean isOverdue() {
+    /** True if the operation timed out. */
+    @Override
+    public boolean mayHaveRun() {
         return overdue;
     }
 }

@@ -360,7 +360,7 @@ final class Registration extends Lifecycle<Registration.Run> {
     }
 
     private static boolean isOverdue(Throwable error) {
-        return error instanceof ProviderException overdue && overdue.isOverdue();
+        return error instanceof ProviderException overdue && overdue.mayHaveRun();
     }
 
     void cancelTimers() {

@@ -70,7 +70,7 @@ final class RemoteCaller {
         if (!opened.isEmpty()) {
             answer.handle((result, error) -> {
                 if (error instanceof BusException undelivered) {
-                    if (undelivered.mayHaveBeenHandled()) {
+                    if (undelivered.mayHaveRun()) {
                         streams.failThoseWithoutItems(opened, error); // the others get their end from the actor
                     } else {
                         streams.fail(opened, error);

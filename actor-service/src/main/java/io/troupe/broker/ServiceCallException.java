@@ -1,5 +1,6 @@
 package io.troupe.broker;
 
+import io.troupe.actor.Unanswered;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -8,21 +9,22 @@ import org.jspecify.annotations.Nullable;
  *
  * <p>Users meet it as the error of a call through {@link ActorConnection#actor}.
  */
-public final class ServiceCallException extends RuntimeException {
+public final class ServiceCallException extends RuntimeException implements Unanswered {
     private static final long serialVersionUID = 1L;
 
-    private final boolean sent;
+    private final boolean mayHaveRun;
 
-    ServiceCallException(String message, boolean sent, @Nullable Throwable cause) {
+    ServiceCallException(String message, boolean mayHaveRun, @Nullable Throwable cause) {
         super(Reasons.oneLine(message), cause);
-        this.sent = sent;
+        this.mayHaveRun = mayHaveRun;
     }
 
     /**
      * Returns whether the call was sent to a provider, which may have executed it. If false, no provider has executed
      * it or will, and it is safe to repeat it.
      */
-    public boolean wasSent() {
-        return sent;
+    @Override
+    public boolean mayHaveRun() {
+        return mayHaveRun;
     }
 }

@@ -257,7 +257,7 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
                 call.reject(new RemoteFailure(far.address(), call.toString(), failure.type(), failure.problem()));
             case BusTimeoutException timeout -> call.reject(overdue(call, timeout));
             case BusException lost
-            when lost.mayHaveBeenHandled() -> {
+            when lost.mayHaveRun() -> {
                 services.doubt(far);
                 call.reject(far.hasEnded() ? ended(call, lost) : unanswered(call, lost));
             }

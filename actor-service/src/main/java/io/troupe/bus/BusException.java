@@ -1,15 +1,17 @@
 package io.troupe.bus;
 
+import io.troupe.actor.Unanswered;
+
 /**
  * A message could not be delivered, or a request got no reply. The message names the requester, the receiver and the
  * operation.
  *
  * <p>Users meet it as the error of {@link BusPort#ask}, and when they use a port that is closed.
  */
-public sealed class BusException extends RuntimeException permits BusTimeoutException {
+public sealed class BusException extends RuntimeException implements Unanswered permits BusTimeoutException {
     private static final long serialVersionUID = 1L;
 
-    private final boolean mayHaveBeenHandled;
+    private final boolean mayHaveRun;
 
     /** An error of a message that no handler has received. */
     public BusException(String message) {
@@ -19,12 +21,12 @@ public sealed class BusException extends RuntimeException permits BusTimeoutExce
     /** The same with a cause. */
     public BusException(String message, Throwable cause) {
         super(message, cause);
-        this.mayHaveBeenHandled = false;
+        this.mayHaveRun = false;
     }
 
-    BusException(String message, boolean mayHaveBeenHandled) {
+    BusException(String message, boolean mayHaveRun) {
         super(message);
-        this.mayHaveBeenHandled = mayHaveBeenHandled;
+        this.mayHaveRun = mayHaveRun;
     }
 
     /**
@@ -34,7 +36,8 @@ public sealed class BusException extends RuntimeException permits BusTimeoutExce
      * handler for the operation, cannot read the request, has too many of them, or got to it too late; or the request
      * could not be encoded or sent.
      */
-    public boolean mayHaveBeenHandled() {
-        return mayHaveBeenHandled;
+    @Override
+    public boolean mayHaveRun() {
+        return mayHaveRun;
     }
 }

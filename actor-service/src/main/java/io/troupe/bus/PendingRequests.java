@@ -101,10 +101,10 @@ final class PendingRequests {
     }
 
     /** Rejects a request because the bus cannot get a reply. */
-    void reject(long number, String why, boolean mayHaveBeenHandled) {
+    void reject(long number, String why, boolean mayHaveRun) {
         PendingRequest<?> asked = takeCancelled(number);
         if (asked != null) {
-            reject(asked, why, mayHaveBeenHandled);
+            reject(asked, why, mayHaveRun);
         }
     }
 
@@ -139,8 +139,8 @@ final class PendingRequests {
         });
     }
 
-    private void reject(PendingRequest<?> asked, String why, boolean mayHaveBeenHandled) {
-        PendingRequest.counted(node.counters.refused, asked.reject(asked.error(why, mayHaveBeenHandled)));
+    private void reject(PendingRequest<?> asked, String why, boolean mayHaveRun) {
+        PendingRequest.counted(node.counters.refused, asked.reject(asked.error(why, mayHaveRun)));
     }
 
     /** The number of pending requests. */
@@ -225,8 +225,8 @@ final class PendingRequests {
             };
         }
 
-        BusException error(String why, boolean mayHaveBeenHandled) {
-            return new BusException(about(why), mayHaveBeenHandled);
+        BusException error(String why, boolean mayHaveRun) {
+            return new BusException(about(why), mayHaveRun);
         }
 
         private String about(String why) {

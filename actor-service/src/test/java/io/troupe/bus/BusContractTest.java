@@ -345,9 +345,9 @@ class BusContractTest extends BusContract {
     }
 
     /** Returns the answer of the error of a rejected request. */
-    private boolean mayHaveBeenHandled(Promise<?> request) {
+    private boolean mayHaveRun(Promise<?> request) {
         refusalOf(request);
-        return ((BusException) test.error(request)).mayHaveBeenHandled();
+        return ((BusException) test.error(request)).mayHaveRun();
     }
 
     @Test
@@ -357,10 +357,10 @@ class BusContractTest extends BusContract {
         var noHandler = far.attach("idle");
         var nobody = new Address(handler.address().node(), "nobody");
         var nowhere = new Address("nowhere", "speller");
-        assertThat(mayHaveBeenHandled(ask(asker, noHandler, 1))).isFalse();
-        assertThat(mayHaveBeenHandled(asker.ask(nobody, SPELL, new Count(1), SECOND)))
+        assertThat(mayHaveRun(ask(asker, noHandler, 1))).isFalse();
+        assertThat(mayHaveRun(asker.ask(nobody, SPELL, new Count(1), SECOND)))
                 .isFalse();
-        assertThat(mayHaveBeenHandled(asker.ask(nowhere, SPELL, new Count(1), SECOND)))
+        assertThat(mayHaveRun(asker.ask(nowhere, SPELL, new Count(1), SECOND)))
                 .isFalse();
         var begun = ask(asker, handler, 1);
         test.runQueued();
@@ -372,23 +372,23 @@ class BusContractTest extends BusContract {
             pipe.carryAll();
             handler.close();
         });
-        assertThat(mayHaveBeenHandled(waits.removeLast()))
+        assertThat(mayHaveRun(waits.removeLast()))
                 .as("the queue was full")
                 .isFalse();
-        assertThat(waits).noneMatch(this::mayHaveBeenHandled);
-        assertThat(mayHaveBeenHandled(begun)).isTrue();
+        assertThat(waits).noneMatch(this::mayHaveRun);
+        assertThat(mayHaveRun(begun)).isTrue();
         kept.resolve(new Text("too late"));
 
         var hanging = speller(count -> new Deferred<>());
         var overdue = ask(asker, hanging, 1);
         test.runQueued();
         test.advance(SECOND);
-        assertThat(mayHaveBeenHandled(overdue)).isTrue();
+        assertThat(mayHaveRun(overdue)).isTrue();
         var left = ask(asker, hanging, 2);
         test.runQueued();
         asker.close();
-        assertThat(mayHaveBeenHandled(left)).isTrue();
-        assertThat(mayHaveBeenHandled(asker.ask(hanging.address(), SPELL, new Count(1), SECOND)))
+        assertThat(mayHaveRun(left)).isTrue();
+        assertThat(mayHaveRun(asker.ask(hanging.address(), SPELL, new Count(1), SECOND)))
                 .as("never sent")
                 .isFalse();
         losses.clear();

@@ -652,12 +652,21 @@ class JavadocSamplesTest extends InTestSpace {
     }
 
     @Test
-    void actorStoppedException_saysWhetherTheRequestWasBegun() {
+    void actorStoppedException_isTheErrorOfARequestThatWasNotAnswered() {
+        Greeter greeter = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
+        space.stop(greeter);
+        Promise<String> answer = greeter.greet("Ada")
+                .exceptionally(error -> error instanceof ActorStoppedException ? "gone" : "failed");
+        assertThat(test.get(answer)).isEqualTo("gone");
+    }
+
+    @Test
+    void unanswered_saysWhetherTheRequestMayHaveRun() {
         Greeter first = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
         Greeter second = space.spawn(Greeter.class, () -> name -> Promise.of("Good morning, " + name));
         space.stop(first);
         Promise<String> answer = first.greet("Ada")
-                .exceptionallyCompose(error -> error instanceof ActorStoppedException stopped && !stopped.wasBegun()
+                .exceptionallyCompose(error -> error instanceof Unanswered lost && !lost.mayHaveRun()
                         ? second.greet("Ada")
                         : Promise.failed(error));
         assertThat(test.get(answer)).isEqualTo("Good morning, Ada");

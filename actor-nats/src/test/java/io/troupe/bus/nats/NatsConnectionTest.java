@@ -443,7 +443,7 @@ class NatsConnectionTest extends NatsTest {
             assertThatThrownBy(() -> request.get(LONG))
                     .isInstanceOfSatisfying(
                             BusException.class,
-                            error -> assertThat(error.mayHaveBeenHandled()).isFalse())
+                            error -> assertThat(error.mayHaveRun()).isFalse())
                     .hasMessageContaining("all/a asked far/b for echo: ")
                     .hasMessageContaining("bytes, expected at most 4096");
             assertThat(next(losses)).contains("bytes, expected at most 4096");

@@ -286,7 +286,7 @@ final class FailoverServices extends Actor implements RobotServices {
         }
 
         private void hasEnded(@Nullable DriveEnd how, @Nullable Throwable error) {
-            if (error instanceof ServiceCallException unanswered && unanswered.wasSent()) {
+            if (error instanceof ServiceCallException unanswered && unanswered.mayHaveRun()) {
                 awaitOver(unanswered); // it may drive until its lease is over
                 return;
             }

@@ -130,7 +130,7 @@ final class Callers {
         open++;
         answer.handle((value, error) -> {
             open--;
-            boolean mayBeSent = !(error instanceof ServiceCallException failure) || failure.wasSent();
+            boolean mayBeSent = !(error instanceof ServiceCallException failure) || failure.mayHaveRun();
             history.add(new Settled(call, error == null, mayBeSent, outcome(error)));
             return null;
         });
