@@ -69,10 +69,10 @@ final class ActorCell extends Recipient {
         this.factory = factory;
         this.forwards = factory instanceof Forwarder.Factory;
         this.settings = settings;
-        MailboxBound bound = settings.mailbox();
-        this.mailbox = bound == null ? null : new BoundedMailbox(bound);
-        int quota = space.settings.actorQuota();
-        if (quota > 0) {
+        Integer capacity = settings.mailboxCapacity();
+        this.mailbox = capacity == null ? null : new BoundedMailbox(capacity, settings.overflow());
+        Integer quota = space.settings.actorQuota();
+        if (quota != null) {
             exceptional().share = new Share(this, quota);
         }
     }

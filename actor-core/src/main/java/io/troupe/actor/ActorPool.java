@@ -99,7 +99,7 @@ public final class ActorPool<A> implements AutoCloseable {
      */
     public static <A> ActorPool<A> create(
             int size, SpaceSettings settings, Class<A> type, Supplier<? extends A> factory) {
-        return create(size, settings, type, factory, ActorSettings.DEFAULT);
+        return create(size, settings, type, factory, ActorSettings.defaults());
     }
 
     /**

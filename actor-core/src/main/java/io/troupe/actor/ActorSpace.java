@@ -154,7 +154,7 @@ public final class ActorSpace implements AutoCloseable {
      * @throws ActorStoppedException if this space is closed
      */
     public <A> A spawn(Class<A> type, Supplier<? extends A> factory) {
-        return spawn(type, factory, ActorSettings.DEFAULT);
+        return spawn(type, factory, ActorSettings.defaults());
     }
 
     /** Creates an actor with settings; see {@link #spawn(Class, Supplier)}. */

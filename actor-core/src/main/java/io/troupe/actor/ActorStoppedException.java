@@ -7,7 +7,7 @@ import org.jspecify.annotations.Nullable;
  * had begun when its actor was restarted.
  *
  * {@snippet :
- * Promise<String> answer = first.greet("Ada")
+ * Promise<String> answer = greeter.greet("Ada")
  *         .exceptionally(error -> error instanceof ActorStoppedException ? "gone" : "failed");
  * }
  *

@@ -1,5 +1,6 @@
 package io.troupe.actor;
 
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.internal.loop.Home;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.Nodes;
@@ -29,14 +30,16 @@ final class BoundedMailbox {
         INTERRUPTED
     }
 
-    private final MailboxBound bound;
+    private final int capacity;
+    private final Overflow overflow;
     private final Semaphore room;
     private final @Nullable ArrayDeque<Node> calls; // guarded by itself
 
-    BoundedMailbox(MailboxBound bound) {
-        this.bound = bound;
-        this.room = new Semaphore(bound.capacity());
-        this.calls = bound.overflow() == MailboxBound.Overflow.DROP_OLDEST ? new ArrayDeque<>() : null;
+    BoundedMailbox(int capacity, Overflow overflow) {
+        this.capacity = capacity;
+        this.overflow = overflow;
+        this.room = new Semaphore(capacity);
+        this.calls = overflow == Overflow.DROP_OLDEST ? new ArrayDeque<>() : null;
     }
 
     /** Makes room for a call; depending on the overflow rule it waits, or drops another call. */
@@ -45,7 +48,7 @@ final class BoundedMailbox {
             return admitDropping(call, cell, calls);
         }
         if (!room.tryAcquire()) {
-            if (bound.overflow() != MailboxBound.Overflow.BLOCK
+            if (overflow != Overflow.BLOCK
                     || Home.current() != null
                     || cell.space().isThreadless()) {
                 return Admission.REFUSED;
@@ -63,7 +66,7 @@ final class BoundedMailbox {
     private Admission admitDropping(Node call, ActorCell cell, ArrayDeque<Node> waiting) {
         Node oldest;
         synchronized (waiting) {
-            oldest = waiting.size() < bound.capacity() ? null : waiting.pollFirst();
+            oldest = waiting.size() < capacity ? null : waiting.pollFirst();
             waiting.addLast(call);
         }
         if (oldest == null) {
@@ -125,6 +128,6 @@ final class BoundedMailbox {
     }
 
     String reason() {
-        return "its mailbox is full (" + bound.capacity() + " calls, " + bound.overflow() + ")";
+        return "its mailbox is full (" + capacity + " calls, " + overflow + ")";
     }
 }

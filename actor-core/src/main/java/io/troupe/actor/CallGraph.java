@@ -9,6 +9,7 @@ import java.util.Map;
 import java.util.concurrent.ConcurrentHashMap;
 import java.util.concurrent.atomic.AtomicLong;
 import java.util.concurrent.atomic.LongAdder;
+import org.jspecify.annotations.Nullable;
 
 /**
  * Counts who calls whom, and how long actors wait and work, in the spaces that have it in their settings.
@@ -149,14 +150,18 @@ public final class CallGraph implements CallObserver {
     }
 
     @Override
-    public Turn turnBegun(Party party, Duration stallLimit) {
+    public Turn turnBegun(Party party, @Nullable Duration stallLimit) {
         Counter counter = counter(party);
         long now = clock.nanos();
         counter.begunNanos.set(now);
         return new CountedTurn(this, counter, now, stallLimit);
     }
 
-    private record CountedTurn(CallGraph graph, Counter counter, long begunNanos, Duration stallLimit) implements Turn {
+    private record CountedTurn(
+            CallGraph graph,
+            Counter counter,
+            long begunNanos,
+            @Nullable Duration stallLimit) implements Turn {
         @Override
         public void end() {
             long nanos = graph.clock.nanos() - begunNanos;
@@ -164,7 +169,7 @@ public final class CallGraph implements CallObserver {
             counter.turns.increment();
             counter.busyNanos.add(nanos);
             counter.longestNanos.accumulateAndGet(nanos, Math::max);
-            if (!stallLimit.isZero() && nanos > Home.nanosOf(stallLimit)) {
+            if (stallLimit != null && nanos > Home.nanosOf(stallLimit)) {
                 counter.stalls.increment();
             }
         }

@@ -83,9 +83,9 @@ public interface CallObserver {
     /**
      * A turn begins: a call, a listener, a timer or a result of a callback.
      *
-     * @param stallLimit as in the settings of the space
+     * @param stallLimit as in the settings of the space; null = no limit
      */
-    default Turn turnBegun(Party party, Duration stallLimit) {
+    default Turn turnBegun(Party party, @Nullable Duration stallLimit) {
         return Turn.NONE;
     }
 

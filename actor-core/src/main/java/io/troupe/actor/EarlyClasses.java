@@ -12,6 +12,7 @@ final class EarlyClasses {
     static final List<String> NAMES = List.of(
             "io.troupe.actor.ActorCell$1", // the table of a switch
             "io.troupe.actor.ActorSettings",
+            "io.troupe.actor.ActorSettings$Overflow",
             "io.troupe.actor.ActorStoppedException$WithoutMemory",
             "io.troupe.actor.ActorType",
             "io.troupe.actor.Backlog",
@@ -23,7 +24,6 @@ final class EarlyClasses {
             "io.troupe.actor.HandlerTurn",
             "io.troupe.actor.HelperThreads",
             "io.troupe.actor.IdleStrategy",
-            "io.troupe.actor.MailboxBound$Overflow",
             "io.troupe.actor.NodeRing",
             "io.troupe.actor.PoolProxyGenerator",
             "io.troupe.actor.ProxyGenerator",

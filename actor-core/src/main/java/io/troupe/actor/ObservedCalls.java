@@ -132,14 +132,14 @@ final class ObservedCalls {
         }
 
         @Override
-        public Turn turnBegun(Party party, Duration stallLimit) {
+        public Turn turnBegun(Party party, @Nullable Duration stallLimit) {
             Turn one = turn(first, party, stallLimit);
             Turn two = turn(second, party, stallLimit);
             return () -> both(one::end, two::end);
         }
 
         /** Begins a turn; what the observer throws is thrown at the end of it. */
-        private static Turn turn(CallObserver observer, Party party, Duration stallLimit) {
+        private static Turn turn(CallObserver observer, Party party, @Nullable Duration stallLimit) {
             try {
                 return observer.turnBegun(party, stallLimit);
             } catch (RuntimeException | Error thrown) {

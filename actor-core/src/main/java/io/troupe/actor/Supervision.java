@@ -13,7 +13,7 @@ import java.util.stream.Stream;
  *
  * {@snippet :
  * ActorSettings settings =
- *         ActorSettings.DEFAULT.withSupervision(Supervision.restart(2, Duration.ofSeconds(10)));
+ *         ActorSettings.defaults().withSupervision(Supervision.restart(2, Duration.ofSeconds(10)));
  * Counter counter = space.spawn(Counter.class, Counter::new, settings);
  * counter.add(-1); // restarts
  * counter.add(-1); // restarts
@@ -23,66 +23,87 @@ import java.util.stream.Stream;
  * <p>It may depend on the type of the error, and pause before each restart:
  *
  * {@snippet :
- * Supervision reconnecting = Supervision.restart(Integer.MAX_VALUE, Duration.ofMinutes(1))
+ * Supervision reconnecting = Supervision.restart(Duration.ofMinutes(1))
  *         .withPauses(Duration.ofMillis(100), Duration.ofSeconds(30)) // 100 ms, 200 ms, 400 ms and so on
  *         .on(IllegalArgumentException.class, Supervision.RESUME)
  *         .on(LinkageError.class, Supervision.STOP);
  * }
- *
- * @param directive the action
- * @param limit the number of failures within {@code window} that are handled by the directive. One more stops the
- *     actor, and so does one more failed start in a row, within the window or not
- * @param window measured by the space's clock
- * @param firstPause the pause before a restart, zero for none; see {@link #withPauses}
- * @param longestPause the limit of the pauses, which double
- * @param requestsAndListeners whether exceptions of requests and listeners count; see {@link #withRequestsAndListeners}
- * @param cases the errors for which another supervision applies; the first one that matches does
  */
-public record Supervision(
-        Directive directive,
-        int limit,
-        Duration window,
-        Duration firstPause,
-        Duration longestPause,
-        boolean requestsAndListeners,
-        List<Case> cases) {
+public final class Supervision extends Settings<Supervision> {
     /** The action after a failure of an actor. */
-    public enum Directive {
-        /** Continue with the next message: the actor keeps its state. */
+    enum Directive {
         RESUME,
-        /**
-         * Create a new instance behind the same proxy. Timers and listeners of the old instance are dropped, the
-         * mailbox is kept. A factory that throws stops the actor. If {@link Actor#started()} throws, and the
-         * supervision has no pauses, the first retry follows immediately. Further retries follow after pauses of 10 ms,
-         * 20 ms, 40 ms and so on, at most 10 s, by the space's clock, until one succeeds or the limit is reached. Calls
-         * of the actor are held back meanwhile.
-         */
         RESTART,
-        /** Stop the actor. */
         STOP
     }
 
-    /**
-     * A supervision for certain errors.
-     *
-     * @param type of the error, or a supertype of it
-     * @param supervision counts its failures separately, and may have cases
-     */
-    public record Case(Class<? extends Throwable> type, Supervision supervision) {
-        public Case {
+    /** Another supervision for errors of a type. */
+    private record Case(Class<? extends Throwable> type, Supervision supervision) {
+        Case {
             Objects.requireNonNull(type, "type");
             Objects.requireNonNull(supervision, "supervision");
         }
     }
 
-    /** Continue after every failure; the default. */
+    /** Continue with the next message after every failure: the actor keeps its state. The default. */
     public static final Supervision RESUME =
             new Supervision(Directive.RESUME, Integer.MAX_VALUE, Duration.ofSeconds(1));
 
     /** Stop the actor at the first failure. */
     public static final Supervision STOP = new Supervision(Directive.STOP, Integer.MAX_VALUE, Duration.ofSeconds(1));
 
-    public Supervision {
+    private final Directive directive;
+    private final int limit; // the failures within the window that are handled by the directive
+    private final Duration window;
+    private Duration firstPause = Duration.ZERO;
+    private Duration longestPause = Duration.ZERO;
+    private boolean requestsAndListeners;
+    private List<Case> cases = List.of();
+
+    private Supervision(Directive directive, int limit, Duration window) {
+        this.directive = directive;
+        this.limit = limit;
+        this.window = window;
+        check();
+    }
+
+    /**
+     * Continue with the next message, up to {@code limit} times within a window; one more failure stops the actor.
+     *
+     * @param limit 0 or more
+     * @param window measured by the space's clock
+     */
+    public static Supervision resume(int limit, Duration window) {
+        return new Supervision(Directive.RESUME, limit, window);
+    }
+
+    /**
+     * Create a new instance behind the same proxy, up to {@code limit} times within a window; one more failure stops
+     * the actor, and so does one more failed start in a row, within the window or not.
+     *
+     * <p>Timers and listeners of the old instance are dropped, the mailbox is kept. A factory that throws stops the
+     * actor. If {@link Actor#started()} throws, and the supervision has no pauses, the first retry follows immediately.
+     * Further retries follow after pauses of 10 ms, 20 ms, 40 ms and so on, at most 10 s, by the space's clock, until
+     * one succeeds or the limit is reached. Calls of the actor are held back meanwhile.
+     *
+     * @param limit 0 or more
+     * @param window measured by the space's clock
+     */
+    public static Supervision restart(int limit, Duration window) {
+        return new Supervision(Directive.RESTART, limit, window);
+    }
+
+    /**
+     * The same without a limit.
+     *
+     * @param window after a run of this time without a failure, the pauses begin anew; see {@link #withPauses}
+     */
+    public static Supervision restart(Duration window) {
+        return restart(Integer.MAX_VALUE, window);
+    }
+
+    @Override
+    protected void check() {
         if (limit < 0) {
             throw new IllegalArgumentException("limit is " + limit + ", expected 0 or more");
         }
@@ -97,26 +118,18 @@ public record Supervision(
             throw new IllegalArgumentException(
                     "firstPause is " + firstPause + ", expected zero: nothing is restarted after " + directive);
         }
-        cases = List.copyOf(cases);
-    }
-
-    /** Without pauses and cases, and requests and listeners do not count. */
-    public Supervision(Directive directive, int limit, Duration window) {
-        this(directive, limit, window, Duration.ZERO, Duration.ZERO, false, List.of());
-    }
-
-    /** Create a new instance, up to {@code limit} times within a window; one more failure stops the actor. */
-    public static Supervision restart(int limit, Duration window) {
-        return new Supervision(Directive.RESTART, limit, window);
     }
 
     /**
      * Pauses before each restart, by the space's clock; calls of the actor are held back meanwhile. The pause doubles
      * with each failure in a row. A row ends when the actor has run for the window without a failure; the limit then
-     * applies to the failures of a row.
+     * applies to the failures of a row. By default there are no pauses.
      */
     public Supervision withPauses(Duration first, Duration longest) {
-        return new Supervision(directive, limit, window, first, longest, requestsAndListeners, cases);
+        return with(copy -> {
+            copy.firstPause = first;
+            copy.longestPause = longest;
+        });
     }
 
     /**
@@ -125,14 +138,19 @@ public record Supervision(
      * returns a promise which is rejected is no failure.
      */
     public Supervision withRequestsAndListeners() {
-        return new Supervision(directive, limit, window, firstPause, longestPause, true, cases);
+        return with(copy -> copy.requestsAndListeners = true);
     }
 
-    /** Another supervision for errors of a type, unless an earlier case matches; it counts its failures separately. */
+    /**
+     * Another supervision for errors of a type, unless an earlier case matches.
+     *
+     * @param type of the error, or a supertype of it
+     * @param other counts its failures separately, and may have cases
+     */
     public Supervision on(Class<? extends Throwable> type, Supervision other) {
-        List<Case> more =
-                Stream.concat(cases.stream(), Stream.of(new Case(type, other))).toList();
-        return new Supervision(directive, limit, window, firstPause, longestPause, requestsAndListeners, more);
+        var added = new Case(type, other);
+        return with(copy ->
+                copy.cases = Stream.concat(cases.stream(), Stream.of(added)).toList());
     }
 
     Supervision forError(Throwable error) {
@@ -142,6 +160,30 @@ public record Supervision(
             }
         }
         return this;
+    }
+
+    Directive directive() {
+        return directive;
+    }
+
+    int limit() {
+        return limit;
+    }
+
+    Duration window() {
+        return window;
+    }
+
+    Duration firstPause() {
+        return firstPause;
+    }
+
+    Duration longestPause() {
+        return longestPause;
+    }
+
+    boolean requestsAndListeners() {
+        return requestsAndListeners;
     }
 
     boolean hasPauses() {

@@ -67,10 +67,11 @@ final class Watchdog {
      * @return ends the watch; null if the space is not to be watched
      */
     static @Nullable Runnable watch(SpaceHome space, SpaceSettings settings, IdleStrategy idle, Dispatcher dispatcher) {
-        if (settings.stallLimit().isZero()) {
+        Duration limit = settings.stallLimit();
+        if (limit == null) {
             return null;
         }
-        var watchdog = new Watchdog(space, idle, dispatcher, settings.stallLimit(), settings.onStall());
+        var watchdog = new Watchdog(space, idle, dispatcher, limit, settings.onStall());
         LOOKS.add(watchdog);
         return () -> LOOKS.end(watchdog);
     }

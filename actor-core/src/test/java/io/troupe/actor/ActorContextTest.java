@@ -207,7 +207,7 @@ class ActorContextTest extends InTestSpace {
     @Test
     void contextOfAnInstanceThatWasReplaced_hasNoEffectOnTheNextOne() {
         Doer doer = test.spawn(
-                Doer.class, Doer::new, ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
+                Doer.class, Doer::new, ActorSettings.defaults().withSupervision(Supervision.restart(3, SECOND)));
         ActorContext kept = contextOf(doer);
         doer.run(me -> {
             throw new IllegalStateException("on purpose");
@@ -225,7 +225,7 @@ class ActorContextTest extends InTestSpace {
     void objectThatIsStartedAgain_keepsItsContext() {
         var only = new Doer();
         Doer doer = test.spawn(
-                Doer.class, () -> only, ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
+                Doer.class, () -> only, ActorSettings.defaults().withSupervision(Supervision.restart(3, SECOND)));
         ActorContext kept = contextOf(doer);
         doer.run(me -> {
             throw new IllegalStateException("on purpose");
@@ -315,7 +315,7 @@ class ActorContextTest extends InTestSpace {
     @Test
     void messageThatIsAHookOfItsImplementation_isRefusedByName() {
         Race race = test.spawn(
-                Race.class, Runner::new, ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
+                Race.class, Runner::new, ActorSettings.defaults().withSupervision(Supervision.restart(3, SECOND)));
         Promise<ActorEnd> end = test.space().whenStopped(race);
         test.runQueued();
         var problem = test.takeProblems().getFirst();
@@ -345,7 +345,7 @@ class ActorContextTest extends InTestSpace {
         stop(motor);
         assertThat(ActorSpace.of(motor)).isSameAs(test.space());
         assertThat(log).containsExactly("the end");
-        var pool = ActorPool.on(List.of(test.space()), Doer.class, Doer::new, ActorSettings.DEFAULT);
+        var pool = ActorPool.on(List.of(test.space()), Doer.class, Doer::new, ActorSettings.defaults());
         assertThat(ActorSpace.of(pool.actors().getFirst())).isSameAs(test.space());
         for (Object other : List.of("text", new Doer(), pool.roundRobin(), test.space())) {
             assertThatThrownBy(() -> ActorSpace.of(other))

@@ -34,7 +34,7 @@ class ActorPoolTest extends InTestSpace {
                     ActorSpace.create(SpaceSettings.named("space-" + number).withoutThread()))
             .toList();
     private final ActorPool<Worker> pool =
-            ActorPool.on(spaces, Worker.class, () -> new Working(made.getAndIncrement()), ActorSettings.DEFAULT);
+            ActorPool.on(spaces, Worker.class, () -> new Working(made.getAndIncrement()), ActorSettings.defaults());
 
     /** Has a generic parent, overloads and arguments of two slots. */
     interface Parent<K> {
@@ -333,7 +333,7 @@ class ActorPoolTest extends InTestSpace {
                     sources.add(source);
                     return source;
                 },
-                ActorSettings.DEFAULT);
+                ActorSettings.defaults());
     }
 
     private Callback<Integer> given(int actor) {
@@ -448,7 +448,7 @@ class ActorPoolTest extends InTestSpace {
 
     @Test
     void byFirstArgument_refusesArrays_asTheyAreNotEqual() {
-        var stores = ActorPool.on(spaces, Store.class, () -> null, ActorSettings.DEFAULT);
+        var stores = ActorPool.on(spaces, Store.class, () -> null, ActorSettings.defaults());
         assertThatThrownBy(stores::byFirstArgument)
                 .isInstanceOf(ActorTypeException.class)
                 .hasMessage("Store.put(byte[], String) of actor type " + Store.class.getName()
@@ -458,7 +458,7 @@ class ActorPoolTest extends InTestSpace {
         assertThatThrownBy(() -> pool.actor(new byte[1]))
                 .hasMessage("the key is an array, byte[], expected a value whose equals(..) compares contents: "
                         + "a String, number or record");
-        var files = ActorPool.on(spaces, Files.class, () -> null, ActorSettings.DEFAULT);
+        var files = ActorPool.on(spaces, Files.class, () -> null, ActorSettings.defaults());
         assertThatThrownBy(() -> files.byFirstArgument().put(new int[1])).hasMessageContaining("the key is an array");
     }
 
@@ -489,7 +489,7 @@ class ActorPoolTest extends InTestSpace {
 
     @Test
     void classActors_canBePooled_andTheirProxiesRefuseWhatIsNoMessage() {
-        try (var classes = ActorPool.on(spaces, ClassActor.class, ClassActor::new, ActorSettings.DEFAULT)) {
+        try (var classes = ActorPool.on(spaces, ClassActor.class, ClassActor::new, ActorSettings.defaults())) {
             classes.roundRobin().put("a");
             classes.roundRobin().put("b");
             List<Promise<List<String>>> texts =
@@ -508,7 +508,7 @@ class ActorPoolTest extends InTestSpace {
     void poolWithoutSpaces_orOfNoActorType_isRejected() {
         assertThatThrownBy(() -> ActorPool.create(0, SpaceSettings.named("none"), Worker.class, () -> new Working(0)))
                 .hasMessage("size is 0, expected 1 or more");
-        assertThatThrownBy(() -> ActorPool.on(List.of(), Worker.class, () -> new Working(0), ActorSettings.DEFAULT))
+        assertThatThrownBy(() -> ActorPool.on(List.of(), Worker.class, () -> new Working(0), ActorSettings.defaults()))
                 .hasMessage("spaces is empty, expected one or more");
         assertThatThrownBy(() -> ActorPool.create(1, SpaceSettings.named("none"), Comparable.class, () -> "a"))
                 .isInstanceOf(ActorTypeException.class);

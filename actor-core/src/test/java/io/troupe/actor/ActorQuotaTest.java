@@ -3,12 +3,14 @@ package io.troupe.actor;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.List;
 import java.util.Map;
 import java.util.Random;
+import java.util.function.UnaryOperator;
 import java.util.stream.IntStream;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.params.ParameterizedTest;
@@ -23,11 +25,14 @@ class ActorQuotaTest {
     private final ActorSpace space = space(QUOTA);
 
     private ActorSpace space(int quota) {
-        return ActorSpace.create(SpaceSettings.named("fair")
+        return space(settings -> settings.withActorQuota(quota));
+    }
+
+    private ActorSpace space(UnaryOperator<SpaceSettings> change) {
+        return ActorSpace.create(change.apply(SpaceSettings.named("fair")
                 .withoutThread()
                 .withOnError((where, error) -> errors.add(error))
-                .withOnDeadLetter(letter -> log.add("dead " + letter.arguments()))
-                .withActorQuota(quota));
+                .withOnDeadLetter(letter -> log.add("dead " + letter.arguments()))));
     }
 
     interface Noter {
@@ -115,7 +120,7 @@ class ActorQuotaTest {
 
     @Test
     void withoutQuota_callsRunInTheOrderOfArrival() {
-        var plain = space(0);
+        var plain = space(settings -> settings.withActorQuota(3).withoutActorQuota());
         Noter hot = plain.spawn(Noter.class, () -> new PlainNoter("hot"));
         Noter idle = plain.spawn(Noter.class, () -> new PlainNoter("idle"));
         IntStream.range(0, 500).forEach(hot::note);
@@ -168,17 +173,17 @@ class ActorQuotaTest {
 
     @Test
     void boundedMailbox_dropsTheOldestAndKeepsTheOrder() {
-        var hot = actor("hot", ActorSettings.named("hot").withMailbox(40, MailboxBound.Overflow.DROP_OLDEST));
+        var hot = actor("hot", ActorSettings.named("hot").withMailbox(40, Overflow.DROP_OLDEST));
         IntStream.range(0, 100).forEach(hot::note);
         space.runQueued();
         assertThat(notesOf("hot")).isEqualTo(notes("hot", 100).subList(60, 100));
     }
 
     @Test
-    void negativeQuota_isRejected() {
-        assertThatThrownBy(() -> SpaceSettings.named("x").withActorQuota(-1))
+    void quotaBelowOne_isRejected() {
+        assertThatThrownBy(() -> SpaceSettings.named("x").withActorQuota(0))
                 .isInstanceOf(IllegalArgumentException.class)
-                .hasMessage("actorQuota is -1, expected zero (off) or more");
+                .hasMessage("actorQuota is 0, expected 1 or more, or withoutActorQuota()");
     }
 
     /** Random calls from outside and inside, in several rounds: nothing is lost, and every sender's order is kept. */

@@ -7,7 +7,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -60,7 +60,7 @@ class ActorSpaceThreadTest {
     @Test
     void messages_ofSeveralThreads_allArriveInEachSendersOrder() {
         var all = IntStream.range(0, 50_000).boxed().toList();
-        assertThat(numbersOf(4, 50_000, SpaceSettings.named("tally"), ActorSettings.DEFAULT))
+        assertThat(numbersOf(4, 50_000, SpaceSettings.named("tally"), ActorSettings.defaults()))
                 .hasSize(4)
                 .allSatisfy(numbers -> assertThat(numbers).isEqualTo(all));
     }
@@ -69,7 +69,7 @@ class ActorSpaceThreadTest {
     void dropOldest_underSeveralSenders_servesOrDropsEachCallOnce_andKeepsTheNewest() {
         var dropped = new ConcurrentLinkedQueue<String>();
         var settings = SpaceSettings.named("dropping").withOnDeadLetter(letter -> dropped.add(letter.message()));
-        var taken = numbersOf(3, 20_000, settings, ActorSettings.DEFAULT.withMailbox(2, Overflow.DROP_OLDEST));
+        var taken = numbersOf(3, 20_000, settings, ActorSettings.defaults().withMailbox(2, Overflow.DROP_OLDEST));
         int handled = taken.stream().mapToInt(List::size).sum();
         assertThat(handled + dropped.size()).isEqualTo(3 * 20_000);
         assertThat(taken)

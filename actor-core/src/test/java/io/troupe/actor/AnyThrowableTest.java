@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.catchThrowable;
 
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.Queue;
 import java.util.concurrent.ConcurrentLinkedQueue;
@@ -264,8 +264,8 @@ class AnyThrowableTest {
         for (Overflow overflow : new Overflow[] {Overflow.REJECT, Overflow.DROP_OLDEST}) {
             var settings = SpaceSettings.named("deep-" + overflow).withOnDeadLetter(letter -> {});
             try (var space = ActorSpace.create(settings)) {
-                Counter counter =
-                        space.spawn(Counter.class, Counting::new, ActorSettings.DEFAULT.withMailbox(2, overflow));
+                Counter counter = space.spawn(
+                        Counter.class, Counting::new, ActorSettings.defaults().withMailbox(2, overflow));
                 callWhileItSleeps(space, counter, 10);
             }
         }

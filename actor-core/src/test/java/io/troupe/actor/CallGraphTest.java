@@ -2,6 +2,7 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -210,7 +211,7 @@ class CallGraphTest {
     @ParameterizedTest
     @ValueSource(booleans = {false, true})
     void callsThatAreNotBegun_doNotWaitForEver(boolean dropOldest) {
-        var overflow = dropOldest ? MailboxBound.Overflow.DROP_OLDEST : MailboxBound.Overflow.REJECT;
+        var overflow = dropOldest ? Overflow.DROP_OLDEST : Overflow.REJECT;
         Store store = space.spawn(
                 Store.class, PlainStore::new, ActorSettings.named("store").withMailbox(2, overflow));
         for (int i = 0; i < 5; i++) {

@@ -2,6 +2,7 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -90,7 +91,7 @@ class CallObserverTest {
 
     @Test
     void callThatIsNotBegun_isDropped() {
-        Store full = store(Promise.of(1), ActorSettings.named("full").withMailbox(1, MailboxBound.Overflow.REJECT));
+        Store full = store(Promise.of(1), ActorSettings.named("full").withMailbox(1, Overflow.REJECT));
         full.put("a");
         full.put("b");
         assertThat(log).contains("full drops put", "dead letter");

@@ -3,7 +3,7 @@ package io.troupe.actor;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.testkit.TestSpace;
 import java.util.ArrayList;
 import java.util.List;
@@ -31,7 +31,7 @@ class CallbackTest extends InTestSpace {
     }
 
     private final List<Callback<Integer>> kept = new ArrayList<>();
-    private final Source source = spawn(ActorSettings.DEFAULT);
+    private final Source source = spawn(ActorSettings.defaults());
 
     private Source spawn(ActorSettings settings) {
         return test.spawn(Source.class, () -> (results, use) -> use.of(results), settings);
@@ -145,7 +145,7 @@ class CallbackTest extends InTestSpace {
 
     @Test
     void callback_ofACallThatAFullMailboxRejectsOrACancelSkips_isFailed() {
-        Source small = spawn(ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT));
+        Source small = spawn(ActorSettings.defaults().withMailbox(1, Overflow.REJECT));
         Promise<Integer> taken = small.ask((result, error) -> log.add("first: " + error));
         small.give((result, error) -> log.add("second: " + error), this::sendThree);
         taken.cancel();
@@ -159,7 +159,7 @@ class CallbackTest extends InTestSpace {
 
     @Test
     void dropOldest_keepsNoMoreThanItsCapacityQueued() {
-        Source small = spawn(ActorSettings.DEFAULT.withMailbox(3, Overflow.DROP_OLDEST));
+        Source small = spawn(ActorSettings.defaults().withMailbox(3, Overflow.DROP_OLDEST));
         for (int call = 0; call < 1000; call++) {
             small.give((result, error) -> {}, kept::add);
         }

@@ -6,7 +6,7 @@ import static io.troupe.actor.Concurrently.onAnotherThread;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -34,7 +34,7 @@ class EndOfThingsTest extends InTestSpace {
                 log.add("started");
             }
         }
-        var restarting = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND));
+        var restarting = ActorSettings.defaults().withSupervision(Supervision.restart(3, SECOND));
         test.spawn(Doer.class, Starting::new, restarting).run(me -> {
             Promise.done().thenRun(() -> log.add("callback of the failed instance"));
             throw new IllegalStateException("failed");
@@ -227,7 +227,7 @@ class EndOfThingsTest extends InTestSpace {
 
     @Test
     void close_droppedCallsTicket_leftoversNameTheCallThatWaits() {
-        var one = ActorSettings.DEFAULT.withMailbox(1, Overflow.DROP_OLDEST);
+        var one = ActorSettings.defaults().withMailbox(1, Overflow.DROP_OLDEST);
         Counter counter = space.spawn(Counter.class, Counter::new, one);
         space.runQueued();
         runIn(space, () -> {
@@ -300,7 +300,7 @@ class EndOfThingsTest extends InTestSpace {
     void close_ofASpaceThatIsBusy_reportsWithWhat() {
         var begun = new CountDownLatch(1);
         var goOn = new CountDownLatch(1);
-        var busy = ActorSpace.create(SpaceSettings.named("busy").withOnStall(Duration.ZERO, stall -> {}));
+        var busy = ActorSpace.create(SpaceSettings.named("busy").withoutStallLimit());
         busy.execute(() -> {
             begun.countDown();
             await(goOn);

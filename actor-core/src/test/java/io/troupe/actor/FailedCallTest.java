@@ -4,7 +4,7 @@ import static io.troupe.actor.Concurrently.LONG;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.params.provider.Arguments.argumentSet;
 
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.time.temporal.ChronoUnit;
 import java.util.ArrayList;
@@ -164,7 +164,7 @@ class FailedCallTest extends InTestSpace {
 
     @Test
     void timeout_ofARequestThatTookTheOldestOnesPlace_reportsThatItHasNotBegun() {
-        var one = ActorSettings.DEFAULT.withMailbox(1, Overflow.DROP_OLDEST);
+        var one = ActorSettings.defaults().withMailbox(1, Overflow.DROP_OLDEST);
         Worker worker = test.spawn(Worker.class, () -> number -> new Deferred<>(), one);
         test.run(() -> {
             for (int before = 0; before < 600; before++) {
@@ -313,7 +313,7 @@ class FailedCallTest extends InTestSpace {
             log.add("made");
             return factory.get();
         };
-        var settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, window));
+        var settings = ActorSettings.defaults().withSupervision(Supervision.restart(3, window));
         space.spawn(Doer.class, logged, settings).run(me -> {
             throw failure;
         });

@@ -75,7 +75,7 @@ class FirstUseTest {
         }
 
         private static ActorPool<Greeter> pool(ActorSpace space) {
-            return ActorPool.on(List.of(space), Greeter.class, FACTORY, ActorSettings.DEFAULT);
+            return ActorPool.on(List.of(space), Greeter.class, FACTORY, ActorSettings.defaults());
         }
 
         private int recurse(ActorSpace space, int frame) {

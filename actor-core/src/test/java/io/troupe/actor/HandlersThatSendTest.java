@@ -3,7 +3,7 @@ package io.troupe.actor;
 import static io.troupe.actor.Concurrently.LONG;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -179,7 +179,8 @@ class HandlersThatSendTest {
     @Test
     void fullMailboxOfAMonitor_isToldOnce() {
         var space = ActorSpace.create(settings().withOnDeadLetter(this::tell));
-        monitor.set(space.spawn(Monitor.class, Counting::new, ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT)));
+        monitor.set(space.spawn(
+                Monitor.class, Counting::new, ActorSettings.defaults().withMailbox(1, Overflow.REJECT)));
         monitor.get().note("1");
         monitor.get().note("2");
         assertThat(told).hasValue(1);

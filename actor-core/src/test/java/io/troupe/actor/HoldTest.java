@@ -4,6 +4,7 @@ import static io.troupe.actor.Concurrently.LONG;
 import static io.troupe.actor.Concurrently.onThreads;
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.internal.ActorProxy;
 import java.time.Duration;
 import java.util.ArrayList;
@@ -68,7 +69,7 @@ class HoldTest extends InTestSpace {
 
     @Test
     void calls_waitInOrder_whileTimersAndListenersRun_andAreServedBeforeLaterOnes() {
-        Modem modem = spawn(ActorSettings.DEFAULT);
+        Modem modem = spawn(ActorSettings.defaults());
         modem.say(1);
         Promise<String> answer = modem.ask(2);
         modem.say(3);
@@ -85,7 +86,7 @@ class HoldTest extends InTestSpace {
 
     @Test
     void holdAmongCallsThatWereHeld_holdsTheRestAgain() {
-        Modem modem = spawn(ActorSettings.DEFAULT);
+        Modem modem = spawn(ActorSettings.defaults());
         modem.say(1);
         modem.hangUp();
         modem.say(2);
@@ -100,7 +101,7 @@ class HoldTest extends InTestSpace {
 
     @Test
     void releaseWithoutAHold_changesNothing_andOneReleaseSuffices() {
-        Modem modem = spawn(ActorSettings.DEFAULT);
+        Modem modem = spawn(ActorSettings.defaults());
         test.runQueued();
         connect("A");
         modem.releaseAgain();
@@ -111,7 +112,7 @@ class HoldTest extends InTestSpace {
 
     @Test
     void heldCalls_areRejected_whenTheActorStops_alsoIfItIsStoppedFromOutside() {
-        Modem modem = spawn(ActorSettings.DEFAULT);
+        Modem modem = spawn(ActorSettings.defaults());
         Promise<String> answer = modem.ask(1);
         modem.say(2);
         test.space().stop(modem);
@@ -134,7 +135,7 @@ class HoldTest extends InTestSpace {
 
     @Test
     void heldCalls_areServedByTheNextInstance_onceThatReleasesThem() {
-        var settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofSeconds(10)));
+        var settings = ActorSettings.defaults().withSupervision(Supervision.restart(3, Duration.ofSeconds(10)));
         Modem modem = spawn(settings);
         test.runQueued();
         connect("A");
@@ -179,7 +180,7 @@ class HoldTest extends InTestSpace {
 
     @Test
     void failureWhileCallsAreHeld_isNoReasonOfALaterStop() {
-        Modem modem = spawn(ActorSettings.DEFAULT);
+        Modem modem = spawn(ActorSettings.defaults());
         test.runQueued();
         failInATimer(modem);
         stop(modem);
@@ -188,7 +189,7 @@ class HoldTest extends InTestSpace {
 
     @Test
     void heldCalls_occupyTheirPlacesInABoundedMailbox() {
-        Modem modem = spawn(ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
+        Modem modem = spawn(ActorSettings.defaults().withMailbox(2, Overflow.DROP_OLDEST));
         test.runQueued();
         IntStream.rangeClosed(1, 5).forEach(word -> {
             modem.say(word);
@@ -201,7 +202,7 @@ class HoldTest extends InTestSpace {
 
     @Test
     void heldRequest_thatWasCancelled_isSkipped_andATimeOutSaysWhatItWaitsFor() {
-        Modem modem = spawn(ActorSettings.DEFAULT);
+        Modem modem = spawn(ActorSettings.defaults());
         Promise<String> first = modem.ask(1);
         var late = new ArrayList<Throwable>();
         test.run(() -> modem.ask(2).orTimeout(Duration.ofSeconds(1)).handle((text, error) -> late.add(error)));

@@ -3,7 +3,7 @@ package io.troupe.actor;
 import static io.troupe.actor.Concurrently.await;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -179,7 +179,8 @@ class InheritedLimitTest extends InTestSpace {
                 .withActorQuota(1);
         var other = ActorSpace.create(settings);
         Doer quoted = other.spawn(Doer.class, Doer::new);
-        Doer bounded = other.spawn(Doer.class, Doer::new, ActorSettings.DEFAULT.withMailbox(2, Overflow.DROP_OLDEST));
+        Doer bounded =
+                other.spawn(Doer.class, Doer::new, ActorSettings.defaults().withMailbox(2, Overflow.DROP_OLDEST));
         List<Promise<@Nullable Duration>> answers = new ArrayList<>();
         for (Doer each : List.of(quoted, bounded)) {
             answers.add(each.ask(me -> left()));
@@ -325,7 +326,7 @@ class InheritedLimitTest extends InTestSpace {
     @Timeout(60)
     void stalledSpace_doesNotKeepACallerOutsideWaiting() throws Exception {
         var release = new CountDownLatch(1);
-        try (var space = ActorSpace.create(SpaceSettings.named("stalled").withOnStall(Duration.ZERO, stall -> {}))) {
+        try (var space = ActorSpace.create(SpaceSettings.named("stalled").withoutStallLimit())) {
             space.execute(() -> await(release));
             Promise<String> answer = space.within(Duration.ofMillis(10), InheritedLimitTest::never);
             assertThat(answer.handle((value, error) -> error).toCompletableFuture())

@@ -16,7 +16,7 @@ class KeyedTimersTest extends InTestSpace {
 
     private final Doer instance = new Doer(); // the factory answers it at a restart, too
     private final Doer actor = test.spawn(
-            Doer.class, () -> instance, ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, SECOND)));
+            Doer.class, () -> instance, ActorSettings.defaults().withSupervision(Supervision.restart(3, SECOND)));
 
     private void run(Consumer<Doer> task) {
         actor.run(task);

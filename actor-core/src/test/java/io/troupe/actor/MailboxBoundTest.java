@@ -4,7 +4,7 @@ import static io.troupe.actor.Concurrently.await;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -90,8 +90,8 @@ class MailboxBoundTest extends InTestSpace {
 
     @Test
     void capacityBelowOne_isRejected() {
-        assertThatThrownBy(() -> ActorSettings.DEFAULT.withMailbox(0, Overflow.REJECT))
-                .hasMessage("capacity is 0, expected 1 or more");
+        assertThatThrownBy(() -> ActorSettings.defaults().withMailbox(0, Overflow.REJECT))
+                .hasMessage("the capacity of the mailbox is 0, expected 1 or more, or withoutMailboxLimit()");
     }
 
     /** Runs a task on a thread until it waits for room in a mailbox, while the space waits for the gate. */

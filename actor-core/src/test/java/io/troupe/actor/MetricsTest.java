@@ -153,7 +153,7 @@ class MetricsTest extends InTestSpace {
     @Tag("threads")
     @Timeout(60)
     void figures_ofASpaceThatIsBehind_reportHowFar() throws Exception {
-        try (var space = ActorSpace.create(SpaceSettings.named("behind").withOnStall(Duration.ZERO, stall -> {}))) {
+        try (var space = ActorSpace.create(SpaceSettings.named("behind").withoutStallLimit())) {
             Worker worker = space.spawn(Worker.class, () -> Runnable::run);
             var latch = new CountDownLatch(1);
             var served = new CountDownLatch(1);

@@ -119,7 +119,7 @@ class OpenRequestsTest extends InTestSpace {
 
     @Test
     void factoryThatThrows_isTheCause() {
-        var settings = ActorSettings.DEFAULT.withOnError((where, error) -> {});
+        var settings = ActorSettings.defaults().withOnError((where, error) -> {});
         Desk desk = test.space().spawn(Desk.class, OpenRequestsTest::noDesk, settings);
         assertThat(test.error(desk.later("a")))
                 .isInstanceOf(ActorStoppedException.class)

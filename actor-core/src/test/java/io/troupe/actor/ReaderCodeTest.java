@@ -114,7 +114,8 @@ class ReaderCodeTest {
 
     @Test
     void isCancelled_ofAReader_runsOnItsSpaceOnly_andItsErrorIsTheReaders() throws Exception {
-        Source source = serving.spawn(Source.class, Kept::new, ActorSettings.DEFAULT.withSupervision(Supervision.STOP));
+        Source source =
+                serving.spawn(Source.class, Kept::new, ActorSettings.defaults().withSupervision(Supervision.STOP));
         var broken = new Asked() {
             @Override
             boolean answer() {

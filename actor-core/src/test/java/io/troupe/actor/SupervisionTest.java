@@ -4,6 +4,7 @@ import static io.troupe.actor.Concurrently.onAnotherThread;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.concurrent.atomic.AtomicReference;
@@ -181,7 +182,7 @@ class SupervisionTest extends InTestSpace {
     @Test
     @Timeout(60)
     void unlimitedRestart_whoseStartThrows_leavesTimeForOthers_andWaitsLongerAndLonger() {
-        spawnStubborn(ActorSettings.DEFAULT);
+        spawnStubborn(ActorSettings.defaults());
         Fragile other = spawn(Supervision.RESUME);
         assertThat(test.get(other.count())).isEqualTo(1);
         instances = 0;
@@ -198,7 +199,7 @@ class SupervisionTest extends InTestSpace {
     @Test
     @Timeout(60)
     void callsOfAnActorThatWaitsForItsRestart_areServedInOrder_whenItHasStarted() {
-        Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
+        Stubborn stubborn = spawnStubborn(ActorSettings.defaults());
         note(stubborn, 1, 3);
         test.runQueued();
         assertThat(log).isEmpty();
@@ -219,7 +220,7 @@ class SupervisionTest extends InTestSpace {
     @Test
     @Timeout(60)
     void callsOfAnActorThatWaitsForItsRestart_areRejected_whenItStops_andNoTimerIsLeft() {
-        Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
+        Stubborn stubborn = spawnStubborn(ActorSettings.defaults().withMailbox(2, Overflow.DROP_OLDEST));
         assertThat(timers()).isOne();
         note(stubborn, 1, 2);
         test.runQueued();
@@ -234,7 +235,7 @@ class SupervisionTest extends InTestSpace {
     @Test
     @Timeout(60)
     void callsThatWereHeldBack_areServedBeforeTheStopThatCameAfterThem() {
-        Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
+        Stubborn stubborn = spawnStubborn(ActorSettings.defaults());
         note(stubborn, 1, 400);
         test.runQueued();
         refuses = false;
@@ -251,7 +252,7 @@ class SupervisionTest extends InTestSpace {
     @Test
     @Timeout(60)
     void failureAmongCallsThatWereHeldBack_beforeAStop_letsItStopInsteadOfWaitingForARestart() {
-        Stubborn stubborn = spawnStubborn(ActorSettings.DEFAULT);
+        Stubborn stubborn = spawnStubborn(ActorSettings.defaults());
         note(stubborn, 1, 300);
         stubborn.fail();
         test.runQueued();
@@ -272,7 +273,7 @@ class SupervisionTest extends InTestSpace {
     @Timeout(60)
     void failedStartsInARow_reachTheLimit_thoughThePausesExceedTheWindow() {
         refuses = true;
-        var settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(5, Duration.ofMillis(15)));
+        var settings = ActorSettings.defaults().withSupervision(Supervision.restart(5, Duration.ofMillis(15)));
         Stubborn stubborn = test.spawn(Stubborn.class, Stubborn::new, settings);
         var stopped = test.space().whenStopped(stubborn);
         test.advance(Duration.ofSeconds(60));
@@ -287,7 +288,7 @@ class SupervisionTest extends InTestSpace {
      */
     private void callBeforeTheSpawnEntry(Supervision supervision) {
         refuses = true;
-        var settings = ActorSettings.DEFAULT.withSupervision(supervision);
+        var settings = ActorSettings.defaults().withSupervision(supervision);
         test.run(() -> {
             var spawned = new AtomicReference<Stubborn>();
             onAnotherThread(() -> spawned.set(test.space().spawn(Stubborn.class, Stubborn::new, settings)));

@@ -68,7 +68,7 @@ class TopicTest extends InTestSpace {
 
     /** Subscribes when it starts. */
     private Robot subscriber(Supervision supervision) {
-        var settings = ActorSettings.DEFAULT.withSupervision(supervision);
+        var settings = ActorSettings.defaults().withSupervision(supervision);
         return test.spawn(Robot.class, () -> new Robot(this::subscribe), settings);
     }
 

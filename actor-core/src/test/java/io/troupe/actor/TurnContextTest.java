@@ -2,6 +2,7 @@ package io.troupe.actor;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.Collections;
@@ -146,7 +147,7 @@ class TurnContextTest {
         var threadless =
                 ActorSpace.create(settings().withoutThread().withOnDeadLetter(letter -> log.add("dead " + letter)));
         Door door = threadless.spawn(
-                Door.class, PlainDoor::new, ActorSettings.DEFAULT.withMailbox(2, MailboxBound.Overflow.DROP_OLDEST));
+                Door.class, PlainDoor::new, ActorSettings.defaults().withMailbox(2, Overflow.DROP_OLDEST));
         for (String user : List.of("ann", "bob", "cid")) {
             USER.set(user);
             door.open();

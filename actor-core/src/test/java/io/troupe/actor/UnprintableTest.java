@@ -4,7 +4,7 @@ import static io.troupe.actor.Concurrently.LONG;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -150,7 +150,7 @@ class UnprintableTest {
             .withOnDeadLetter(letters::add));
 
     private Shop shop() {
-        return shop(ActorSettings.DEFAULT);
+        return shop(ActorSettings.defaults());
     }
 
     private Shop shop(ActorSettings settings) {
@@ -237,7 +237,7 @@ class UnprintableTest {
     @ParameterizedTest
     @EnumSource(Kind.class)
     void restart_withAnOpenCall_goesOn(Kind kind) {
-        Shop shop = shop(ActorSettings.DEFAULT.withSupervision(Supervision.restart(9, SECOND)));
+        Shop shop = shop(ActorSettings.defaults().withSupervision(Supervision.restart(9, SECOND)));
         Promise<String> open = shop.open(new Order(kind));
         shop.fail();
         Promise<String> next = shop.buy("bread");
@@ -281,7 +281,7 @@ class UnprintableTest {
     @ParameterizedTest
     @EnumSource(Kind.class)
     void otherEnds_ofACallWithoutAText_areRejections(Kind kind) {
-        Shop small = shop(ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT));
+        Shop small = shop(ActorSettings.defaults().withMailbox(1, Overflow.REJECT));
         var order = new Order(kind);
         Promise<String> cancelled = small.buy(order);
         Promise<String> refused = small.buy(order);
@@ -378,7 +378,7 @@ class UnprintableTest {
                 }
             }
         };
-        try (var threaded = ActorSpace.create(SpaceSettings.named("busy").withOnStall(Duration.ZERO, stall -> {}))) {
+        try (var threaded = ActorSpace.create(SpaceSettings.named("busy").withoutStallLimit())) {
             Doer doer = threaded.spawn(Doer.class, Doer::new);
             doer.run(me -> {
                 synchronized (locked) {

@@ -66,7 +66,8 @@ final class ActorProvider<A> implements Provider {
 
         @Override
         @Nullable
-        Promise<?> send(Class<?> type, Node call, RemoteCaller remote, Duration limit) throws NotSentException {
+        Promise<?> send(Class<?> type, Node call, RemoteCaller remote, @Nullable Duration limit)
+                throws NotSentException {
             try {
                 if (call instanceof Message message) {
                     message.serveWith(proxy);

@@ -20,7 +20,7 @@ import org.jspecify.annotations.Nullable;
  *
  * {@snippet :
  * var space = ActorSpace.create(SpaceSettings.named("ship"));
- * var broker = Broker.open(space, BrokerSettings.DEFAULT);
+ * var broker = Broker.open(space, BrokerSettings.defaults());
  * var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
  * services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
  * var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter")).actor();
@@ -83,7 +83,7 @@ public final class ActorServices {
      *
      * {@snippet :
      * var bus = Bus.open("ship", engine, BusSettings.on(space));
-     * var broker = Broker.open(space, BrokerSettings.DEFAULT);
+     * var broker = Broker.open(space, BrokerSettings.defaults());
      * var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
      * services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
      * }
@@ -181,7 +181,7 @@ public final class ActorServices {
 
     /** Connects with the default limits; see {@link #connect(Class, Need, ConnectionSettings)}. */
     public <A> ActorConnection<A> connect(Class<A> type, Need need) {
-        return connect(type, need, ConnectionSettings.DEFAULT);
+        return connect(type, need, ConnectionSettings.defaults());
     }
 
     /**

@@ -14,7 +14,7 @@ import org.jspecify.annotations.Nullable;
  * when another provider takes over.
  *
  * {@snippet :
- * Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
+ * Broker broker = Broker.open(space, BrokerSettings.defaults().withObserver(observer));
  * broker.register("camera", List.of("senses", "colour"), new Address("robot", "left"), left);
  * broker.register("camera", List.of("senses"), new Address("robot", "right"), right);
  *

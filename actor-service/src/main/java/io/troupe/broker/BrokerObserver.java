@@ -10,7 +10,7 @@ import org.jspecify.annotations.Nullable;
  * {@snippet :
  * BrokerObserver observer = events::add;
  *
- * Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
+ * Broker broker = Broker.open(space, BrokerSettings.defaults().withObserver(observer));
  * }
  *
  * <p><b>Threads.</b> Called on the broker's space; for events about calls through an actor connection, on the

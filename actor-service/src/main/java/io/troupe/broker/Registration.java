@@ -321,8 +321,9 @@ final class Registration extends Lifecycle<Registration.Run> {
     // ---- health checks
 
     private void checkLater(Run run) {
-        if (!context.isClosing()) {
-            run.nextCheck = context.timeouts.after(context.settings.checkEvery(), () -> check(run));
+        Duration pause = context.settings.checkEvery();
+        if (pause != null && !context.isClosing()) {
+            run.nextCheck = context.timeouts.after(pause, () -> check(run));
         }
     }
 
@@ -477,10 +478,11 @@ final class Registration extends Lifecycle<Registration.Run> {
 
     /** Restarts it after a pause, if it has failed and a connection waits for it; the pauses increase. */
     void considerRestart() {
-        if (nextRestart != null || !isRestartWanted()) {
+        Duration first = context.settings.restartPause();
+        if (first == null || nextRestart != null || !isRestartWanted()) {
             return;
         }
-        Duration pause = nextRestartPause();
+        Duration pause = nextRestartPause(first);
         restartPause = pause;
         nextRestart = context.timeouts.after(pause, () -> {
             nextRestart = null;
@@ -495,14 +497,14 @@ final class Registration extends Lifecycle<Registration.Run> {
 
     boolean isRestartWanted() {
         return hasFailed()
-                && !context.settings.restartPause().isZero()
+                && context.settings.restartPause() != null
                 && !context.isClosing()
                 && context.listener.isWanted(this);
     }
 
-    private Duration nextRestartPause() {
+    private Duration nextRestartPause(Duration first) {
         if (restartPause == null) {
-            return context.settings.restartPause();
+            return first;
         }
         Duration twice = restartPause.multipliedBy(2);
         Duration longest = context.settings.longestRestartPause();

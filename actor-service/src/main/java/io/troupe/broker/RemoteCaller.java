@@ -15,7 +15,6 @@ import org.jspecify.annotations.Nullable;
 
 /** Sends the calls of one connection to actors in other processes. On the connection's space, and for its actor. */
 final class RemoteCaller {
-    private static final Duration NONE = Duration.ofDays(7_300); // the bus sends such a limit as none
     private static final Duration WITH_STREAM = Duration.ofSeconds(5); // to confirm a one-way call
 
     private final Supplier<BusPort> attach;
@@ -47,7 +46,10 @@ final class RemoteCaller {
      */
     @Nullable
     Promise<CallMessages.Result> send(
-            RemoteActor to, CallableMethods.CallableMethod method, @Nullable Object[] arguments, Duration limit)
+            RemoteActor to,
+            CallableMethods.CallableMethod method,
+            @Nullable Object[] arguments,
+            @Nullable Duration limit)
             throws RunningActor.NotSentException {
         List<Long> opened = new ArrayList<>();
         CallMessages.Call call;
@@ -65,7 +67,7 @@ final class RemoteCaller {
             sendNotice(to, call);
             return null;
         }
-        Duration until = !limit.isZero() ? limit : method.isOneWay() ? WITH_STREAM : NONE;
+        Duration until = limit == null && method.isOneWay() ? WITH_STREAM : limit;
         Promise<CallMessages.Result> answer = port().ask(to.address(), CallMessages.CALL, call, until);
         if (!opened.isEmpty()) {
             answer.handle((result, error) -> {

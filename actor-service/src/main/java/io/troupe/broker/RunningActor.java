@@ -48,10 +48,10 @@ abstract class RunningActor {
      * @param type the interface that was called
      * @param call a message or a request
      * @param remote sends it to another process
-     * @param limit the longest time until the answer; zero = none
+     * @param limit the longest time until the answer; null = no limit
      * @return the answer; null for a one-way call
      */
-    abstract @Nullable Promise<?> send(Class<?> type, Node call, RemoteCaller remote, Duration limit)
+    abstract @Nullable Promise<?> send(Class<?> type, Node call, RemoteCaller remote, @Nullable Duration limit)
             throws NotSentException;
 
     /** The value of an answer. */

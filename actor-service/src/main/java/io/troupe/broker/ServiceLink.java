@@ -161,7 +161,7 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
             refuse(call, mismatch);
         } else if (canSend()) {
             send(call);
-        } else if (waiting.size() >= settings.mostWaiting()) {
+        } else if (waiting.size() >= settings.capacity()) {
             refuse(call, notSent(call, "was refused: " + waiting.size() + " calls wait already, and " + noProvider));
         } else {
             waiting.put(call.call, call);
@@ -214,8 +214,9 @@ final class ServiceLink extends Actor implements Forwarder, Broker.Connection {
         if (answer != null) {
             underWay.put(call.call, call);
             call.sent = answer;
-            if (!settings.answerLimit().isZero() && !(to instanceof RemoteActor)) { // the bus has that limit
-                call.limit = context().after(settings.answerLimit(), () -> isOverdue(call));
+            Duration limit = settings.answerLimit();
+            if (limit != null && !(to instanceof RemoteActor)) { // the bus has that limit
+                call.limit = context().after(limit, () -> isOverdue(call));
             }
             answer.handle((value, error) -> {
                 answered(call, value, error);

@@ -221,14 +221,18 @@ public final class Bus implements AutoCloseable {
     }
 
     /** @param isShared true if the requests that the handler sends share the limit */
-    void request(BusMessage message, Duration limit, boolean isShared) {
+    void request(BusMessage message, @Nullable Duration limit, boolean isShared) {
         notifier.passed(message);
         var request = (Purpose.Request) message.purpose();
         if (isShared && request.to().node().equals(name)) {
-            deliver(new MessageDelivery(message, incarnation, nanos(), 0, Home.nanosOf(limit), true));
+            deliver(new MessageDelivery(message, incarnation, nanos(), 0, nanosOf(limit), true));
             return;
         }
         send(message, request.to(), nodes -> nodes.request(message, request, limit, isShared));
+    }
+
+    private static long nanosOf(@Nullable Duration limit) {
+        return limit == null ? Long.MAX_VALUE : Home.nanosOf(limit);
     }
 
     void notice(BusPort from, Address to, Operation<?, ?> operation, Record payload) {
@@ -239,7 +243,7 @@ public final class Bus implements AutoCloseable {
     }
 
     <Q extends Record, A extends Record> Promise<A> ask(
-            BusPort requester, Address to, Operation<Q, A> operation, Q request, Duration limit) {
+            BusPort requester, Address to, Operation<Q, A> operation, Q request, @Nullable Duration limit) {
         return pendingRequests.ask(requester, to, operation, request, limit);
     }
 

@@ -142,13 +142,14 @@ public final class BusPort implements AutoCloseable {
      * reply is no longer awaited. Another node learns the limit with the request, so that this holds even if it cannot
      * be notified.
      *
-     * @param limit the time limit, on the clock of the requester's space
+     * @param limit the time limit, on the clock of the requester's space; null = no limit: if a frame of the request or
+     *     its reply is lost, the promise is only settled by cancelling it
      * @return the reply; rejected with a {@link BusException} if the address has no port, or the port has no handler
      *     for that operation; with a {@link BusTimeoutException} if no reply arrives within the limit (a later reply is
      *     reported to the bus's observer); with a {@link RemoteFailure} if the handler fails
      */
     public <Q extends Record, A extends Record> Promise<A> ask(
-            Address to, Operation<Q, A> operation, Q request, Duration limit) {
+            Address to, Operation<Q, A> operation, Q request, @Nullable Duration limit) {
         return node.ask(this, to, operation, request, limit);
     }
 

@@ -1,7 +1,9 @@
 package io.troupe.bus;
 
+import io.troupe.actor.Settings;
 import io.troupe.bus.internal.Portable;
 import java.time.Duration;
+import java.util.Objects;
 import org.jspecify.annotations.Nullable;
 
 /**
@@ -20,47 +22,104 @@ import org.jspecify.annotations.Nullable;
  * first is open.
  *
  * <p><b>Age.</b> By default every value is delivered, whatever its age. For commands and readings of which only the
- * newest counts, a topic may keep only the latest value for each subscriber, and may drop values that are too old: a
- * velocity that was held up on its way is not obeyed late.
+ * newest counts, a topic may have a capacity, and may drop values that are too old: a velocity that was held up on its
+ * way is not obeyed late.
  *
  * {@snippet :
  * static final BusTopic<Velocity> DRIVE = new BusTopic<>("robot1/drive", Velocity.class)
- *         .keepingOnlyLatest()
- *         .droppingOlderThan(Duration.ofMillis(300));
+ *         .withCapacity(1)
+ *         .withMaxAge(Duration.ofMillis(300));
  * }
- *
- * @param onlyLatest true if a value that a subscriber has not received yet is replaced by a newer one
- * @param maxAge a value that is older when its subscriber would receive it is dropped, and reported to the bus's
- *     observer; null if values do not age
  */
-public record BusTopic<T extends Record>(
-        String name,
-        Class<T> type,
-        boolean onlyLatest,
-        @Nullable Duration maxAge) {
-    public BusTopic {
+public final class BusTopic<T extends Record> extends Settings<BusTopic<T>> {
+    private final String name;
+    private final Class<T> type;
+    private @Nullable Integer capacity;
+    private @Nullable Duration maxAge;
+
+    /** A topic whose values are all delivered. */
+    public BusTopic(String name, Class<T> type) {
         if (name.isBlank()) {
             throw new IllegalArgumentException("the name of a topic is blank");
         }
         Portable.check("topic " + name, type);
+        this.name = name;
+        this.type = type;
+    }
+
+    @Override
+    protected void check() {
+        if (capacity != null && capacity < 1) {
+            throw new IllegalArgumentException(
+                    "the capacity of topic " + name + " is " + capacity + ", expected 1 or more");
+        }
         if (maxAge != null && (maxAge.isNegative() || maxAge.isZero())) {
             throw new IllegalArgumentException(
                     "the greatest age of values of topic " + name + " is " + maxAge + ", expected more than zero");
         }
     }
 
-    /** A topic whose values are all delivered. */
-    public BusTopic(String name, Class<T> type) {
-        this(name, type, false, null);
+    /**
+     * The same topic, for subscribers that need only the newest values: at most so many are queued for each of them,
+     * and one more replaces the oldest. That is no loss, and is not reported. By default the capacity of the bus
+     * applies.
+     */
+    public BusTopic<T> withCapacity(int values) {
+        return with(copy -> copy.capacity = values);
     }
 
-    /** The same topic, for subscribers that need only the newest value. */
-    public BusTopic<T> keepingOnlyLatest() {
-        return new BusTopic<>(name, type, true, maxAge);
+    /**
+     * The same topic, without values that are older than that when a subscriber would receive them: they are dropped,
+     * and reported to the bus's observer. By default values do not age.
+     */
+    public BusTopic<T> withMaxAge(Duration age) {
+        Objects.requireNonNull(age, "age");
+        return with(copy -> copy.maxAge = age);
     }
 
-    /** The same topic, without values that arrive later than that after they were published. */
-    public BusTopic<T> droppingOlderThan(Duration age) {
-        return new BusTopic<>(name, type, onlyLatest, age);
+    /** A topic of another type with the same name, capacity and age. */
+    public <S extends Record> BusTopic<S> ofType(Class<S> other) {
+        return new BusTopic<>(name, other).with(copy -> {
+            copy.capacity = capacity;
+            copy.maxAge = maxAge;
+        });
+    }
+
+    public String name() {
+        return name;
+    }
+
+    public Class<T> type() {
+        return type;
+    }
+
+    /** See {@link #withCapacity}; null = that of the bus. */
+    public @Nullable Integer capacity() {
+        return capacity;
+    }
+
+    /** See {@link #withMaxAge}; null = no limit. */
+    public @Nullable Duration maxAge() {
+        return maxAge;
+    }
+
+    /** Topics are equal if everything that is set is equal. */
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return other instanceof BusTopic<?> that
+                && name.equals(that.name)
+                && type == that.type
+                && Objects.equals(capacity, that.capacity)
+                && Objects.equals(maxAge, that.maxAge);
+    }
+
+    @Override
+    public int hashCode() {
+        return Objects.hash(name, type, capacity, maxAge);
+    }
+
+    @Override
+    public String toString() {
+        return "topic " + name + " of " + type.getName();
     }
 }

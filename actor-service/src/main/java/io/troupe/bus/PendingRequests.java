@@ -6,6 +6,7 @@ import io.troupe.actor.LibraryAccess;
 import io.troupe.actor.Promise;
 import io.troupe.bus.BusMessage.Purpose;
 import java.time.Duration;
+import java.time.temporal.ChronoUnit;
 import java.util.List;
 import java.util.Map;
 import java.util.Objects;
@@ -17,6 +18,8 @@ import org.jspecify.annotations.Nullable;
 
 /** The pending requests of one node. */
 final class PendingRequests {
+    private static final Duration FOREVER = ChronoUnit.FOREVER.getDuration();
+
     private final Bus node;
     private final Map<Long, PendingRequest<?>> pending = new ConcurrentHashMap<>(); // by sequence number
 
@@ -25,13 +28,13 @@ final class PendingRequests {
     }
 
     <Q extends Record, A extends Record> Promise<A> ask(
-            BusPort requester, Address to, Operation<Q, A> operation, Q request, Duration longest) {
-        if (longest.isNegative() || longest.isZero()) {
+            BusPort requester, Address to, Operation<Q, A> operation, Q request, @Nullable Duration longest) {
+        if (longest != null && (longest.isNegative() || longest.isZero())) {
             throw new IllegalArgumentException(
                     "the limit for " + operation.name() + " is " + longest + ", expected more than zero");
         }
         Duration left = ActorSpace.timeLeft();
-        Duration limit = left == null || left.compareTo(longest) > 0 ? longest : left;
+        Duration limit = left == null || longest != null && left.compareTo(longest) > 0 ? longest : left;
         var message = BusMessage.of(
                 operation.kind(),
                 requester.address(),
@@ -79,7 +82,7 @@ final class PendingRequests {
         return pending.containsKey(request.sequence());
     }
 
-    private void expire(long number, boolean timeIsOver, Duration limit) {
+    private void expire(long number, boolean timeIsOver, @Nullable Duration limit) {
         PendingRequest<?> late = takeCancelled(number);
         if (late != null && timeIsOver) {
             PendingRequest.counted(node.counters.timedOut, late.reject(late.timeout(limit)));
@@ -192,12 +195,14 @@ final class PendingRequests {
          * Calls the consumer when the limit is over (with true) or the requester's space is closed (with false). Never
          * called once this request is settled.
          */
-        void limit(Duration limit, Consumer<Boolean> onEnd) {
-            over.orTimeout(limit).toCompletableFuture().whenComplete((nothing, error) -> {
-                if (error != null) {
-                    onEnd.accept(error instanceof TimeoutException);
-                }
-            });
+        void limit(@Nullable Duration limit, Consumer<Boolean> onEnd) {
+            over.orTimeout(limit == null ? FOREVER : limit)
+                    .toCompletableFuture()
+                    .whenComplete((nothing, error) -> {
+                        if (error != null) {
+                            onEnd.accept(error instanceof TimeoutException);
+                        }
+                    });
         }
 
         /** Settles the request by a reply and counts the outcome; false if it was settled before. */
@@ -233,7 +238,7 @@ final class PendingRequests {
             return requester.address() + " asked " + to + " for " + operation.name() + ": " + why;
         }
 
-        BusTimeoutException timeout(Duration limit) {
+        BusTimeoutException timeout(@Nullable Duration limit) {
             return new BusTimeoutException(about("no answer within " + limit));
         }
 

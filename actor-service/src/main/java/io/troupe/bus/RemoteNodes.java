@@ -1,5 +1,6 @@
 package io.troupe.bus;
 
+import io.troupe.actor.internal.loop.Home;
 import io.troupe.bus.BusMessage.Failure;
 import io.troupe.bus.BusMessage.Purpose;
 import io.troupe.bus.internal.BoundedText;
@@ -22,7 +23,6 @@ import org.jspecify.annotations.Nullable;
  */
 final class RemoteNodes implements BusEngine.Listener {
     private static final int REMEMBERED_NOTICES = 1_024;
-    private static final Duration UNLIMITED = Duration.ofDays(3_650); // longer limits are sent as none
     private static final Duration QUIET = Duration.ofSeconds(1);
     private static final int MOST_MARKS = 5;
     private static final Record UNREAD = new Failure.NotDelivered("its value was not read");
@@ -170,8 +170,8 @@ final class RemoteNodes implements BusEngine.Listener {
         }
     }
 
-    void request(BusMessage message, Purpose.Request request, Duration limit, boolean isShared) {
-        long limitMicros = limit.compareTo(UNLIMITED) > 0 ? 0 : Math.max(1, limit.toNanos() / 1_000);
+    void request(BusMessage message, Purpose.Request request, @Nullable Duration limit, boolean isShared) {
+        long limitMicros = limit == null ? 0 : Math.max(1, Home.nanosOf(limit) / 1_000);
         byte[] frame = frames.request(message, request, limitMicros, isShared);
         checked(frame, bytes -> engine.send(request.to().node(), message.sequence(), bytes));
     }

@@ -13,7 +13,7 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
         super(
                 port,
                 port.address() + " receives " + topic.name(),
-                topic.onlyLatest() ? 1 : port.node.settings.capacity());
+                topic.capacity() != null ? topic.capacity() : port.node.settings.capacity());
         this.topic = topic;
         this.subscriber = subscriber;
     }
@@ -51,7 +51,7 @@ final class TopicSubscription<T extends Record> extends InboundQueue implements 
 
     @Override
     void overflow(MessageDelivery delivery) {
-        if (topic.onlyLatest()) { // as its publishers and subscribers want it
+        if (topic.capacity() != null) { // as its publishers and subscribers want it
             node.counters.replaced.increment();
             return;
         }

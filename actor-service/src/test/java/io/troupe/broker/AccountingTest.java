@@ -75,7 +75,7 @@ class AccountingTest {
         private final TestSpace test = new TestSpace();
         private final List<BrokerEvent> events = new ArrayList<>();
         private final Broker broker = Broker.open(
-                test.space(), BrokerSettings.DEFAULT.withoutRestart().withObserver(events::add));
+                test.space(), BrokerSettings.defaults().withoutRestart().withObserver(events::add));
         private final ActorServices services = new ActorServices(broker, "node", test.space(), events::add);
         private final Map<Integer, List<String>> done = new HashMap<>();
         private final List<Late> later = new ArrayList<>();
@@ -210,7 +210,7 @@ class AccountingTest {
                     done.computeIfAbsent(id, each -> new ArrayList<>()).add(address.name());
                 }
             };
-            return services.provider(address, test.space(), Worker.class, () -> worker, ActorSettings.DEFAULT);
+            return services.provider(address, test.space(), Worker.class, () -> worker, ActorSettings.defaults());
         }
 
         private void kill() {

@@ -285,7 +285,7 @@ class ActorServicesOverHostsTest extends HostsBench {
     @Test
     void callWithoutAnAnswerInTime_mayHaveRun_andWithoutALimitItWaits() {
         far.publish("a");
-        var unlimited = near.connect(ConnectionSettings.DEFAULT.withoutAnswerLimit())
+        var unlimited = near.connect(ConnectionSettings.defaults().withoutAnswerLimit())
                 .actor()
                 .sayLater("for long");
         var limited = near.connected().sayLater("hello");
@@ -304,7 +304,7 @@ class ActorServicesOverHostsTest extends HostsBench {
     @Test
     void callWhoseNodeFallsSilent_endsWithTheWithdrawal_alsoWithoutALimit() {
         far.publish("a");
-        var unlimited = near.connect(ConnectionSettings.DEFAULT.withoutAnswerLimit())
+        var unlimited = near.connect(ConnectionSettings.defaults().withoutAnswerLimit())
                 .actor()
                 .sayLater("for long");
         test.runQueued();
@@ -345,7 +345,7 @@ class ActorServicesOverHostsTest extends HostsBench {
         try (var slow = new TestSpace()) {
             get(far.services.publishSpawned(
                     slow.space(), "parrot", List.of(), slow.spawn(Parrot.class, () -> far.parrot("slow"))));
-            var connection = near.connect(ConnectionSettings.DEFAULT);
+            var connection = near.connect(ConnectionSettings.defaults());
             slowly(slow, connection.whenReady());
             var parrot = connection.actor();
             List<Promise<String>> answers = new ArrayList<>();
@@ -442,7 +442,7 @@ class ActorServicesOverHostsTest extends HostsBench {
             get(far.services.publishSpawned(
                     slow.space(), "parrot", List.of(), slow.spawn(Parrot.class, () -> far.parrot("slow"))));
             var connection = near.connect(
-                    ConnectionSettings.DEFAULT.withAnswerLimit(LONG).withWaitLimit(LONG));
+                    ConnectionSettings.defaults().withAnswerLimit(LONG).withWaitLimit(LONG));
             slowly(slow, connection.whenReady());
             var parrot = connection.actor();
             var unwanted = parrot.say("unwanted");
@@ -840,7 +840,7 @@ class ActorServicesOverHostsTest extends HostsBench {
     void actorWhosePortNameIsTaken_isNotStarted_andTheReasonIsNamed() {
         far.bus.attach("parrot");
         far.publish("a");
-        var connection = near.connect(ConnectionSettings.DEFAULT);
+        var connection = near.connect(ConnectionSettings.defaults());
         assertThat(test.error(connection.first()))
                 .hasMessageContaining("far/parrot was not started: the name far/parrot is taken");
     }
@@ -848,7 +848,7 @@ class ActorServicesOverHostsTest extends HostsBench {
     @Test
     void callUnderWay_ofAConnectionThatIsClosed_isRejected() {
         far.publish("a");
-        var connection = near.connect(ConnectionSettings.DEFAULT);
+        var connection = near.connect(ConnectionSettings.defaults());
         var answer = connection.actor().sayLater("x");
         test.runQueued();
         connection.close();

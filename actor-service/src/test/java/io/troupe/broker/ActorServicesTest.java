@@ -22,7 +22,7 @@ class ActorServicesTest extends BrokerBench {
     private static final Need PARROT = Need.ofService("robot 1", "parrot");
     private static final Duration LONG = Duration.ofSeconds(100);
     private static final ConnectionSettings PATIENT =
-            ConnectionSettings.DEFAULT.withWaitLimit(LONG).withAnswerLimit(LONG);
+            ConnectionSettings.defaults().withWaitLimit(LONG).withAnswerLimit(LONG);
 
     private final ActorServices services = open();
     private Parrot.@Nullable Grey last;
@@ -58,7 +58,7 @@ class ActorServicesTest extends BrokerBench {
     }
 
     private Parrot connected() {
-        return connected(ConnectionSettings.DEFAULT);
+        return connected(ConnectionSettings.defaults());
     }
 
     private Parrot connected(ConnectionSettings settings) {
@@ -185,7 +185,7 @@ class ActorServicesTest extends BrokerBench {
 
     @Test
     void call_waitsWhileThereIsNoProvider_andIsSentToTheFirst() {
-        var settings = ConnectionSettings.DEFAULT.withOneWayLimit(Duration.ofSeconds(5));
+        var settings = ConnectionSettings.defaults().withOneWayLimit(Duration.ofSeconds(5));
         var connection = services.connect(Parrot.class, PARROT, settings);
         var parrot = connection.actor();
         var answer = parrot.say("hello");
@@ -234,8 +234,8 @@ class ActorServicesTest extends BrokerBench {
 
     @Test
     void call_waitsOnlyWithinItsLimits_ofTimeAndNumber() {
-        var settings = ConnectionSettings.DEFAULT.withWaitLimit(Duration.ofSeconds(2));
-        var connection = services.connect(Parrot.class, PARROT, settings.withMostWaiting(2));
+        var settings = ConnectionSettings.defaults().withWaitLimit(Duration.ofSeconds(2));
+        var connection = services.connect(Parrot.class, PARROT, settings.withCapacity(2));
         missing(connection.first());
         var parrot = connection.actor();
         var answer = parrot.say("hello");
@@ -272,7 +272,7 @@ class ActorServicesTest extends BrokerBench {
     void answerThatComesLate_isRejectedBefore_andReportedToTheObserver_unlessThereIsNoLimit() {
         publish("a");
         var unlimited =
-                connected(ConnectionSettings.DEFAULT.withoutAnswerLimit()).sayLater("hello");
+                connected(ConnectionSettings.defaults().withoutAnswerLimit()).sayLater("hello");
         var limited = connected().sayLater("hello");
         test.runQueued();
         seconds(5);
@@ -341,7 +341,7 @@ class ActorServicesTest extends BrokerBench {
         Brittle brittle = () -> {
             throw new IllegalStateException("broke");
         };
-        var stopping = ActorSettings.DEFAULT.withSupervision(Supervision.STOP);
+        var stopping = ActorSettings.defaults().withSupervision(Supervision.STOP);
         var address = at("brittle");
         var provider = services.provider(address, test.space(), Brittle.class, () -> brittle, stopping);
         get(broker.register("parrot", List.of(), address, provider));
@@ -409,7 +409,7 @@ class ActorServicesTest extends BrokerBench {
     @ParameterizedTest
     @EnumSource(value = Manner.class, names = "CANCEL_WHAT_FOLLOWS", mode = EnumSource.Mode.EXCLUDE)
     void callThatWasGivenUp_makesRoomForAnother_atOnce(Manner manner) {
-        var parrot = connected(PATIENT.withMostWaiting(1));
+        var parrot = connected(PATIENT.withCapacity(1));
         giveUp(manner, parrot.say("unwanted"));
         var wanted = parrot.say("wanted");
         publish("late");

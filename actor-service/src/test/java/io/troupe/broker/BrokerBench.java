@@ -12,7 +12,7 @@ import org.junit.jupiter.api.AfterEach;
 
 /** A broker on a space without a thread; records its events. Tests extend it. */
 class BrokerBench {
-    static final BrokerSettings WITHOUT_RESTART = BrokerSettings.DEFAULT.withoutRestart();
+    static final BrokerSettings WITHOUT_RESTART = BrokerSettings.defaults().withoutRestart();
 
     final TestSpace test = new TestSpace();
     final List<BrokerEvent> events = new ArrayList<>();

@@ -66,7 +66,7 @@ class BrokerGuideTest {
         var events = new ArrayList<BrokerEvent>();
         BrokerObserver observer = events::add;
 
-        Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(observer));
+        Broker broker = Broker.open(space, BrokerSettings.defaults().withObserver(observer));
         broker.register("camera", List.of("senses", "colour"), new Address("robot", "left"), left);
         broker.register("camera", List.of("senses"), new Address("robot", "right"), right);
 
@@ -194,7 +194,7 @@ class BrokerGuideTest {
 
     @Test
     void twoActors_arePublisherAndSubscriberOfEachOther() {
-        Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+        Broker broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
 
         var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
         services.publish(space, Compass.class, "compass", List.of("senses"), () -> new ShipCompass(services));
@@ -213,12 +213,13 @@ class BrokerGuideTest {
 
     @Test
     void serviceThatTakesLong_hasNoLimit_andItsReplacementTakesOver() {
-        Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+        Broker broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
         var services = new ActorServices(broker, "ship", space, event -> {});
         services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
 
-        var patient =
-                ConnectionSettings.DEFAULT.withWaitLimit(Duration.ofSeconds(20)).withoutAnswerLimit();
+        var patient = ConnectionSettings.defaults()
+                .withWaitLimit(Duration.ofSeconds(20))
+                .withoutAnswerLimit();
         var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"), patient)
                 .actor();
         greeter.greet("Ada").then(text -> show(text));
@@ -241,7 +242,7 @@ class BrokerGuideTest {
     @Test
     void fiveLines_publishAnActor_andCallItByItsName() throws Exception {
         var space = ActorSpace.create(SpaceSettings.named("ship"));
-        var broker = Broker.open(space, BrokerSettings.DEFAULT);
+        var broker = Broker.open(space, BrokerSettings.defaults());
         var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
         services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
         var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"))
@@ -260,9 +261,10 @@ class BrokerGuideTest {
                 show(change.from().provider() + " > " + change.to().provider());
             }
         };
-        var settings = BrokerSettings.DEFAULT
-                .withChecks(Duration.ofMillis(500), Duration.ofMillis(200), 2)
-                .withLimits(Duration.ofSeconds(20), Duration.ofSeconds(5), Duration.ofSeconds(1))
+        var settings = BrokerSettings.defaults()
+                .withCheckEvery(Duration.ofMillis(500))
+                .withMissedChecks(2)
+                .withStartLimit(Duration.ofSeconds(20))
                 .withObserver(observer);
         Broker broker = Broker.open(space, settings);
         var services = new ActorServices(broker, "ship", space, observer);
@@ -285,12 +287,12 @@ class BrokerGuideTest {
         var pipe = new BytePipe(space);
         BusEngine engine = pipe.engine();
         var bus = Bus.open("ship", engine, BusSettings.on(space));
-        var broker = Broker.open(space, BrokerSettings.DEFAULT);
+        var broker = Broker.open(space, BrokerSettings.defaults());
         var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
         services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
         test.runQueued();
         try (Bus shore = pipe.open("shore", BusSettings.on(space))) {
-            var there = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+            var there = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
             var onShore = ActorServices.over(shore, there, space, BrokerObserver.logging());
             var greeter = onShore.connect(Greeter.class, Need.ofService("guest", "greeter"))
                     .actor();

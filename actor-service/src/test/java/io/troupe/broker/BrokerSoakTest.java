@@ -39,7 +39,7 @@ class BrokerSoakTest {
         private boolean ending;
 
         Program(long seed) {
-            super(BrokerSettings.DEFAULT);
+            super(BrokerSettings.defaults());
             random = new Random(seed);
         }
 

@@ -374,7 +374,7 @@ class BrokerTest extends ScriptedBroker {
     @Test
     void observerThatThrows_isReported_andChangesNothing() {
         get(broker.shutDown());
-        broker = Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {
+        broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {
             throw new IllegalStateException("observer");
         }));
         play("offer p, require 1 | start p, require 1: p WELL");

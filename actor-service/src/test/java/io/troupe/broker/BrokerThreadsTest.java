@@ -30,9 +30,14 @@ class BrokerThreadsTest {
     /** A limit that a busy machine does not reach. A test that hangs is ended by its JUnit timeout. */
     private static final Duration PATIENCE = Duration.ofMinutes(10);
 
-    private static final BrokerSettings PATIENT_BROKER =
-            BrokerSettings.DEFAULT.withChecks(PATIENCE, PATIENCE, 3).withLimits(PATIENCE, PATIENCE, PATIENCE);
-    private static final ConnectionSettings PATIENT = ConnectionSettings.DEFAULT
+    private static final BrokerSettings PATIENT_BROKER = BrokerSettings.defaults()
+            .withCheckEvery(PATIENCE)
+            .withCheckLimit(PATIENCE)
+            .withMissedChecks(3)
+            .withStartLimit(PATIENCE)
+            .withStopLimit(PATIENCE)
+            .withNotifyLimit(PATIENCE);
+    private static final ConnectionSettings PATIENT = ConnectionSettings.defaults()
             .withWaitLimit(PATIENCE)
             .withAnswerLimit(PATIENCE)
             .withOneWayLimit(PATIENCE);
@@ -43,7 +48,7 @@ class BrokerThreadsTest {
     private final BlockingQueue<String> news = new LinkedBlockingQueue<>();
 
     private static ActorSpace space(String name) {
-        return ActorSpace.create(SpaceSettings.named(name).withOnStall(Duration.ZERO, stall -> {}));
+        return ActorSpace.create(SpaceSettings.named(name).withoutStallLimit());
     }
 
     private Promise<ServiceRecord> publish(ActorServices services, ActorSpace space, String name) {
@@ -66,7 +71,7 @@ class BrokerThreadsTest {
         var brokers = new TestSpace(); // its clock decides when a limit is over
         try (var hanging = space("hanging");
                 var other = space("other")) {
-            var broker = Broker.open(brokers.space(), BrokerSettings.DEFAULT.withObserver(events::add));
+            var broker = Broker.open(brokers.space(), BrokerSettings.defaults().withObserver(events::add));
             var services = new ActorServices(broker, "node", brokers.space(), events::add);
             await(brokers, publish(services, hanging, "a"));
             await(brokers, publish(services, other, "b"));

@@ -64,7 +64,7 @@ class HostsBench {
         }
 
         Parrot connected() {
-            return connect(ConnectionSettings.DEFAULT).actor();
+            return connect(ConnectionSettings.defaults()).actor();
         }
 
         /** The health of a provider in the eyes of this process. */
@@ -96,7 +96,7 @@ class HostsBench {
     }
 
     final Host host(String name) {
-        var host = new Host(name, BrokerSettings.DEFAULT.withoutRestart(), 0);
+        var host = new Host(name, BrokerSettings.defaults().withoutRestart(), 0);
         test.runQueued();
         return host;
     }

@@ -91,7 +91,7 @@ class OfferedProviderTest extends HostsBench {
     private Parrot used() {
         peer.offer(Health.NOT_STARTED, 0);
         var parrot =
-                near.connect(ConnectionSettings.DEFAULT.withoutAnswerLimit()).actor();
+                near.connect(ConnectionSettings.defaults().withoutAnswerLimit()).actor();
         test.runQueued();
         peer.started(1);
         peer.offer(Health.WELL, 1);
@@ -289,7 +289,7 @@ class OfferedProviderTest extends HostsBench {
     @Test
     void offerWithOtherMethods_isAnotherProvider() {
         peer.offer(Health.NOT_STARTED, 0, List.of(), 0, List.of("say(String)"));
-        var connection = near.connect(ConnectionSettings.DEFAULT);
+        var connection = near.connect(ConnectionSettings.defaults());
         test.runQueued();
         peer.started(1);
         assertThat(test.error(connection.first())).hasMessageContaining("has no count(int, Callback)");
@@ -303,7 +303,7 @@ class OfferedProviderTest extends HostsBench {
     @Test
     void offerWithoutMethods_isNoActor() {
         peer.offer(Health.NOT_STARTED, 0, List.of(), 0, List.of());
-        var connection = near.connect(ConnectionSettings.DEFAULT);
+        var connection = near.connect(ConnectionSettings.defaults());
         test.runQueued();
         peer.started(1);
         assertThat(test.error(connection.first()))
@@ -545,7 +545,7 @@ class OfferedProviderTest extends HostsBench {
     void brokerWhoseSpaceIsClosed_leavesItsPort_andEndsTheCallsUnderWay() {
         try (var brokers = new TestSpace()) {
             var bus = pipe.open("other", BusSettings.on(test.space()).withObserver(loss -> {}));
-            var broker = Broker.open(brokers.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
+            var broker = Broker.open(brokers.space(), BrokerSettings.defaults().withObserver(event -> {}));
             var services = ActorServices.over(bus, broker, test.space(), event -> {});
             Runnable runBoth = () -> {
                 for (int i = 0; i < 10; i++) {
@@ -555,7 +555,8 @@ class OfferedProviderTest extends HostsBench {
             };
             runBoth.run();
             peer.offer(Health.WELL, 1);
-            var call = services.connect(Parrot.class, PARROT, ConnectionSettings.DEFAULT.withoutAnswerLimit())
+            var call = services.connect(
+                            Parrot.class, PARROT, ConnectionSettings.defaults().withoutAnswerLimit())
                     .actor()
                     .sayLater("x");
             runBoth.run();

@@ -63,7 +63,7 @@ class OffersTest extends HostsBench {
         b.publish("green");
         get(a.broker.require(PARROT));
         get(b.broker.register("anchor", List.of(), new Address("b", "anchor"), new Unstartable()));
-        var later = new Host("later", BrokerSettings.DEFAULT, 5);
+        var later = new Host("later", BrokerSettings.defaults(), 5);
         later.publish("blue");
         List<ServiceOffer> all = survey(later);
         assertThat(all)
@@ -159,7 +159,7 @@ class OffersTest extends HostsBench {
 
     @Test
     void equalProviders_areOrderedByRankAndNode_alikeInEveryProcess() {
-        var third = new Host("z", BrokerSettings.DEFAULT, -1);
+        var third = new Host("z", BrokerSettings.defaults(), -1);
         c.publish("c1");
         c.publish("c2");
         a.publish("a");

@@ -28,7 +28,7 @@ class ScriptedBroker extends BrokerBench {
     private @Nullable Joiner user;
 
     ScriptedBroker() {
-        super(BrokerSettings.DEFAULT);
+        super(BrokerSettings.defaults());
     }
 
     final void play(String script) {
@@ -73,8 +73,10 @@ class ScriptedBroker extends BrokerBench {
             case "wait" -> seconds(Integer.parseInt(who));
             case "never" -> reopen(WITHOUT_RESTART);
             case "restart" ->
-                reopen(BrokerSettings.DEFAULT.withRestart(
-                        Duration.ofSeconds(Integer.parseInt(step[2])), Duration.ofSeconds(Integer.parseInt(step[4]))));
+                reopen(BrokerSettings.defaults()
+                        .withRestartPauses(
+                                Duration.ofSeconds(Integer.parseInt(step[2])),
+                                Duration.ofSeconds(Integer.parseInt(step[4]))));
             case "join" -> {
                 user = test.spawn(Joiner.class, User::new);
                 user.join();

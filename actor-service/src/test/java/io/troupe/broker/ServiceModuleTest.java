@@ -47,7 +47,7 @@ class ServiceModuleTest {
                 public static void main(String[] arguments) throws Exception {
                     var limit = Duration.ofSeconds(60);
                     try (var space = ActorSpace.create(SpaceSettings.named("ship"))) {
-                        var broker = Broker.open(space, BrokerSettings.DEFAULT);
+                        var broker = Broker.open(space, BrokerSettings.defaults());
                         var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
                         services.publish(space, Greeter.class, "greeter", List.of("greeting"),
                                 () -> guest -> Promise.of("Hello, " + guest.name()));

@@ -29,10 +29,17 @@ import org.junit.jupiter.api.Timeout;
  */
 class ServiceSoakTest {
     private static final Duration LONG = Duration.ofMinutes(10);
-    private static final BrokerSettings BROKER =
-            BrokerSettings.DEFAULT.withChecks(LONG, LONG, 3).withLimits(LONG, LONG, LONG);
-    private static final ConnectionSettings CONNECTION =
-            ConnectionSettings.DEFAULT.withWaitLimit(LONG).withAnswerLimit(LONG).withOneWayLimit(LONG);
+    private static final BrokerSettings BROKER = BrokerSettings.defaults()
+            .withCheckEvery(LONG)
+            .withCheckLimit(LONG)
+            .withMissedChecks(3)
+            .withStartLimit(LONG)
+            .withStopLimit(LONG)
+            .withNotifyLimit(LONG);
+    private static final ConnectionSettings CONNECTION = ConnectionSettings.defaults()
+            .withWaitLimit(LONG)
+            .withAnswerLimit(LONG)
+            .withOneWayLimit(LONG);
     private static final int CALLERS = 3;
     private static final int CALLS = 300;
     private static final int REPLACEMENTS = 5;
@@ -100,7 +107,7 @@ class ServiceSoakTest {
     }
 
     private static ActorSpace space(SplittableRandom random, String name) {
-        var settings = SpaceSettings.named(name).withOnStall(Duration.ZERO, stall -> {});
+        var settings = SpaceSettings.named(name).withoutStallLimit();
         return ActorSpace.create(random.nextBoolean() ? settings.withActorQuota(1 + random.nextInt(4)) : settings);
     }
 

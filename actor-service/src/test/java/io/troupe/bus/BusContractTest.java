@@ -358,10 +358,8 @@ class BusContractTest extends BusContract {
         var nobody = new Address(handler.address().node(), "nobody");
         var nowhere = new Address("nowhere", "speller");
         assertThat(mayHaveRun(ask(asker, noHandler, 1))).isFalse();
-        assertThat(mayHaveRun(asker.ask(nobody, SPELL, new Count(1), SECOND)))
-                .isFalse();
-        assertThat(mayHaveRun(asker.ask(nowhere, SPELL, new Count(1), SECOND)))
-                .isFalse();
+        assertThat(mayHaveRun(asker.ask(nobody, SPELL, new Count(1), SECOND))).isFalse();
+        assertThat(mayHaveRun(asker.ask(nowhere, SPELL, new Count(1), SECOND))).isFalse();
         var begun = ask(asker, handler, 1);
         test.runQueued();
         List<Promise<Text>> waits = new ArrayList<>();
@@ -372,9 +370,7 @@ class BusContractTest extends BusContract {
             pipe.carryAll();
             handler.close();
         });
-        assertThat(mayHaveRun(waits.removeLast()))
-                .as("the queue was full")
-                .isFalse();
+        assertThat(mayHaveRun(waits.removeLast())).as("the queue was full").isFalse();
         assertThat(waits).noneMatch(this::mayHaveRun);
         assertThat(mayHaveRun(begun)).isTrue();
         kept.resolve(new Text("too late"));

@@ -24,9 +24,8 @@ class BusGuideTest {
 
     record Velocity(double forwardMps, double turnRadps) {}
 
-    static final BusTopic<Velocity> DRIVE = new BusTopic<>("robot1/drive", Velocity.class)
-            .keepingOnlyLatest()
-            .droppingOlderThan(Duration.ofMillis(300));
+    static final BusTopic<Velocity> DRIVE =
+            new BusTopic<>("robot1/drive", Velocity.class).withCapacity(1).withMaxAge(Duration.ofMillis(300));
 
     private final List<String> shown = new ArrayList<>();
 

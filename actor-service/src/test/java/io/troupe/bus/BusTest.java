@@ -193,9 +193,10 @@ class BusTest extends BusContract {
     void errorsOfTheObserver_endNoSubscription_andNoAnswering() {
         var received = new ArrayList<Integer>();
         var answers = new ArrayList<Promise<Text>>();
-        try (var other = Bus.inProcess("other", new BusSettings(test.space(), 1, loss -> {
-            throw new NoClassDefFoundError("observer");
-        }))) {
+        try (var other = Bus.inProcess(
+                "other", BusSettings.on(test.space()).withCapacity(1).withObserver(loss -> {
+                    throw new NoClassDefFoundError("observer");
+                }))) {
             other.attach("a").subscribe(COUNTS, (count, from) -> {
                 received.add(count.value());
                 throw new StackOverflowError("subscriber");

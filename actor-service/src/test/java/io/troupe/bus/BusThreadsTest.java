@@ -48,13 +48,15 @@ class BusThreadsTest {
         dropped.set(0);
         late.reset();
         others.clear();
-        return Bus.inProcess("robots", new BusSettings(space("outsiders"), capacity, loss -> {
-            switch (loss) {
-                case Loss.Dropped one -> dropped.incrementAndGet();
-                case Loss.Late one -> late.increment();
-                default -> others.add(loss);
-            }
-        }));
+        return Bus.inProcess(
+                "robots",
+                BusSettings.on(space("outsiders")).withCapacity(capacity).withObserver(loss -> {
+                    switch (loss) {
+                        case Loss.Dropped one -> dropped.incrementAndGet();
+                        case Loss.Late one -> late.increment();
+                        default -> others.add(loss);
+                    }
+                }));
     }
 
     @AfterEach

@@ -358,7 +358,7 @@ class RemoteNodesTest {
 
     @Test
     void topicWithAnAgeLimit_dropsWhatWasHeldUp_onTheWayOrInTheQueue() {
-        var drive = COUNTS.droppingOlderThan(Duration.ofMillis(300));
+        var drive = COUNTS.withMaxAge(Duration.ofMillis(300));
         var received = subscribe(drive);
         arrives(publication(1, 1));
         farAnswersItsTime();
@@ -372,14 +372,14 @@ class RemoteNodesTest {
                 .containsExactly(
                         "near/a does not receive publication on counts from far/b (number 2): it is 301 ms old");
         assertThat(bus.metrics().stale()).isEqualTo(1);
-        assertThatThrownBy(() -> COUNTS.droppingOlderThan(Duration.ZERO))
+        assertThatThrownBy(() -> COUNTS.withMaxAge(Duration.ZERO))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("the greatest age of values of topic counts is PT0S, expected more than zero");
     }
 
     @Test
     void firstFramesOfANode_thatWereAllHeldUp_areAsOldAsTheyAre() {
-        var received = subscribe(COUNTS.droppingOlderThan(Duration.ofMillis(300)));
+        var received = subscribe(COUNTS.withMaxAge(Duration.ofMillis(300)));
         List<byte[]> heldUp = new ArrayList<>();
         for (int value = 1; value <= 3; value++) {
             heldUp.add(publication(value, value));
@@ -405,7 +405,7 @@ class RemoteNodesTest {
 
     @Test
     void nodeWhoseAgesMatter_isAskedAgain_whileItsAnswerIsSlow_missing_orThatOfAnotherLife() {
-        var received = subscribe(COUNTS.droppingOlderThan(SECOND));
+        var received = subscribe(COUNTS.withMaxAge(SECOND));
         arrives(publication(1, 1));
         test.advance(Duration.ofMillis(200));
         farAnswersItsTime();
@@ -427,7 +427,7 @@ class RemoteNodesTest {
 
     @Test
     void nodeThatDoesNotAnswerHowOldItsFramesAre_losesThem_withTheirCount() {
-        var received = subscribe(COUNTS.droppingOlderThan(SECOND));
+        var received = subscribe(COUNTS.withMaxAge(SECOND));
         for (int value = 1; value <= 1_002; value++) {
             arrives(publication(value, value));
         }
@@ -457,7 +457,7 @@ class RemoteNodesTest {
 
     @Test
     void topicThatKeepsOnlyTheLatest_replacesWhatWaits() {
-        var received = subscribe(COUNTS.keepingOnlyLatest());
+        var received = subscribe(COUNTS.withCapacity(1));
         for (int value = 1; value <= 3; value++) {
             arrives(publication(value, value));
         }
@@ -483,8 +483,8 @@ class RemoteNodesTest {
     }
 
     @Test
-    void request_withoutALimitThatMatters_carriesNone() {
-        var answer = heard(port.ask(FAR, SPELL, new Count(1), Duration.ofDays(7_300)));
+    void request_withoutALimit_carriesNone() {
+        var answer = heard(port.ask(FAR, SPELL, new Count(1), null));
         assertThat(engine.takeSent("far"))
                 .containsExactly("send far: Requested[purpose=question to far/b for spell, kind=DATA, limitMicros=0,"
                         + " isShared=false]");

@@ -42,7 +42,7 @@ final class DrawCommand implements Callable<Integer> {
     public Integer call() throws IOException {
         FileProblems.checkOutput(spec, "--out", out);
         Scenario scenario = loader.read(world);
-        try (var simulated = World.create(scenario.world(), WorldSettings.DEFAULT)) {
+        try (var simulated = World.create(scenario.world(), WorldSettings.defaults())) {
             OutputFiles.write(out, Pictures.world(scenario.world(), simulated.latest()));
         }
         PrintWriter terminal = spec.commandLine().getOut();

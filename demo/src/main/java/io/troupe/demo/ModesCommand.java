@@ -108,7 +108,7 @@ final class ModesCommand implements Callable<Integer> {
 
     private RecordedRun recorded(Scenario scenario, Mode mode) {
         var settings =
-                RecordedRun.Settings.DEFAULT.withMode(mode).withSeed(seed).withSeconds(seconds);
+                RecordedRun.Settings.defaults().withMode(mode).withSeed(seed).withSeconds(seconds);
         return new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings);
     }
 

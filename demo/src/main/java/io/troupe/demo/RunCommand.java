@@ -211,7 +211,7 @@ final class RunCommand implements Callable<Integer> {
     }
 
     private RecordedRun run(TeamOptions.Team team) {
-        var settings = RecordedRun.Settings.DEFAULT
+        var settings = RecordedRun.Settings.defaults()
                 .withMode(mode)
                 .withSeed(seed)
                 .withSeconds(seconds)

@@ -78,7 +78,7 @@ class DriverGoneTest {
 
     private final Scenario scenario = OwnPort.of(ScenarioReader.read(Path.of("worlds", "paper-arena.cfg")));
     private final int port = scenario.robotPort().orElseThrow();
-    private final Simulation simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+    private final Simulation simulation = Simulation.open(scenario, WorldSettings.defaults());
 
     DriverGoneTest() {
         var looking = new DataSink() {
@@ -149,7 +149,7 @@ class DriverGoneTest {
     private SubsumptionRun.Settings settings(
             Mode mode, int port, SubsumptionTable table, Arbitrator.StateListener listener) {
         return new SubsumptionRun.Settings(
-                mode, "localhost", port, table, simulation.clock(), ServiceObserver.NONE, listener);
+                mode, "localhost", port, table, simulation.clock(), ServiceObserver.none(), listener);
     }
 
     private SubsumptionRun start(Mode mode, Service ofRobot1, Service ofRobot2) throws InterruptedException {
@@ -301,9 +301,9 @@ class DriverGoneTest {
                 .with("turner", BehaviourComponent.of("turner", "turning", List.of(), law))
                 .needing("turning", "player")
                 .needing("robot1", "turning");
-        var broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+        var broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
         var application = new CompletableFuture<Application>();
-        space.execute(() -> application.complete(Application.start(plan, bus, broker, ApplicationSettings.DEFAULT)));
+        space.execute(() -> application.complete(Application.start(plan, bus, broker, ApplicationSettings.defaults())));
         application.get(5, TimeUnit.MINUTES).started().get(Duration.ofMinutes(5));
         awaitMoving(0);
     }

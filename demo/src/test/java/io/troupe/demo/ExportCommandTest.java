@@ -48,7 +48,7 @@ class ExportCommandTest extends CommandLineBench {
 
     @Test
     void recordingOfAServedCrowd_isWritten() throws IOException {
-        try (var world = World.create(CrowdWorld.scenario(2).world(), WorldSettings.DEFAULT);
+        try (var world = World.create(CrowdWorld.scenario(2).world(), WorldSettings.defaults());
                 var out = Files.newBufferedWriter(directory.resolve("recording"))) {
             Recording recording = world.record(out);
             world.advance();

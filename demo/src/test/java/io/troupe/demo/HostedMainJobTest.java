@@ -63,7 +63,7 @@ class HostedMainJobTest extends CommandLineBench {
         open.add(server);
         bus = server.address();
         int port = arenaAtOwnPort();
-        var simulation = Simulation.open(ScenarioReader.read(directory.resolve("arena.cfg")), WorldSettings.DEFAULT);
+        var simulation = Simulation.open(ScenarioReader.read(directory.resolve("arena.cfg")), WorldSettings.defaults());
         open.add(simulation);
         simulation.lockStep(false);
         simulation.disconnectSilentClients(true);

@@ -137,7 +137,7 @@ class MainProcessTest extends CommandLineBench {
         int ticks = 60_000;
         var scenario = ScenarioReader.read(Path.of("worlds/paper-arena.cfg"));
         try (var file = Files.newBufferedWriter(directory.resolve("long.txt"))) {
-            var world = World.create(scenario.world(), WorldSettings.DEFAULT);
+            var world = World.create(scenario.world(), WorldSettings.defaults());
             var open = world.record(file);
             for (int tick = 0; tick < ticks; tick++) {
                 world.advance();

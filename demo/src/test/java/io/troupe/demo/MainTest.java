@@ -344,7 +344,7 @@ class MainTest extends CommandLineBench {
 
     @Test
     void interpretedJvm_writesTheSameFile() throws Exception {
-        var settings = RecordedRun.Settings.DEFAULT.withSeed(7).withSeconds(20);
+        var settings = RecordedRun.Settings.defaults().withSeed(7).withSeconds(20);
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.world"));
         new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings).run(directory.resolve("here"));
         Path log = directory.resolve("log");

@@ -28,7 +28,7 @@ public final class RecordedDrive implements ServiceObserver, Arbitrator.StateLis
     /** Lets the services of a table drive for a time, checks that none has failed, and returns the end. */
     public Snapshot drive(Mode mode, Scenario scenario, SubsumptionTable table, int seconds)
             throws InterruptedException {
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(1));
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults().withSeed(1));
                 var run = SubsumptionRun.start(
                         new SubsumptionRun.Settings(mode, "localhost", 6665, table, simulation.clock(), this, this))) {
             while (simulation.timeMicros() < seconds * 1_000_000L) {

@@ -154,7 +154,7 @@ class ViewOptionsTest extends CommandLineBench {
 
     private void record(int ticks) throws IOException {
         var scenario = ScenarioReader.read(Path.of("worlds/paper-arena.cfg"));
-        try (var world = World.create(scenario.world(), WorldSettings.DEFAULT);
+        try (var world = World.create(scenario.world(), WorldSettings.defaults());
                 var file = Files.newBufferedWriter(directory.resolve("session.txt"))) {
             Recording recording = world.record(file);
             for (int tick = 0; tick < ticks; tick++) {

@@ -39,7 +39,7 @@ public final class HelloService {
 
     private static void inOneProcess() throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("ship"))) {
-            var broker = Broker.open(space, BrokerSettings.DEFAULT);
+            var broker = Broker.open(space, BrokerSettings.defaults());
             var services = new ActorServices(broker, "ship", space, BrokerObserver.logging());
             publish(services, space);
             System.out.println("in one process: " + call(services));
@@ -53,9 +53,9 @@ public final class HelloService {
                 var shore = ActorSpace.create(SpaceSettings.named("shore"));
                 var shipBus = NatsBus.open("ship", NatsSettings.at(server), BusSettings.on(ship));
                 var shoreBus = NatsBus.open("shore", NatsSettings.at(server), BusSettings.on(shore))) {
-            var shipBroker = Broker.open(ship, BrokerSettings.DEFAULT);
+            var shipBroker = Broker.open(ship, BrokerSettings.defaults());
             publish(ActorServices.over(shipBus, shipBroker, ship, BrokerObserver.logging()), ship);
-            var shoreBroker = Broker.open(shore, BrokerSettings.DEFAULT);
+            var shoreBroker = Broker.open(shore, BrokerSettings.defaults());
             var guest = ActorServices.over(shoreBus, shoreBroker, shore, BrokerObserver.logging());
             System.out.println("over hosts: " + call(guest));
             shoreBroker.shutDown().get(LIMIT);

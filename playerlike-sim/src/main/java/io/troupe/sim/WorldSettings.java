@@ -1,40 +1,36 @@
 package io.troupe.sim;
 
+import io.troupe.actor.Settings;
+import org.jspecify.annotations.Nullable;
+
 /**
  * How a world is run, as opposed to what is in it.
  *
  * <p><b>Units and shapes.</b> Metres, radians, microseconds; speeds in m/s and rad/s.
- *
- * @param seed seed of all random numbers of the world
- * @param jitterM largest random offset of a start position along x and along y; 0 = off
- * @param jitterRad largest random offset of a start heading; 0 = off
- * @param physicsStepMicros one step of the physics; divides the world's interval. It is divided into shorter steps if a
- *     robot could travel farther than half of its length or width in it, because walls would not stop it
- * @param maxForwardMps commands are clamped to plus or minus this speed
- * @param maxTurnRadps commands are clamped to plus or minus this turn rate
- * @param watchdogMicros simulated time without a speed command after which a robot stops; 0 = off. A robot on its way
- *     to a goal goes on
- * @param sensingThreads number of threads that may read devices, including the caller's; it changes only the speed. A
- *     world measures now and then whether they are faster than one, and otherwise leaves them waiting
- * @param obeysAccelerationBounds robots change their speed at each interval by no more than the
- *     {@code acceleration_bounds} of the world file allow; off, they reach a commanded speed at once, as in Stage
  */
-public record WorldSettings(
-        long seed,
-        double jitterM,
-        double jitterRad,
-        int physicsStepMicros,
-        double maxForwardMps,
-        double maxTurnRadps,
-        long watchdogMicros,
-        int sensingThreads,
-        boolean obeysAccelerationBounds) {
-    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most, no watchdog, one thread, no acceleration bounds. */
-    public static final WorldSettings DEFAULT = new WorldSettings(1, 0, 0, 10_000, 5, 10, 0, 1, false);
-
+public final class WorldSettings extends Settings<WorldSettings> {
+    private static final WorldSettings DEFAULTS = new WorldSettings();
     private static final String ACCELERATION = "acceleration";
 
-    public WorldSettings {
+    private long seed = 1;
+    private double jitterM;
+    private double jitterRad;
+    private int physicsStepMicros = 10_000;
+    private double maxForwardMps = 5;
+    private double maxTurnRadps = 10;
+    private long watchdogMicros;
+    private int sensingThreads = 1;
+    private boolean obeysAccelerationBounds;
+
+    private WorldSettings() {}
+
+    /** Seed 1, no jitter, 10 ms steps, 5 m/s and 10 rad/s at most, no watchdog, one thread, no acceleration bounds. */
+    public static WorldSettings defaults() {
+        return DEFAULTS;
+    }
+
+    @Override
+    protected void check() {
         requireAtLeastZero("jitterM", jitterM);
         requireAtLeastZero("jitterRad", jitterRad);
         requireAtLeastZero("maxForwardMps", maxForwardMps);
@@ -50,98 +46,96 @@ public record WorldSettings(
         }
     }
 
-    public WorldSettings withSeed(long seed) {
-        return new WorldSettings(
-                seed,
-                jitterM,
-                jitterRad,
-                physicsStepMicros,
-                maxForwardMps,
-                maxTurnRadps,
-                watchdogMicros,
-                sensingThreads,
-                obeysAccelerationBounds);
+    /** The seed of all random numbers of the world. */
+    public WorldSettings withSeed(long newSeed) {
+        return with(copy -> copy.seed = newSeed);
     }
 
-    public WorldSettings withJitter(double jitterM, double jitterRad) {
-        return new WorldSettings(
-                seed,
-                jitterM,
-                jitterRad,
-                physicsStepMicros,
-                maxForwardMps,
-                maxTurnRadps,
-                watchdogMicros,
-                sensingThreads,
-                obeysAccelerationBounds);
+    /** The largest random offset of a start position along x and along y, and of a start heading; 0 = off. */
+    public WorldSettings withJitter(double newJitterM, double newJitterRad) {
+        return with(copy -> {
+            copy.jitterM = newJitterM;
+            copy.jitterRad = newJitterRad;
+        });
     }
 
-    public WorldSettings withPhysicsStepMicros(int physicsStepMicros) {
-        return new WorldSettings(
-                seed,
-                jitterM,
-                jitterRad,
-                physicsStepMicros,
-                maxForwardMps,
-                maxTurnRadps,
-                watchdogMicros,
-                sensingThreads,
-                obeysAccelerationBounds);
+    /**
+     * One step of the physics; divides the world's interval. It is divided into shorter steps if a robot could travel
+     * farther than half of its length or width in it, because walls would not stop it.
+     */
+    public WorldSettings withPhysicsStepMicros(int micros) {
+        return with(copy -> copy.physicsStepMicros = micros);
     }
 
-    public WorldSettings withLimits(double maxForwardMps, double maxTurnRadps) {
-        return new WorldSettings(
-                seed,
-                jitterM,
-                jitterRad,
-                physicsStepMicros,
-                maxForwardMps,
-                maxTurnRadps,
-                watchdogMicros,
-                sensingThreads,
-                obeysAccelerationBounds);
+    /** Commands are clamped to plus or minus this speed and turn rate. */
+    public WorldSettings withLimits(double forwardMps, double turnRadps) {
+        return with(copy -> {
+            copy.maxForwardMps = forwardMps;
+            copy.maxTurnRadps = turnRadps;
+        });
     }
 
-    public WorldSettings withWatchdogMicros(long watchdogMicros) {
-        return new WorldSettings(
-                seed,
-                jitterM,
-                jitterRad,
-                physicsStepMicros,
-                maxForwardMps,
-                maxTurnRadps,
-                watchdogMicros,
-                sensingThreads,
-                obeysAccelerationBounds);
+    /**
+     * The simulated time without a speed command after which a robot stops; 0 = off. A robot on its way to a goal goes
+     * on.
+     */
+    public WorldSettings withWatchdogMicros(long micros) {
+        return with(copy -> copy.watchdogMicros = micros);
     }
 
-    public WorldSettings withSensingThreads(int sensingThreads) {
-        return new WorldSettings(
-                seed,
-                jitterM,
-                jitterRad,
-                physicsStepMicros,
-                maxForwardMps,
-                maxTurnRadps,
-                watchdogMicros,
-                sensingThreads,
-                obeysAccelerationBounds);
+    /**
+     * The number of threads that may read devices, including the caller's; it changes only the speed. A world measures
+     * now and then whether they are faster than one, and otherwise leaves them waiting.
+     */
+    public WorldSettings withSensingThreads(int threads) {
+        return with(copy -> copy.sensingThreads = threads);
     }
 
+    /**
+     * Robots change their speed at each interval by no more than the {@code acceleration_bounds} of the world file
+     * allow; off, they reach a commanded speed at once, as in Stage.
+     */
     public WorldSettings withAccelerationBounds(boolean obeyed) {
-        return new WorldSettings(
-                seed,
-                jitterM,
-                jitterRad,
-                physicsStepMicros,
-                maxForwardMps,
-                maxTurnRadps,
-                watchdogMicros,
-                sensingThreads,
-                obeyed);
+        return with(copy -> copy.obeysAccelerationBounds = obeyed);
     }
 
-    /** The settings that change the run, as words in record order; the last one only if it is not the default. */
+    public long seed() {
+        return seed;
+    }
+
+    public double jitterM() {
+        return jitterM;
+    }
+
+    public double jitterRad() {
+        return jitterRad;
+    }
+
+    public int physicsStepMicros() {
+        return physicsStepMicros;
+    }
+
+    public double maxForwardMps() {
+        return maxForwardMps;
+    }
+
+    public double maxTurnRadps() {
+        return maxTurnRadps;
+    }
+
+    public long watchdogMicros() {
+        return watchdogMicros;
+    }
+
+    public int sensingThreads() {
+        return sensingThreads;
+    }
+
+    public boolean obeysAccelerationBounds() {
+        return obeysAccelerationBounds;
+    }
+
+    /** The settings that change the run, as words; the last one only if it is not the default. */
     String words() {
         return seed + " " + jitterM + " " + jitterRad + " " + physicsStepMicros + " " + maxForwardMps + " "
                 + maxTurnRadps + " " + watchdogMicros + (obeysAccelerationBounds ? " " + ACCELERATION : "");
@@ -154,16 +148,31 @@ public record WorldSettings(
         if (each.length != 7 && !acceleration) {
             throw new IllegalArgumentException("'" + words + "', expected seven settings");
         }
-        return new WorldSettings(
-                Long.parseLong(each[0]),
-                Double.parseDouble(each[1]),
-                Double.parseDouble(each[2]),
-                Integer.parseInt(each[3]),
-                Double.parseDouble(each[4]),
-                Double.parseDouble(each[5]),
-                Long.parseLong(each[6]),
-                1,
-                acceleration);
+        return defaults()
+                .withSeed(Long.parseLong(each[0]))
+                .withJitter(Double.parseDouble(each[1]), Double.parseDouble(each[2]))
+                .withPhysicsStepMicros(Integer.parseInt(each[3]))
+                .withLimits(Double.parseDouble(each[4]), Double.parseDouble(each[5]))
+                .withWatchdogMicros(Long.parseLong(each[6]))
+                .withAccelerationBounds(acceleration);
+    }
+
+    /** Equal to settings that give the same run, with as many threads. */
+    @Override
+    public boolean equals(@Nullable Object other) {
+        return other instanceof WorldSettings that
+                && words().equals(that.words())
+                && sensingThreads == that.sensingThreads;
+    }
+
+    @Override
+    public int hashCode() {
+        return words().hashCode();
+    }
+
+    @Override
+    public String toString() {
+        return words() + ", " + sensingThreads + " threads";
     }
 
     private static void requireAtLeastZero(String name, double value) {

@@ -22,7 +22,7 @@ import org.junit.jupiter.api.Timeout;
 class ClientSamplesTest {
     private static final int port = SimulatedDevicesTest.PORT;
 
-    private final Simulation simulation = Simulation.open(SimulatedDevicesTest.scenario(), WorldSettings.DEFAULT);
+    private final Simulation simulation = Simulation.open(SimulatedDevicesTest.scenario(), WorldSettings.defaults());
     private final SimulationRunner runner = SimulationRunner.start(simulation, 1, snapshot -> {});
     private final PlayerClient robot = new PlayerClient("localhost", port);
 

@@ -32,7 +32,7 @@ class CommandLimitTest {
     private static final double FAST = 0.3;
     private static final String KEY = DeviceRequest.COMMAND_LIMIT_KEY;
 
-    private Simulation simulation = open(WorldSettings.DEFAULT);
+    private Simulation simulation = open(WorldSettings.defaults());
 
     private static WorldSpec world() {
         return TestWorlds.world(List.of(robot("one", 0, 0, 0), robot("two", 0, 3, 0)));
@@ -187,7 +187,7 @@ class CommandLimitTest {
     @ValueSource(longs = {0, 700_000})
     void recording_hasTheEndAsACommandToStand_andReplaysBitForBit(long watchdogMicros) throws Exception {
         simulation.close();
-        simulation = open(WorldSettings.DEFAULT.withWatchdogMicros(watchdogMicros));
+        simulation = open(WorldSettings.defaults().withWatchdogMicros(watchdogMicros));
         var out = new StringBuilder();
         List<Snapshot> recorded = new ArrayList<>();
         var recording = simulation.record(out);

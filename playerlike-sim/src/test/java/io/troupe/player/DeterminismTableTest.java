@@ -42,7 +42,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 @TestInstance(TestInstance.Lifecycle.PER_CLASS)
 class DeterminismTableTest {
     private static final WorldSettings SETTINGS =
-            WorldSettings.DEFAULT.withSeed(11).withJitter(0.02, 0.03).withLimits(1, 2);
+            WorldSettings.defaults().withSeed(11).withJitter(0.02, 0.03).withLimits(1, 2);
     private static final int PORT = 6790;
     private static final int ROBOTS = 4;
     private static final int TICKS = 300;

@@ -30,7 +30,7 @@ class DeviceSamplesTest {
             """;
 
     private final Simulation simulation =
-            Simulation.open(ScenarioReader.readText(WORLD, Path.of("t.world")), WorldSettings.DEFAULT);
+            Simulation.open(ScenarioReader.readText(WORLD, Path.of("t.world")), WorldSettings.defaults());
     private final SimulationRunner runner = SimulationRunner.start(simulation, 1, snapshot -> {});
     private final PlayerClient robot = new PlayerClient("localhost", 6665);
 

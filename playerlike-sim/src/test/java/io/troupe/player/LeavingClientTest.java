@@ -47,7 +47,7 @@ class LeavingClientTest implements PlayerConstants {
     private static Simulation open() {
         return Simulation.open(
                 TestWorlds.scenario(PORT, TestWorlds.world(List.of(robot("one", 0, 0, 0), robot("two", 0, 3, 0)))),
-                WorldSettings.DEFAULT);
+                WorldSettings.defaults());
     }
 
     @AfterEach

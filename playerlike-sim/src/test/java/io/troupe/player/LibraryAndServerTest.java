@@ -31,7 +31,7 @@ import org.junit.jupiter.params.provider.ValueSource;
 @Tag("threads")
 @Timeout(120)
 class LibraryAndServerTest {
-    private static final WorldSettings SETTINGS = WorldSettings.DEFAULT.withJitter(0.02, 0.03);
+    private static final WorldSettings SETTINGS = WorldSettings.defaults().withJitter(0.02, 0.03);
     private static final int PORT = 6799;
     private static final int ROBOTS = 5;
     private static final int TICKS = 400;

@@ -49,7 +49,7 @@ class LockStepTest implements PlayerConstants {
 
     private static Simulation open(double headingOfTwoRad, ObstacleSpec wall) {
         var robots = List.of(robot("one", 0, 0, 0), robot("two", 0, 3, headingOfTwoRad));
-        return Simulation.open(TestWorlds.scenario(PORT, TestWorlds.world(robots, wall)), WorldSettings.DEFAULT);
+        return Simulation.open(TestWorlds.scenario(PORT, TestWorlds.world(robots, wall)), WorldSettings.defaults());
     }
 
     @AfterEach

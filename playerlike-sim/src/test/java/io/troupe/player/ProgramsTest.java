@@ -170,7 +170,7 @@ class ProgramsTest implements PlayerConstants {
         var obstacles = new ArrayList<>(Specs.arena(8));
         obstacles.add(Specs.box("red", new Pose(-3.5, 3.5, 0), 0.4, 0.4, Specs.RED));
         var scenario = new Scenario(Specs.world(List.of(one, two), obstacles), devices);
-        return Simulation.open(scenario, WorldSettings.DEFAULT.withLimits(1, 2));
+        return Simulation.open(scenario, WorldSettings.defaults().withLimits(1, 2));
     }
 
     /** 37 beams over half a circle, without noise. */
@@ -378,7 +378,7 @@ class ProgramsTest implements PlayerConstants {
                 List.of(robot("one", 0, 0, 0), robot("two", 0, 3, 0)),
                 wall("east", 4.1, 0, 0.2, 10, BLACK),
                 wall("box", 3, 1.5, 0.5, 0.5, RED));
-        return Simulation.open(TestWorlds.scenario(PORT, world), WorldSettings.DEFAULT);
+        return Simulation.open(TestWorlds.scenario(PORT, world), WorldSettings.defaults());
     }
 
     /** Two robots, each driven by a program on a separate thread. */

@@ -55,7 +55,7 @@ class SimulatedDevicesTest {
     private static final DeviceReply LASER_GEOMETRY =
             new DeviceReply.LaserGeometry(Pose3d.flat(0.1, 0, 0), new Size3d(0.12, 0.15, 0));
 
-    private final Simulation simulation = Simulation.open(scenario(), WorldSettings.DEFAULT);
+    private final Simulation simulation = Simulation.open(scenario(), WorldSettings.defaults());
     private final WireClient client = new WireClient(PORT, WireClient.ANSWER);
 
     private static RangeSensorSpec sensor(Pose mount, int fovDeg, int samples) {
@@ -221,7 +221,7 @@ class SimulatedDevicesTest {
                 driver ( name "stage" provides [ "simulation:0" ] worldfile "w.world" )
                 driver ( name "stage" provides [ "6791:sonar:0" "6791:ranger:0" ] model "r" )
                 """);
-        try (var world = Simulation.open(ScenarioReader.readConfig(config), WorldSettings.DEFAULT)) {
+        try (var world = Simulation.open(ScenarioReader.readConfig(config), WorldSettings.defaults())) {
             var both =
                     new WireClient(6791, WireClient.ANSWER).subscribe(SONAR, 0).subscribe(RANGER, 0);
             world.tick();
@@ -287,7 +287,8 @@ class SimulatedDevicesTest {
         for (var bad : List.of(
                 new DeviceBinding(PORT + 1, "laser", 0, "one", 1, NOWHERE),
                 new DeviceBinding(PORT + 1, "laser", 0, "two", 0, NOWHERE))) {
-            assertThatThrownBy(() -> Simulation.open(new Scenario(good.world(), List.of(bad)), WorldSettings.DEFAULT))
+            assertThatThrownBy(
+                            () -> Simulation.open(new Scenario(good.world(), List.of(bad)), WorldSettings.defaults()))
                     .isInstanceOf(IllegalArgumentException.class)
                     .hasMessageContaining("laser:0 is ranging device " + bad.ranger() + " of '" + bad.model() + "'");
         }
@@ -464,7 +465,7 @@ class SimulatedDevicesTest {
                 driver ( name "sonartoranger" provides [ "6791:ranger:1" ] requires [ "6791:sonar:0" ] )
                 driver ( name "lasertoranger" provides [ "6791:ranger:2" ] requires [ "6791:laser:0" ] )
                 """);
-        try (var world = Simulation.open(ScenarioReader.readConfig(config), WorldSettings.DEFAULT)) {
+        try (var world = Simulation.open(ScenarioReader.readConfig(config), WorldSettings.defaults())) {
             var both = new WireClient(6791, WireClient.ANSWER);
             both.subscribe(LASER, 0);
             for (int ranger = 0; ranger < 3; ranger++) {

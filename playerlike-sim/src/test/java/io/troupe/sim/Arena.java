@@ -64,7 +64,7 @@ public final class Arena {
     }
 
     static WorldSettings seed(long seed) {
-        return WorldSettings.DEFAULT.withSeed(seed).withJitter(0.02, 0.035);
+        return WorldSettings.defaults().withSeed(seed).withJitter(0.02, 0.035);
     }
 
     /** Gives every robot a random command for this tick; the robots collide. */

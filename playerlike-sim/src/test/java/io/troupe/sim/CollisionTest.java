@@ -34,10 +34,10 @@ import org.junit.jupiter.params.provider.ValueSource;
 /** Walls and robots are solid everywhere in the allowed range of a world, however the walls are specified. */
 class CollisionTest {
     private static final WorldSettings FAST =
-            WorldSettings.DEFAULT.withPhysicsStepMicros(10_000).withLimits(5, 10);
+            WorldSettings.defaults().withPhysicsStepMicros(10_000).withLimits(5, 10);
     /** One and a half metres in a step. */
     private static final WorldSettings VERY_FAST =
-            WorldSettings.DEFAULT.withPhysicsStepMicros(100_000).withLimits(15, 1);
+            WorldSettings.defaults().withPhysicsStepMicros(100_000).withLimits(15, 1);
 
     private static final double MOST_GAP_M = Physics.SKIN_M + 1e-6; // the physics rounds
     private static final double FRONT_M = 0.18; // of a robot, from its centre of rotation
@@ -226,8 +226,9 @@ class CollisionTest {
                 robot("d", -1, 1, 3),
                 robot("e", 0, 1, 4));
         for (long seed = 1; seed <= 5; seed++) {
-            World world =
-                    World.create(Specs.world(robots, Specs.arena(3)), WorldSettings.DEFAULT.withLimits(speedMps, 1));
+            World world = World.create(
+                    Specs.world(robots, Specs.arena(3)),
+                    WorldSettings.defaults().withLimits(speedMps, 1));
             var random = new SplittableRandom(seed);
             int touches = 0;
             for (int tick = 0; tick < 60; tick++) {
@@ -329,7 +330,7 @@ class CollisionTest {
                 robot("b", middle.x() + 1, middle.y() - 1, 2),
                 robot("c", middle.x(), middle.y() + 1, 3));
         World world =
-                World.create(Specs.world(robots, walls.around.apply(middle.x(), middle.y())), WorldSettings.DEFAULT);
+                World.create(Specs.world(robots, walls.around.apply(middle.x(), middle.y())), WorldSettings.defaults());
         double mostM = walls == Walls.THIN_AND_TURNED ? SIDE_M / 2 + 0.3 : SIDE_M / 2 - NEAREST_M;
         var random = new SplittableRandom(SEED);
         int touches = 0;

@@ -122,9 +122,9 @@ class DeterminismTest {
     @ParameterizedTest
     @MethodSource("crowds")
     void crowd_wanderingOrDrivingBlindly_hasItsChecksum(WorldSpec spec, int ticks, long wandering, long blind) {
-        assertThat(run(World.create(spec, WorldSettings.DEFAULT), ticks, DeterminismTest::wander))
+        assertThat(run(World.create(spec, WorldSettings.defaults()), ticks, DeterminismTest::wander))
                 .isEqualTo(wandering);
-        assertThat(run(World.create(spec, WorldSettings.DEFAULT), ticks, DeterminismTest::driveBlindly))
+        assertThat(run(World.create(spec, WorldSettings.defaults()), ticks, DeterminismTest::driveBlindly))
                 .isEqualTo(blind);
     }
 
@@ -155,11 +155,12 @@ class DeterminismTest {
     @Test
     void seed_decidesARun_butNothingWithoutJitterAndNoise() {
         assertThat(minute(Arena.seed(7))).isEqualTo(minute(Arena.seed(7))).isNotEqualTo(minute(Arena.seed(8)));
-        assertThat(minute(WorldSettings.DEFAULT.withSeed(8))).isEqualTo(minute(WorldSettings.DEFAULT.withSeed(7)));
+        assertThat(minute(WorldSettings.defaults().withSeed(8)))
+                .isEqualTo(minute(WorldSettings.defaults().withSeed(7)));
         var plain = robot("r", Pose.ORIGIN).withRangers(List.of(Arena.laser(RangeNoise.NONE)));
         WorldSpec spec = Specs.world(plain, Specs.wall("ahead", 3, 0, 1, 5));
-        World one = World.create(spec, WorldSettings.DEFAULT.withSeed(1));
-        World other = World.create(spec, WorldSettings.DEFAULT.withSeed(2));
+        World one = World.create(spec, WorldSettings.defaults().withSeed(1));
+        World other = World.create(spec, WorldSettings.defaults().withSeed(2));
         assertThat(SnapshotHash.of(one.latest())).isEqualTo(SnapshotHash.of(other.latest()));
     }
 
@@ -233,7 +234,7 @@ class DeterminismTest {
 
     /** Laser and odometry of the first robot, which turns on the spot and sees no other robot. */
     private static List<Object> firstReadings(WorldSpec spec) {
-        World world = World.create(spec, WorldSettings.DEFAULT.withSeed(3));
+        World world = World.create(spec, WorldSettings.defaults().withSeed(3));
         var readings = new ArrayList<Object>();
         for (int tick = 0; tick < 5; tick++) {
             world.command(0, 0, -1);
@@ -311,7 +312,7 @@ class DeterminismTest {
     @ValueSource(ints = {2, 4})
     @Timeout(60)
     void threads_changeNoBit(int threads) {
-        try (World world = World.create(CROWD, WorldSettings.DEFAULT.withSensingThreads(threads), Choice.ALL)) {
+        try (World world = World.create(CROWD, WorldSettings.defaults().withSensingThreads(threads), Choice.ALL)) {
             assertThat(run(world, 300, DeterminismTest::wander))
                     .as("as on one thread")
                     .isEqualTo(WANDERING_CROWD);
@@ -400,8 +401,8 @@ class DeterminismTest {
     @Timeout(60)
     void world_closedOrInterrupted_keepsItsReadings() throws Exception {
         WorldSpec allColours = Arena.crowd(50, 1);
-        World world = World.create(allColours, WorldSettings.DEFAULT.withSensingThreads(2), Choice.ALL);
-        World other = World.create(allColours, WorldSettings.DEFAULT);
+        World world = World.create(allColours, WorldSettings.defaults().withSensingThreads(2), Choice.ALL);
+        World other = World.create(allColours, WorldSettings.defaults());
         Thread.currentThread().interrupt();
         Snapshot snapshot = world.advance();
         assertThat(Thread.interrupted()).isTrue();

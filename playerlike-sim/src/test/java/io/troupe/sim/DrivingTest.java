@@ -75,8 +75,8 @@ class DrivingTest {
     void drive_isAnArcOfRadiusSpeedOverTurnRate(
             double x, double y, double forwardMps, double turnRadps, int ticks, int stepMicros) {
         Pose start = new Pose(x, y, 0);
-        World world =
-                World.create(Specs.world(robot("r1", start)), WorldSettings.DEFAULT.withPhysicsStepMicros(stepMicros));
+        World world = World.create(
+                Specs.world(robot("r1", start)), WorldSettings.defaults().withPhysicsStepMicros(stepMicros));
         world.command(0, forwardMps, turnRadps);
         for (int tick = 1; tick <= ticks; tick++) {
             double angle = turnRadps * tick / 10;
@@ -216,7 +216,8 @@ class DrivingTest {
         assertThat(run(world, 5).pose().x()).isCloseTo(0.1, EXACT);
         world.command(0, 0.5, 0);
         assertThat(run(world, 2).pose().x()).isCloseTo(0.2, EXACT);
-        World watched = driven(0.2, World.create(Specs.world(R1), WorldSettings.DEFAULT.withWatchdogMicros(500_000)));
+        World watched = driven(
+                0.2, World.create(Specs.world(R1), WorldSettings.defaults().withWatchdogMicros(500_000)));
         assertThat(run(watched, 20).pose().x()).isCloseTo(0.1, EXACT);
         for (int i = 0; i < 20; i++) {
             watched.command(0, 0.2, 0);

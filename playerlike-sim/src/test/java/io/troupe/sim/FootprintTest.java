@@ -25,7 +25,8 @@ class FootprintTest {
     @ParameterizedTest
     @ValueSource(ints = {2, 100})
     void warmWorld_advancesWithoutGarbage(int robots) {
-        World world = World.create(Arena.crowd(robots, 1, Specs.RED, Specs.GREEN, Specs.BLUE), WorldSettings.DEFAULT);
+        World world =
+                World.create(Arena.crowd(robots, 1, Specs.RED, Specs.GREEN, Specs.BLUE), WorldSettings.defaults());
         world.advance(1_200, Arena::wander);
         int most = robots == 2 ? 0 : 7;
         long grown = intervalsWithGarbage(world);
@@ -58,7 +59,7 @@ class FootprintTest {
 
     /** Heap bytes freed when this world is dropped. */
     private static long size(WorldSpec spec) {
-        World world = World.create(spec, WorldSettings.DEFAULT);
+        World world = World.create(spec, WorldSettings.defaults());
         world.advance(20, Arena::wander);
         long with = usedAfterCollection();
         Reference.reachabilityFence(world);

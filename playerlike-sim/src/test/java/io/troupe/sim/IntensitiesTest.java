@@ -100,7 +100,7 @@ class IntensitiesTest {
     void switches_areRecordedAndReplayed() throws IOException {
         var spec = ScenarioReader.readText(RANGER + box(2, 0, "ranger_return 0.5"), Path.of("t.world"))
                 .world();
-        var world = World.create(spec, WorldSettings.DEFAULT);
+        var world = World.create(spec, WorldSettings.defaults());
         var text = new StringBuilder();
         long hash;
         try (Recording recording = world.record(text)) {

@@ -261,7 +261,7 @@ class MovingThingsTest {
                                 + box(1, 0, "movable 1 mass 1").replace("\"box\"", "\"light\""),
                         Path.of("t.world"))
                 .world();
-        var world = World.create(spec, WorldSettings.DEFAULT);
+        var world = World.create(spec, WorldSettings.defaults());
         var text = new StringBuilder();
         long hash;
         try (Recording recording = world.record(text)) {
@@ -440,7 +440,7 @@ class MovingThingsTest {
     @Test
     void runWithComingsAndGoings_repeatsBitForBit_onSeveralThreads_andFromItsRecording() throws IOException {
         for (long seed = 1; seed <= 5; seed++) {
-            var world = World.create(busyWorld(), WorldSettings.DEFAULT);
+            var world = World.create(busyWorld(), WorldSettings.defaults());
             var text = new StringBuilder();
             List<Long> hashes = new ArrayList<>();
             long hash;
@@ -450,8 +450,8 @@ class MovingThingsTest {
                 hash = recording.hash();
             }
             assertThat(text.toString()).contains(" leave ", " remove ", " place ", " teleport ", " box ", " gripper ");
-            try (var threaded =
-                    World.create(busyWorld(), WorldSettings.DEFAULT.withSensingThreads(3), SensingThreads.Choice.ALL)) {
+            try (var threaded = World.create(
+                    busyWorld(), WorldSettings.defaults().withSensingThreads(3), SensingThreads.Choice.ALL)) {
                 List<Long> again = new ArrayList<>();
                 LoggedWarnings.of(World.class, () -> again.addAll(busyRun(threaded, run)));
                 assertThat(again).as("seed %d", seed).isEqualTo(hashes);

@@ -34,7 +34,7 @@ class PresenceTest {
                                 Specs.robot("s", new Pose(-2, 0, 0), Specs.ORANGE, Specs.sonars(0), null)),
                         Specs.wall("box", 2.5, 0, 1, 1),
                         Specs.wall("wall", 4.5, 0, 1, 20)),
-                WorldSettings.DEFAULT);
+                WorldSettings.defaults());
     }
 
     private static double aheadM(World world, int robot) {
@@ -215,7 +215,7 @@ class PresenceTest {
     void runWithComingsAndGoings_repeatsBitForBit_onSeveralThreads_andFromItsRecording() throws IOException {
         for (long seed = 1; seed <= 3; seed++) {
             long run = seed;
-            World world = World.create(arena(), WorldSettings.DEFAULT);
+            World world = World.create(arena(), WorldSettings.defaults());
             var text = new StringWriter();
             List<Long> hashes;
             long hash;
@@ -225,7 +225,7 @@ class PresenceTest {
             }
             assertThat(text.toString()).contains(" leave ", " remove ", " place ", " teleport ");
             try (World threaded =
-                    World.create(arena(), WorldSettings.DEFAULT.withSensingThreads(3), SensingThreads.Choice.ALL)) {
+                    World.create(arena(), WorldSettings.defaults().withSensingThreads(3), SensingThreads.Choice.ALL)) {
                 assertThat(quietly(() -> busyRun(threaded, run)))
                         .as("seed %d", seed)
                         .isEqualTo(hashes);
@@ -241,10 +241,11 @@ class PresenceTest {
         WorldSpec all = RandomWorld.office(5, 2, 2).withRobots(3);
         var less = new ArrayList<>(all.obstacles());
         less.remove(less.size() - 1);
-        World changed = World.create(all, WorldSettings.DEFAULT);
+        World changed = World.create(all, WorldSettings.defaults());
         changed.removeObstacle(all.obstacles().size() - 1);
         World begun = World.create(
-                new WorldSpec(all.name(), all.file(), all.intervalMillis(), all.robots(), less), WorldSettings.DEFAULT);
+                new WorldSpec(all.name(), all.file(), all.intervalMillis(), all.robots(), less),
+                WorldSettings.defaults());
         changed.advance();
         begun.advance();
         for (int tick = 0; tick < 50; tick++) {

@@ -102,7 +102,8 @@ class SameBitsTest {
         }
 
         String run(int ticks) {
-            WorldSettings settings = WorldSettings.DEFAULT.withPhysicsStepMicros(this == SHORT_STEPS ? 1_000 : 10_000);
+            WorldSettings settings =
+                    WorldSettings.defaults().withPhysicsStepMicros(this == SHORT_STEPS ? 1_000 : 10_000);
             World built = World.create(world.get(), settings);
             var hash = new SnapshotHash();
             hash.update(built.latest());

@@ -52,12 +52,12 @@ public final class Specs {
     }
 
     public static World start(List<RobotSpec> robots, ObstacleSpec... obstacles) {
-        return World.create(world(robots, obstacles), WorldSettings.DEFAULT);
+        return World.create(world(robots, obstacles), WorldSettings.defaults());
     }
 
     /** The world of this world file. */
     static World start(String text) {
-        return World.create(ScenarioReader.readText(text, Path.of("t.world")).world(), WorldSettings.DEFAULT);
+        return World.create(ScenarioReader.readText(text, Path.of("t.world")).world(), WorldSettings.defaults());
     }
 
     /** The world, with the command to all its robots to drive straight on. */

@@ -87,7 +87,7 @@ class StageNoiseTest {
         var spec = ScenarioReader.readText(text, Path.of("t.world")).world();
         double[] errors = LongStream.range(0, 1000)
                 .mapToDouble(seed -> {
-                    World world = World.create(spec, WorldSettings.DEFAULT.withSeed(seed));
+                    World world = World.create(spec, WorldSettings.defaults().withSeed(seed));
                     world.command(0, 1, 0);
                     return Specs.first(world.advance()).odometry().pose().x() / 0.1 - 1;
                 })

@@ -33,7 +33,7 @@ class StartPosesTest {
     private static final WorldSpec ALONE = Specs.world(robot("r1", FIRST));
 
     private static WorldSettings jitter(long seed) {
-        return WorldSettings.DEFAULT.withSeed(seed).withJitter(0.02, 0.03);
+        return WorldSettings.defaults().withSeed(seed).withJitter(0.02, 0.03);
     }
 
     private static RobotReading reading(WorldSpec world, WorldSettings settings, int robot) {
@@ -46,7 +46,7 @@ class StartPosesTest {
 
     @Test
     void jitter_staysWithinItsBounds_andUsesThem_butIsOffByDefault() {
-        assertThat(start(ALONE, WorldSettings.DEFAULT.withSeed(99), 0)).isEqualTo(FIRST);
+        assertThat(start(ALONE, WorldSettings.defaults().withSeed(99), 0)).isEqualTo(FIRST);
         List<Double> offsets = new ArrayList<>();
         for (long seed = 0; seed < 500; seed++) {
             Pose start = start(ALONE, jitter(seed), 0);
@@ -106,7 +106,7 @@ class StartPosesTest {
         assertThat(overlapping.stuck().get(0)).isTrue();
         for (double x : new double[] {0.68, 0.68 - 1e-10}) { // also where a sum was rounded
             WorldSpec touching = Specs.world(R1, wall("wall", x, 0, 1, 1));
-            assertThat(StartPoses.of(touching, WorldSettings.DEFAULT).stuck().isEmpty())
+            assertThat(StartPoses.of(touching, WorldSettings.defaults()).stuck().isEmpty())
                     .as("wall at %s", x)
                     .isTrue();
         }

@@ -24,7 +24,7 @@ class SteeringTest {
         String text = "position ( size [ 0.4 0.4 0.2 ] " + properties + " )";
         return World.create(
                 ScenarioReader.readText(text, Path.of("t.world")).world(),
-                WorldSettings.DEFAULT.withAccelerationBounds(true));
+                WorldSettings.defaults().withAccelerationBounds(true));
     }
 
     private static void assertAt(World world, double x, double y, double headingRad) {
@@ -211,9 +211,9 @@ class SteeringTest {
 
     @Test
     void accelerationSetting_isRecordedOnlyWhenItIsOn() {
-        assertThat(WorldSettings.parse(WorldSettings.DEFAULT.words())).isEqualTo(WorldSettings.DEFAULT);
-        var on = WorldSettings.DEFAULT.withAccelerationBounds(true);
-        assertThat(on.words()).isEqualTo(WorldSettings.DEFAULT.words() + " acceleration");
+        assertThat(WorldSettings.parse(WorldSettings.defaults().words())).isEqualTo(WorldSettings.defaults());
+        var on = WorldSettings.defaults().withAccelerationBounds(true);
+        assertThat(on.words()).isEqualTo(WorldSettings.defaults().words() + " acceleration");
         assertThat(WorldSettings.parse(on.words())).isEqualTo(on);
     }
 }

@@ -72,7 +72,7 @@ class WorldTest {
 
     @Test
     void command_beyondTheLimits_isClampedToThem() {
-        World limited = World.create(world.spec(), WorldSettings.DEFAULT.withLimits(0.5, 1));
+        World limited = World.create(world.spec(), WorldSettings.defaults().withLimits(0.5, 1));
         limited.command(0, 99, -99);
         limited.command(1, -99, 99);
         Snapshot snapshot = limited.advance();
@@ -102,7 +102,7 @@ class WorldTest {
     // ---- many intervals in one call, and the view
 
     private static World crowd() {
-        return World.create(Arena.crowd(20, 5, Specs.RED, Specs.ORANGE), WorldSettings.DEFAULT);
+        return World.create(Arena.crowd(20, 5, Specs.RED, Specs.ORANGE), WorldSettings.defaults());
     }
 
     @Test
@@ -258,7 +258,7 @@ class WorldTest {
 
     @Test
     void interval_thatIsNoMultipleOfThePhysicsStep_orLongerThanTheLimitsAllow_isRefused() {
-        WorldSettings settings = WorldSettings.DEFAULT;
+        WorldSettings settings = WorldSettings.defaults();
         assertThatThrownBy(() -> World.create(world.spec(), settings.withPhysicsStepMicros(15_000)))
                 .isInstanceOf(WorldFileException.class)
                 .hasMessage(
@@ -276,7 +276,8 @@ class WorldTest {
         World slow = driven(
                 1,
                 World.create(
-                        new WorldSpec("slow", Path.of("a.world"), 250, List.of(R1), List.of()), WorldSettings.DEFAULT));
+                        new WorldSpec("slow", Path.of("a.world"), 250, List.of(R1), List.of()),
+                        WorldSettings.defaults()));
         assertThat(run(slow, 2).pose().x()).isCloseTo(0.5, within(1e-12));
         assertThat(slow.latest().timeMicros()).isEqualTo(500_000);
         assertThat(start(List.of(), wall("wall", 0, 0, 1, 1)).advance())
@@ -284,7 +285,7 @@ class WorldTest {
     }
 
     private static void assertRefused(WorldSpec spec, String... parts) {
-        assertThatThrownBy(() -> World.create(spec, WorldSettings.DEFAULT))
+        assertThatThrownBy(() -> World.create(spec, WorldSettings.defaults()))
                 .isInstanceOf(WorldFileException.class)
                 .hasMessageContainingAll(parts);
     }
@@ -338,15 +339,15 @@ class WorldTest {
 
     @Test
     void settings_keepWhatIsNotChanged_andNameANumberThatMakesNoSense() {
-        assertThat(WorldSettings.DEFAULT
+        assertThat(WorldSettings.defaults()
                         .withSeed(7)
                         .withJitter(0.02, 0.03)
                         .withPhysicsStepMicros(20_000)
                         .withLimits(1, 2)
                         .withWatchdogMicros(500_000)
                         .withSensingThreads(3))
-                .isEqualTo(new WorldSettings(7, 0.02, 0.03, 20_000, 1, 2, 500_000, 3, false));
-        WorldSettings settings = WorldSettings.DEFAULT;
+                .hasToString("7 0.02 0.03 20000 1.0 2.0 500000, 3 threads");
+        WorldSettings settings = WorldSettings.defaults();
         assertThatThrownBy(() -> settings.withJitter(-0.1, 0))
                 .isInstanceOf(IllegalArgumentException.class)
                 .hasMessage("jitterM is -0.1, expected a finite number, 0 or more");

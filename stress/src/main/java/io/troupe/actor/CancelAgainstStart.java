@@ -43,7 +43,7 @@ public class CancelAgainstStart {
 
     private static ActorCell startedCell() {
         var space = ActorSpace.create(SpaceSettings.named("law").withoutThread());
-        var cell = new ActorCell(space.home, Object.class, 1, Object::new, ActorSettings.DEFAULT);
+        var cell = new ActorCell(space.home, Object.class, 1, Object::new, ActorSettings.defaults());
         space.execute(cell::start);
         space.runQueued();
         return cell;

@@ -18,7 +18,7 @@ public class LimitAgainstRequest {
     private final ActorSpace space = ActorSpace.create(
             SpaceSettings.named("law").withClock(new ManualClock()).withoutThread());
     private final Request<Integer> request =
-            new Ask(new ActorCell(space.home, Object.class, 1, Object::new, ActorSettings.DEFAULT));
+            new Ask(new ActorCell(space.home, Object.class, 1, Object::new, ActorSettings.defaults()));
     private final Deferred<Integer> question = new Deferred<>();
     private final TimeLimit limit = TimeLimit.of(space.home, Duration.ZERO, null);
 

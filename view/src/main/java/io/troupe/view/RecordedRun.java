@@ -28,7 +28,7 @@ import org.jspecify.annotations.Nullable;
  *
  * {@snippet :
  * Scenario scenario = ScenarioReader.read(world);
- * var settings = RecordedRun.Settings.DEFAULT.withSeed(7).withSeconds(60);
+ * var settings = RecordedRun.Settings.defaults().withSeed(7).withSeconds(60);
  * var run = new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings);
  * RunResult result = run.run(folder.resolve("run.jsonl"));
  * Files.writeString(folder.resolve("summary.txt"), result.summary());
@@ -59,47 +59,83 @@ public final class RecordedRun {
     /** A device that the world's configuration offers. */
     private record Binding(String type, int index, String model) {}
 
-    /**
-     * How to run.
-     *
-     * @param seed moves the start poses by up to 2 cm along x and y, and 2 degrees
-     * @param seconds simulated time to run
-     * @param realTime no faster than real time
-     * @param reconnects whether every service opens a new connection; not in synchronous mode
-     * @param round how the synchronous mode distributes readings among the services
-     */
-    public record Settings(
-            Mode mode, long seed, double seconds, boolean realTime, boolean reconnects, SynchronousRound round) {
+    /** How to run. */
+    public static final class Settings extends io.troupe.actor.Settings<Settings> {
+        private static final Settings DEFAULTS = new Settings();
+
+        private Mode mode = Mode.PROMISE;
+        private long seed = 1;
+        private double seconds = 300;
+        private boolean realTime;
+        private boolean reconnects;
+        private SynchronousRound round = SynchronousRound.ONE_SERVICE_A_READING;
+
+        private Settings() {}
+
         /** Promise mode, seed 1, 300 s as fast as possible, one connection per robot, the paper's synchronous round. */
-        public static final Settings DEFAULT =
-                new Settings(Mode.PROMISE, 1, 300, false, false, SynchronousRound.ONE_SERVICE_A_READING);
+        public static Settings defaults() {
+            return DEFAULTS;
+        }
+
+        @Override
+        protected void check() {} // each value makes sense
 
         long endMicros() {
             return StrictMath.round(seconds * 1e6);
         }
 
+        /** One of the paper's three modes. */
         public Settings withMode(Mode newMode) {
-            return new Settings(newMode, seed, seconds, realTime, reconnects, round);
+            return with(copy -> copy.mode = newMode);
         }
 
+        /** Moves the start poses by up to 2 cm along x and y, and 2 degrees. */
         public Settings withSeed(long newSeed) {
-            return new Settings(mode, newSeed, seconds, realTime, reconnects, round);
+            return with(copy -> copy.seed = newSeed);
         }
 
+        /** The simulated time to run. */
         public Settings withSeconds(double newSeconds) {
-            return new Settings(mode, seed, newSeconds, realTime, reconnects, round);
+            return with(copy -> copy.seconds = newSeconds);
         }
 
+        /** No faster than real time. */
         public Settings withRealTime(boolean newRealTime) {
-            return new Settings(mode, seed, seconds, newRealTime, reconnects, round);
+            return with(copy -> copy.realTime = newRealTime);
         }
 
+        /** Whether every service opens a new connection; not in synchronous mode. */
         public Settings withReconnection(boolean newReconnects) {
-            return new Settings(mode, seed, seconds, realTime, newReconnects, round);
+            return with(copy -> copy.reconnects = newReconnects);
         }
 
+        /** How the synchronous mode distributes readings among the services. */
         public Settings withRound(SynchronousRound newRound) {
-            return new Settings(mode, seed, seconds, realTime, reconnects, newRound);
+            return with(copy -> copy.round = newRound);
+        }
+
+        public Mode mode() {
+            return mode;
+        }
+
+        public long seed() {
+            return seed;
+        }
+
+        public double seconds() {
+            return seconds;
+        }
+
+        public boolean realTime() {
+            return realTime;
+        }
+
+        public boolean reconnects() {
+            return reconnects;
+        }
+
+        public SynchronousRound round() {
+            return round;
         }
     }
 
@@ -282,7 +318,7 @@ public final class RecordedRun {
     /** Runs until the end time, or until the listener requests to stop. The caller closes the log. */
     public RunResult run(RunLog log, Listener listener) throws InterruptedException {
         long endMicros = settings.endMicros();
-        var world = WorldSettings.DEFAULT.withSeed(settings.seed()).withJitter(JITTER_M, JITTER_RAD);
+        var world = WorldSettings.defaults().withSeed(settings.seed()).withJitter(JITTER_M, JITTER_RAD);
         try (var simulation = Simulation.open(scenario, world)) {
             log.begin(scenario.world(), settings);
             var recorder = new RunRecorder(scenario.world(), table, log, listener::stateStarted);

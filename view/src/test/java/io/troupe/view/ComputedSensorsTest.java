@@ -20,7 +20,7 @@ class ComputedSensorsTest {
     void readings_areThoseOfTheSimulation_atTheSamePose() {
         WorldSpec world = PushedBox.WORLD;
         RobotReading simulated;
-        try (var simulation = World.create(world, WorldSettings.DEFAULT)) {
+        try (var simulation = World.create(world, WorldSettings.defaults())) {
             simulation.command(0, 0, 0.7);
             simulation.advance();
             simulated = simulation.advance().robots().getFirst();
@@ -40,7 +40,7 @@ class ComputedSensorsTest {
     void devices_areThoseOfTheSimulation_exceptForTheGripper() {
         WorldSpec world = DeviceRoom.WORLD;
         Snapshot simulated;
-        try (var simulation = World.create(world, WorldSettings.DEFAULT)) {
+        try (var simulation = World.create(world, WorldSettings.defaults())) {
             simulation.command(0, -0.4, 0.3);
             simulation.command(1, 0.1, -0.2);
             simulated = simulation.advance(17);

@@ -52,7 +52,7 @@ public final class DeviceRoom {
     /** The start, then the snapshots of 95 intervals. */
     public static List<Snapshot> run() {
         List<Snapshot> snapshots = new ArrayList<>();
-        try (var world = World.create(WORLD, WorldSettings.DEFAULT)) {
+        try (var world = World.create(WORLD, WorldSettings.defaults())) {
             snapshots.add(world.latest());
             for (int tick = 0; tick < 95; tick++) {
                 command(world, tick);

@@ -59,7 +59,7 @@ class MapBoundsTest {
 
     @Test
     void world_inWhichAnObstacleWasPutElsewhere_hasIt() {
-        try (var world = World.create(OPEN, WorldSettings.DEFAULT)) {
+        try (var world = World.create(OPEN, WorldSettings.defaults())) {
             world.placeObstacle(0, new Pose(25, 14, 0));
             Snapshot now = world.advance();
             String svg = Pictures.world(OPEN, now);

@@ -76,7 +76,7 @@ class ModesTest {
     }
 
     private static Settings in(Mode mode) {
-        return Settings.DEFAULT.withMode(mode);
+        return Settings.defaults().withMode(mode);
     }
 
     private static Settings syncWithoutCycleTimes() {
@@ -113,7 +113,7 @@ class ModesTest {
     void comparison_isMadeInAFewLines() throws Exception {
         var scenario = ScenarioReader.read(WORLD);
         var table = SubsumptionTable.ofThePaper();
-        var settings = Settings.DEFAULT.withSeconds(60);
+        var settings = Settings.defaults().withSeconds(60);
         Path folder = out;
 
         var results = new EnumMap<Mode, RunResult>(Mode.class);
@@ -214,7 +214,8 @@ class ModesTest {
                     called.add(method.getName());
                     return null;
                 });
-        try (var simulation = Simulation.open(ScenarioReader.read(WORLD), WorldSettings.DEFAULT.withSeed(1))) {
+        try (var simulation = Simulation.open(
+                ScenarioReader.read(WORLD), WorldSettings.defaults().withSeed(1))) {
             var table = SubsumptionTable.ofThePaper();
             var settings = new SubsumptionRun.Settings(
                     mode, "localhost", 6665, table, simulation.clock(), callbacks, callbacks);

@@ -33,7 +33,7 @@ public final class PushedBox {
     /** The start, then the snapshots of 60 intervals at 0.3 m/s. */
     public static List<Snapshot> run() {
         List<Snapshot> snapshots = new ArrayList<>();
-        try (var world = World.create(WORLD, WorldSettings.DEFAULT)) {
+        try (var world = World.create(WORLD, WorldSettings.defaults())) {
             snapshots.add(world.latest());
             world.command(0, 0.3, 0);
             for (int i = 0; i < 60; i++) {

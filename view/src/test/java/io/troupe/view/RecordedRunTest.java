@@ -46,7 +46,7 @@ class RecordedRunTest {
     }
 
     private static RecordedRun.Settings settings(long seed, double seconds) {
-        return RecordedRun.Settings.DEFAULT.withSeed(seed).withSeconds(seconds);
+        return RecordedRun.Settings.defaults().withSeed(seed).withSeconds(seconds);
     }
 
     private static RecordedRun prepared(Path world, RecordedRun.Settings settings) {
@@ -59,7 +59,7 @@ class RecordedRunTest {
         Path folder = out;
 
         Scenario scenario = ScenarioReader.read(world);
-        var settings = RecordedRun.Settings.DEFAULT.withSeed(7).withSeconds(60);
+        var settings = RecordedRun.Settings.defaults().withSeed(7).withSeconds(60);
         var run = new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings);
         RunResult result = run.run(folder.resolve("run.jsonl"));
         Files.writeString(folder.resolve("summary.txt"), result.summary());
@@ -76,7 +76,7 @@ class RecordedRunTest {
         Scenario scenario = ScenarioReader.read(WORLD);
         SubsumptionTable table = SubsumptionTable.ofThePaper();
         var described = settings(1, 2).withMode(Mode.CALLBACK);
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults());
                 var log = new RunLog(out.resolve("own.jsonl"))) {
             log.begin(scenario.world(), described);
             var recorder = new RunRecorder(scenario.world(), table, log, change -> {});

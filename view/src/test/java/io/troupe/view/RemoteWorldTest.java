@@ -22,7 +22,7 @@ class RemoteWorldTest {
     void boxThatIsPushed_isWhereTheServerHasIt_andSensorsReadIt() throws InterruptedException {
         Map<Long, Snapshot> there = new ConcurrentHashMap<>(); // by time
         List<Snapshot> seen = new ArrayList<>();
-        try (var simulation = Simulation.open(PushedBox.SCENARIO, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(PushedBox.SCENARIO, WorldSettings.defaults());
                 var remote = new RemoteWorld("localhost", 6665, PushedBox.WORLD)) {
             simulation.override(0, 0.3, 0);
             there.put(0L, simulation.latest());

@@ -53,8 +53,9 @@ class WorldSvgTest {
     @Test
     void markersSeenAndBumpers_areDrawnWhereTheyAre() {
         WorldSpec world = ScenarioReader.readText(WORLD, Path.of("t.world")).world();
-        String svg =
-                new WorldSvg(world, World.create(world, WorldSettings.DEFAULT).latest()).draw();
+        String svg = new WorldSvg(
+                        world, World.create(world, WorldSettings.defaults()).latest())
+                .draw();
         List<Line> pressed = lines(svg, PRESSED, "3.0");
         List<Line> free = lines(svg, FREE, "3.0");
         List<Line> seen = lines(svg, MARKER, "1.2");

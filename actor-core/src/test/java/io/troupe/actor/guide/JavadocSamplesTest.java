@@ -9,6 +9,7 @@ import io.troupe.actor.ActorEnd;
 import io.troupe.actor.ActorException;
 import io.troupe.actor.ActorPool;
 import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.ActorTypeException;
@@ -22,8 +23,6 @@ import io.troupe.actor.Deferred;
 import io.troupe.actor.ErrorHandler;
 import io.troupe.actor.InTestSpace;
 import io.troupe.actor.Leftovers;
-import io.troupe.actor.MailboxBound;
-import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.MailboxFullException;
 import io.troupe.actor.ManualClock;
 import io.troupe.actor.Outcome;
@@ -36,6 +35,7 @@ import io.troupe.actor.Supervision;
 import io.troupe.actor.Timer;
 import io.troupe.actor.Topic;
 import io.troupe.actor.TurnContext;
+import io.troupe.actor.Unanswered;
 import io.troupe.actor.testkit.CallbackProbe;
 import io.troupe.actor.testkit.Probe;
 import io.troupe.actor.testkit.TestSpace;
@@ -261,7 +261,8 @@ class JavadocSamplesTest extends InTestSpace {
 
     @Test
     void supervision_restartsTwice_thenStops() {
-        ActorSettings settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(2, Duration.ofSeconds(10)));
+        ActorSettings settings =
+                ActorSettings.defaults().withSupervision(Supervision.restart(2, Duration.ofSeconds(10)));
         Counter counter = space.spawn(Counter.class, Counter::new, settings);
         counter.add(-1); // restarts
         counter.add(-1); // restarts
@@ -272,11 +273,11 @@ class JavadocSamplesTest extends InTestSpace {
 
     @Test
     void supervision_dependsOnTheError_andPauses() {
-        Supervision reconnecting = Supervision.restart(Integer.MAX_VALUE, Duration.ofMinutes(1))
+        Supervision reconnecting = Supervision.restart(Duration.ofMinutes(1))
                 .withPauses(Duration.ofMillis(100), Duration.ofSeconds(30)) // 100 ms, 200 ms, 400 ms and so on
                 .on(IllegalArgumentException.class, Supervision.RESUME)
                 .on(LinkageError.class, Supervision.STOP);
-        var settings = ActorSettings.DEFAULT.withSupervision(reconnecting);
+        var settings = ActorSettings.defaults().withSupervision(reconnecting);
         Counter counter = space.spawn(Counter.class, Counter::new, settings);
         counter.add(5);
         counter.add(-1);
@@ -286,7 +287,7 @@ class JavadocSamplesTest extends InTestSpace {
 
     @Test
     void actorEnd_saysWhyAnActorHasEnded() {
-        var settings = ActorSettings.DEFAULT.withSupervision(Supervision.STOP);
+        var settings = ActorSettings.defaults().withSupervision(Supervision.STOP);
         Counter counter = space.spawn(Counter.class, Counter::new, settings);
         space.whenStopped(counter).then(end -> {
             switch (end) {
@@ -306,11 +307,18 @@ class JavadocSamplesTest extends InTestSpace {
     }
 
     @Test
-    void mailboxBound_dropsTheOldest() {
-        MailboxBound newestOnly = new MailboxBound(1, Overflow.DROP_OLDEST);
-        ActorSettings settings =
-                ActorSettings.named("printer").withMailbox(newestOnly.capacity(), newestOnly.overflow());
-        Printer printer = space.spawn(Printer.class, () -> log::add, settings);
+    void settings_areCopiedWithAChange() {
+        ActorSettings settings = ActorSettings.named("counter").withMailbox(1_000, Overflow.REJECT);
+        ActorSettings unlimited = settings.withoutMailboxLimit();
+        assertThat(settings.mailboxCapacity()).isEqualTo(1_000);
+        assertThat(unlimited.mailboxCapacity()).isNull();
+        assertThat(unlimited.name()).isEqualTo("counter");
+    }
+
+    @Test
+    void actorSettings_withOneCall_dropTheOldest() {
+        ActorSettings newestOnly = ActorSettings.named("printer").withMailbox(1, Overflow.DROP_OLDEST);
+        Printer printer = space.spawn(Printer.class, () -> log::add, newestOnly);
         printer.print("first");
         printer.print("second"); // takes the place of the first, which becomes a dead letter
         test.runQueued();
@@ -655,8 +663,8 @@ class JavadocSamplesTest extends InTestSpace {
     void actorStoppedException_isTheErrorOfARequestThatWasNotAnswered() {
         Greeter greeter = space.spawn(Greeter.class, () -> name -> Promise.of("Hello, " + name));
         space.stop(greeter);
-        Promise<String> answer = greeter.greet("Ada")
-                .exceptionally(error -> error instanceof ActorStoppedException ? "gone" : "failed");
+        Promise<String> answer =
+                greeter.greet("Ada").exceptionally(error -> error instanceof ActorStoppedException ? "gone" : "failed");
         assertThat(test.get(answer)).isEqualTo("gone");
     }
 

@@ -6,10 +6,10 @@ import io.troupe.actor.Actor;
 import io.troupe.actor.ActorEnd;
 import io.troupe.actor.ActorPool;
 import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.InTestSpace;
 import io.troupe.actor.Leftovers;
-import io.troupe.actor.MailboxBound;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceMetrics;
 import io.troupe.actor.SpaceSettings;
@@ -79,7 +79,7 @@ class SpacesGuideTest extends InTestSpace {
                 SpaceSettings.named("field").withOnError((where, error) -> errors.incrementAndGet()))) {
             var settings = ActorSettings.named("camera")
                     .withSupervision(Supervision.restart(3, Duration.ofSeconds(10)))
-                    .withMailbox(1_000, MailboxBound.Overflow.DROP_OLDEST);
+                    .withMailbox(1_000, Overflow.DROP_OLDEST);
             Camera camera = space.spawn(Camera.class, UsbCamera::new, settings);
 
             space.whenStopped(camera).then(end -> askForAnother(end));
@@ -202,7 +202,8 @@ class SpacesGuideTest extends InTestSpace {
     @Tag("threads")
     @Timeout(60)
     void pool_hasSettingsForItsActors() throws Exception {
-        ActorSettings settings = ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofMinutes(1)));
+        ActorSettings settings =
+                ActorSettings.defaults().withSupervision(Supervision.restart(3, Duration.ofMinutes(1)));
         ActorPool<Finder> finders =
                 ActorPool.create(2, SpaceSettings.named("finder"), Finder.class, BlobFinder::new, settings);
         int living = finders.living(); // 2: none has stopped

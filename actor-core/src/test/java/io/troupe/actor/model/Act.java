@@ -1,9 +1,8 @@
 package io.troupe.actor.model;
 
 import io.troupe.actor.ActorSettings;
-import io.troupe.actor.MailboxBound.Overflow;
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.Supervision;
-import io.troupe.actor.Supervision.Directive;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.List;
@@ -90,6 +89,13 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         }
     }
 
+    /** What happens to an actor after a failure. */
+    enum Directive {
+        RESUME,
+        RESTART,
+        STOP
+    }
+
     /**
      * The settings of an actor of a program, as plain numbers.
      *
@@ -132,8 +138,14 @@ record Act(Kind kind, int id, int target, int number, List<Act> script) {
         }
 
         ActorSettings settings(String name) {
-            int most = limit < 0 ? Integer.MAX_VALUE : limit;
-            var supervision = new Supervision(directive, most, ticks(windowTicks));
+            var supervision = switch (directive) {
+                case RESUME -> limit < 0 ? Supervision.RESUME : Supervision.resume(limit, ticks(windowTicks));
+                case STOP -> Supervision.STOP;
+                case RESTART ->
+                    limit < 0
+                            ? Supervision.restart(ticks(windowTicks))
+                            : Supervision.restart(limit, ticks(windowTicks));
+            };
             if (firstPauseTicks > 0) {
                 supervision = supervision.withPauses(ticks(firstPauseTicks), ticks(LONGEST_PAUSE_TICKS));
             }

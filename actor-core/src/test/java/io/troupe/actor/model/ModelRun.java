@@ -1,9 +1,9 @@
 package io.troupe.actor.model;
 
-import io.troupe.actor.MailboxBound.Overflow;
-import io.troupe.actor.Supervision.Directive;
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.model.Act.Answer;
 import io.troupe.actor.model.Act.Cast;
+import io.troupe.actor.model.Act.Directive;
 import io.troupe.actor.model.Act.Kind;
 import io.troupe.actor.model.ModelSpace.Task;
 import io.troupe.actor.model.ModelSpace.Timer;

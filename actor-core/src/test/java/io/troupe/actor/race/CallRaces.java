@@ -6,10 +6,10 @@ import io.troupe.actor.Actor;
 import io.troupe.actor.ActorEnd;
 import io.troupe.actor.ActorException;
 import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.ActorStoppedException;
 import io.troupe.actor.Deferred;
-import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.MailboxFullException;
 import io.troupe.actor.Promise;
 import io.troupe.actor.Supervision;
@@ -188,7 +188,7 @@ final class CallRaces {
         var supervision = round.random.nextInt(4) == 0
                 ? Supervision.STOP
                 : Supervision.restart(1 + round.random.nextInt(12), Duration.ofHours(1));
-        var settings = ActorSettings.DEFAULT.withSupervision(supervision);
+        var settings = ActorSettings.defaults().withSupervision(supervision);
         if (round.random.nextBoolean()) {
             settings = settings.withMailbox(1 + round.random.nextInt(100), Overflow.REJECT);
         }
@@ -225,7 +225,7 @@ final class CallRaces {
         var overflow = Overflow.values()[round.random.nextInt(Overflow.values().length)];
         boolean closes = round.random.nextInt(3) == 0;
         boolean inside = !closes && round.random.nextBoolean();
-        var settings = ActorSettings.DEFAULT.withMailbox(1 + round.random.nextInt(6), overflow);
+        var settings = ActorSettings.defaults().withMailbox(1 + round.random.nextInt(6), overflow);
         Target target = space.spawn(Target.class, Served::new, settings);
         call(target, inside, (number, i, random) -> {
             if (closes && number == 1 && i == CALLS / 2) {

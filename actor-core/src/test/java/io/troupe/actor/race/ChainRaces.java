@@ -82,8 +82,11 @@ final class ChainRaces {
     }
 
     void chains() throws Exception {
-        spawn(ActorSettings.DEFAULT.withSupervision(
-                round.random.nextBoolean() ? Supervision.STOP : Supervision.restart(1_000, Duration.ofHours(1))));
+        spawn(ActorSettings.defaults()
+                .withSupervision(
+                        round.random.nextBoolean()
+                                ? Supervision.STOP
+                                : Supervision.restart(1_000, Duration.ofHours(1))));
         int disturbance = round.random.nextInt(4);
         boolean cancels = round.random.nextBoolean();
         round.run(THREADS, (number, random) -> {
@@ -132,7 +135,7 @@ final class ChainRaces {
 
     /** A request reaches a space that is asleep, and one that is about to sleep. */
     void silence() throws Exception {
-        spawn(ActorSettings.DEFAULT);
+        spawn(ActorSettings.defaults());
         round.run(2, (number, random) -> {
             for (int i = 0; i < 60; i++) {
                 for (int pauses = random.nextInt(4); pauses > 0; pauses--) {

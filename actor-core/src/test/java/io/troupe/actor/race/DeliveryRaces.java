@@ -5,11 +5,11 @@ import static org.assertj.core.api.Assertions.assertThat;
 import io.troupe.actor.Actor;
 import io.troupe.actor.ActorPool;
 import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.ActorSpace;
 import io.troupe.actor.Backlog;
 import io.troupe.actor.Callback;
 import io.troupe.actor.Deferred;
-import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.Promise;
 import io.troupe.actor.Topic;
 import java.time.Duration;
@@ -67,7 +67,7 @@ final class DeliveryRaces {
     static void heldAndPooled(Round round) throws Exception {
         var outOfOrder = new AtomicInteger();
         boolean bounded = round.random.nextBoolean();
-        var settings = bounded ? ActorSettings.DEFAULT.withMailbox(20, Overflow.BLOCK) : ActorSettings.DEFAULT;
+        var settings = bounded ? ActorSettings.defaults().withMailbox(20, Overflow.BLOCK) : ActorSettings.defaults();
         var spaces = List.of(space(round, "first"), space(round, "second"));
         var pool = ActorPool.on(spaces, Desk.class, () -> new HoldingDesk(outOfOrder), settings);
         var answers = new ConcurrentLinkedQueue<Promise<Integer>>();

@@ -153,7 +153,7 @@ final class ErrorRaces {
         var space = round.space("broken");
         boolean restarts = round.random.nextBoolean();
         var supervision = restarts ? Supervision.restart(1_000_000, Duration.ofHours(1)) : Supervision.RESUME;
-        var settings = ActorSettings.DEFAULT.withSupervision(supervision);
+        var settings = ActorSettings.defaults().withSupervision(supervision);
         Broken broken = space.spawn(Broken.class, Broken::new, settings);
         Counter steady = space.spawn(Counter.class, Counting::new);
         var thrown = new ConcurrentLinkedQueue<Error>();

@@ -81,7 +81,7 @@ final class PoolRaces {
         var spaces = Stream.of("a", "b", "c", "d")
                 .map(name -> round.space(name, onDeadLetter))
                 .toList();
-        var pool = ActorPool.on(spaces, Counter.class, () -> new Member(handled, noted), ActorSettings.DEFAULT);
+        var pool = ActorPool.on(spaces, Counter.class, () -> new Member(handled, noted), ActorSettings.defaults());
         var answers = new ConcurrentLinkedQueue<Promise<Integer>>();
         var broadcasts = new ConcurrentLinkedQueue<Reports>();
         var notes = new LongAdder();

@@ -66,7 +66,7 @@ final class Round implements AutoCloseable {
     }
 
     private ActorSpace open(SpaceSettings settings, Consumer<String> onDeadLetter) {
-        var space = ActorSpace.create(settings.withOnStall(Duration.ZERO, stall -> {})
+        var space = ActorSpace.create(settings.withoutStallLimit()
                 .withOnError((where, error) -> errors.add(error))
                 .withOnDeadLetter(letter -> onDeadLetter.accept(letter.message() + letter.arguments())));
         spaces.add(space);

@@ -46,5 +46,5 @@ public inline fun <reified A : Any> ActorServices.publish(
  */
 public inline fun <reified A : Any> ActorServices.connect(
     need: Need,
-    settings: ConnectionSettings = ConnectionSettings.DEFAULT,
+    settings: ConnectionSettings = ConnectionSettings.defaults(),
 ): ActorConnection<A> = connect(A::class.java, need, settings)

@@ -30,7 +30,7 @@ import io.troupe.actor.testkit.TestSpace
  * @throws io.troupe.actor.ActorTypeException if the type has a function that cannot be a message
  */
 public inline fun <reified A : Any> ActorSpace.spawn(
-    settings: ActorSettings = ActorSettings.DEFAULT,
+    settings: ActorSettings = ActorSettings.defaults(),
     noinline factory: () -> A,
 ): A = spawn(A::class.java, factory, settings)
 
@@ -42,6 +42,6 @@ public inline fun <reified A : Any> ActorSpace.spawn(
  * ```
  */
 public inline fun <reified A : Any> TestSpace.spawn(
-    settings: ActorSettings = ActorSettings.DEFAULT,
+    settings: ActorSettings = ActorSettings.defaults(),
     noinline factory: () -> A,
 ): A = spawn(A::class.java, factory, settings)

@@ -2,9 +2,9 @@ package io.troupe.actor.kotlin
 
 import io.troupe.actor.Actor
 import io.troupe.actor.ActorSettings
+import io.troupe.actor.ActorSettings.Overflow
 import io.troupe.actor.ActorStoppedException
 import io.troupe.actor.Deferred
-import io.troupe.actor.MailboxBound.Overflow
 import io.troupe.actor.MailboxFullException
 import io.troupe.actor.Promise
 import io.troupe.actor.Supervision
@@ -136,7 +136,7 @@ class EndsTest : InTestSpace() {
         }
     }
 
-    private fun worker(settings: ActorSettings = ActorSettings.DEFAULT): Worker =
+    private fun worker(settings: ActorSettings = ActorSettings.defaults()): Worker =
         test.spawn<Worker>(settings) { WorkerActor() }
 
     @Test
@@ -257,7 +257,7 @@ class EndsTest : InTestSpace() {
 
     @Test
     fun restartedActor_hasAFreshScope() {
-        val worker = worker(ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofMinutes(1))))
+        val worker = worker(ActorSettings.defaults().withSupervision(Supervision.restart(3, Duration.ofMinutes(1))))
         worker.background(false)
         val working = run { worker.work(100) }
         worker.fault()
@@ -273,7 +273,7 @@ class EndsTest : InTestSpace() {
 
     @Test
     fun failureOfACoroutineOfTheActor_isAFailureOfTheActor() {
-        val worker = worker(ActorSettings.DEFAULT.withSupervision(Supervision.restart(3, Duration.ofMinutes(1))))
+        val worker = worker(ActorSettings.defaults().withSupervision(Supervision.restart(3, Duration.ofMinutes(1))))
         worker.background(false)
         worker.background(true)
         advance(10)
@@ -408,7 +408,7 @@ class EndsTest : InTestSpace() {
 
     @Test
     fun fullMailbox_rejectsTheCall() {
-        val worker = worker(ActorSettings.DEFAULT.withMailbox(1, Overflow.REJECT))
+        val worker = worker(ActorSettings.defaults().withMailbox(1, Overflow.REJECT))
         val outcomes = (1..2).map { test.space().scope.promise { worker.work(0) } }
         advance(1)
         assertThat(outcomes[0].now).isEqualTo("done")

@@ -43,7 +43,7 @@ class PoolsAndLimitsTest : InTestSpace() {
     }
 
     private fun pool(size: Int): ActorPool<Desk> =
-        ActorPool.on(List(size) { test.space() }, Desk::class.java, { NumberedDesk() }, ActorSettings.DEFAULT)
+        ActorPool.on(List(size) { test.space() }, Desk::class.java, { NumberedDesk() }, ActorSettings.defaults())
 
     @Test
     fun roundRobin_suspendsUntilTheChosenActorHasAnswered() {

@@ -121,7 +121,7 @@ class SamplesTest : InTestSpace() {
 
     @Test
     fun services() {
-        val broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver { })
+        val broker = Broker.open(space, BrokerSettings.defaults().withObserver { })
         val services = ActorServices(broker, "ship", space) { }
         services.publish<Thermometer>(space, "thermometer") { ThermometerActor() }
         val thermometer = services.connect<Thermometer>(Need.ofService("guest", "thermometer")).actor()

@@ -82,7 +82,7 @@ class ServicesTest : InTestSpace() {
     private val losses = mutableListOf<String>()
 
     private fun services(host: String?): ActorServices {
-        val broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver { })
+        val broker = Broker.open(space, BrokerSettings.defaults().withObserver { })
         brokers += broker
         if (host == null) {
             return ActorServices(broker, "ship", space) { }
@@ -173,7 +173,7 @@ class ServicesTest : InTestSpace() {
         val shore = services("shore")
         publish(ship)
         advance(3_000)
-        val limit = ConnectionSettings.DEFAULT.withAnswerLimit(Duration.ofSeconds(1))
+        val limit = ConnectionSettings.defaults().withAnswerLimit(Duration.ofSeconds(1))
         val limited = shore.connect<Thermometer>(Need.ofService("guest", "thermometer"), limit).actor()
         val result = run { limited.readLater(60_000) }
         advance(1_000)

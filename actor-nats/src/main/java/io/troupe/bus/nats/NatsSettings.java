@@ -1,5 +1,6 @@
 package io.troupe.bus.nats;
 
+import io.troupe.actor.Settings;
 import java.net.URI;
 import java.net.URISyntaxException;
 import java.time.Duration;
@@ -9,47 +10,49 @@ import javax.net.ssl.SSLContext;
 import org.jspecify.annotations.Nullable;
 
 /**
- * How to reach a NATS server; immutable.
+ * How to reach a NATS server.
  *
  * {@snippet :
  * var settings = NatsSettings.at("nats://base:4222")
  *         .withUser("robot1", password)
  *         .withApplication("warehouse");
  * }
- *
- * @param servers addresses like {@code nats://HOST:4222}, or {@code tls://HOST:4222} for an encrypted connection; one
- *     is enough, because a server names the others of its cluster
- * @param application separates applications that use one server: the first part of all subjects
- * @param user null if the server asks for none
- * @param password null if there is no user
- * @param tls trusts the server and identifies this process; null = the machine's certificates, if the address begins
- *     with {@code tls:}
- * @param connectLimit the time limit of the first connection, and of the question whether the name is free
  */
-public record NatsSettings(
-        List<String> servers,
-        String application,
-        @Nullable String user,
-        @Nullable String password,
-        @Nullable SSLContext tls,
-        Duration connectLimit) {
-    public NatsSettings {
-        servers = List.copyOf(servers);
+public final class NatsSettings extends Settings<NatsSettings> {
+    private List<String> servers;
+    private String application = "troupe";
+    private @Nullable String user;
+    private @Nullable String password;
+    private @Nullable SSLContext tls;
+    private Duration connectLimit = Duration.ofSeconds(5);
+
+    private NatsSettings(List<String> servers) {
+        this.servers = servers;
+        check();
+    }
+
+    /**
+     * Settings for one server, without user and password, for the application {@code troupe}.
+     *
+     * @param server an address like {@code nats://HOST:4222}, or {@code tls://HOST:4222} for an encrypted connection
+     */
+    public static NatsSettings at(String server) {
+        return new NatsSettings(List.of(server));
+    }
+
+    @Override
+    protected void check() {
         if (servers.isEmpty()) {
             throw new IllegalArgumentException("no address of a server is given, expected one like nats://HOST:4222");
         }
-        servers.forEach(NatsSettings::check);
+        servers.forEach(NatsSettings::checkServer);
         if (!application.matches("[A-Za-z0-9_-]+")) {
             throw new IllegalArgumentException(
                     "the name of the application is \"" + application + "\", expected letters, digits, - and _");
         }
-        if ((user == null) != (password == null)) {
-            throw new IllegalArgumentException("expected a user and a password, or neither");
-        }
-        Objects.requireNonNull(connectLimit, "connectLimit");
     }
 
-    private static void check(String server) {
+    private static void checkServer(String server) {
         String scheme;
         String host;
         try {
@@ -70,25 +73,67 @@ public record NatsSettings(
         }
     }
 
-    /** Settings for one server, without user and password, for the application {@code troupe}. */
-    public static NatsSettings at(String server) {
-        return new NatsSettings(List.of(server), "troupe", null, null, null, Duration.ofSeconds(5));
+    /** Several servers of a cluster; one is enough, because a server names the others. */
+    public NatsSettings withServers(List<String> addresses) {
+        List<String> all = List.copyOf(addresses);
+        return with(copy -> copy.servers = all);
     }
 
+    /** The user of this process, if the server asks for one. */
     public NatsSettings withUser(String newUser, String newPassword) {
-        return new NatsSettings(servers, application, newUser, newPassword, tls, connectLimit);
+        Objects.requireNonNull(newUser, "user");
+        Objects.requireNonNull(newPassword, "password");
+        return with(copy -> {
+            copy.user = newUser;
+            copy.password = newPassword;
+        });
     }
 
+    /**
+     * Trusts the server and identifies this process; by default the machine's certificates do, if the address begins
+     * with {@code tls:}.
+     */
     public NatsSettings withTls(SSLContext context) {
-        return new NatsSettings(servers, application, user, password, context, connectLimit);
+        Objects.requireNonNull(context, "context");
+        return with(copy -> copy.tls = context);
     }
 
+    /** Separates applications that use one server: the first part of all subjects. */
     public NatsSettings withApplication(String name) {
-        return new NatsSettings(servers, name, user, password, tls, connectLimit);
+        Objects.requireNonNull(name, "application");
+        return with(copy -> copy.application = name);
     }
 
+    /**
+     * The time limit of the first connection, and of the request that asks whether the name is free; by default 5 s.
+     */
     public NatsSettings withConnectLimit(Duration limit) {
-        return new NatsSettings(servers, application, user, password, tls, limit);
+        Objects.requireNonNull(limit, "connectLimit");
+        return with(copy -> copy.connectLimit = limit);
+    }
+
+    public List<String> servers() {
+        return servers;
+    }
+
+    public String application() {
+        return application;
+    }
+
+    public @Nullable String user() {
+        return user;
+    }
+
+    public @Nullable String password() {
+        return password;
+    }
+
+    public @Nullable SSLContext tls() {
+        return tls;
+    }
+
+    public Duration connectLimit() {
+        return connectLimit;
     }
 
     /** Without the password. */

@@ -59,7 +59,7 @@ class ActorsOverNatsTest {
     private static final Duration LONG = Duration.ofSeconds(60);
     private static final Need GREETER = Need.ofService("guest", "greeter");
     private static final ConnectionSettings PATIENT =
-            ConnectionSettings.DEFAULT.withWaitLimit(LONG).withAnswerLimit(LONG);
+            ConnectionSettings.defaults().withWaitLimit(LONG).withAnswerLimit(LONG);
 
     private final List<Process> open = new ArrayList<>();
 
@@ -78,7 +78,7 @@ class ActorsOverNatsTest {
                     name,
                     NatsSettings.at(server.address()),
                     BusSettings.on(space).withObserver(loss -> {}));
-            this.broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+            this.broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
             this.services = ActorServices.over(bus, broker, space, event -> {});
         }
 

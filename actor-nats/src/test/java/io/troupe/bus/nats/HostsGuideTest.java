@@ -37,7 +37,7 @@ class HostsGuideTest {
 
             var space = ActorSpace.create(SpaceSettings.named("ship"));
             var bus = NatsBus.open("ship", NatsSettings.at(address), BusSettings.on(space));
-            var broker = Broker.open(space, BrokerSettings.DEFAULT);
+            var broker = Broker.open(space, BrokerSettings.defaults());
             var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
             services.publish(space, Greeter.class, "greeter", List.of(), () -> name -> Promise.of("hello " + name));
 
@@ -50,7 +50,7 @@ class HostsGuideTest {
     private void shore(String address) throws Exception {
         var space = ActorSpace.create(SpaceSettings.named("shore"));
         var bus = NatsBus.open("shore", NatsSettings.at(address), BusSettings.on(space));
-        var broker = Broker.open(space, BrokerSettings.DEFAULT);
+        var broker = Broker.open(space, BrokerSettings.defaults());
         var services = ActorServices.over(bus, broker, space, BrokerObserver.logging());
         var greeter = services.connect(Greeter.class, Need.ofService("guest", "greeter"))
                 .actor();
@@ -91,7 +91,7 @@ class HostsGuideTest {
     private static void awaitOffers(String address) throws Exception {
         try (var space = ActorSpace.create(SpaceSettings.named("probe"));
                 var bus = NatsBus.open("probe", NatsSettings.at(address), BusSettings.on(space))) {
-            var broker = Broker.open(space, BrokerSettings.DEFAULT);
+            var broker = Broker.open(space, BrokerSettings.defaults());
             ActorServices.over(bus, broker, space, BrokerObserver.logging());
             while (broker.registered().get(Duration.ofSeconds(60)).isEmpty()) {
                 Thread.sleep(20);

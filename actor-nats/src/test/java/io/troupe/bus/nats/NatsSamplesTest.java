@@ -29,9 +29,8 @@ class NatsSamplesTest extends NatsTest {
 
     static final BusTopic<Temperature> OUTSIDE = new BusTopic<>("house/outside", Temperature.class);
 
-    static final BusTopic<Velocity> DRIVE = new BusTopic<>("robot1/drive", Velocity.class)
-            .keepingOnlyLatest()
-            .droppingOlderThan(Duration.ofMillis(300));
+    static final BusTopic<Velocity> DRIVE =
+            new BusTopic<>("robot1/drive", Velocity.class).withCapacity(1).withMaxAge(Duration.ofMillis(300));
 
     static final Operation<Setpoint, Accepted> HEAT =
             new Operation<>("heat", Setpoint.class, Accepted.class, Operation.Kind.CONTROL);

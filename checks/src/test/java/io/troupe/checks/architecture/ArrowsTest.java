@@ -87,7 +87,7 @@ class ArrowsTest {
         "common..,              ''",
         "bus.internal,          actor.internal.loop common..",
         "bus,                   actor.. common.. bus.internal",
-        "bus.nats..,            bus",
+        "bus.nats..,            actor bus",
         "broker..,              actor.. common.. bus bus.internal",
         "player..,              actor.. sim..",
         "sim..,                 actor.. player.. common..",

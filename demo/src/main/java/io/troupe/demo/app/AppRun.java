@@ -45,7 +45,7 @@ final class AppRun {
      * their commands, which may be shorter. This one is for programs that request none, such as an external process
      * that is killed while another client has the robot open.
      */
-    static final WorldSettings WORLD = WorldSettings.DEFAULT.withWatchdogMicros(500_000);
+    static final WorldSettings WORLD = WorldSettings.defaults().withWatchdogMicros(500_000);
 
     /** Ends the name of the port by which an application forwards values. */
     private static final String FORWARDER = ":application";

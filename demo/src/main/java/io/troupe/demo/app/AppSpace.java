@@ -68,14 +68,15 @@ final class AppSpace implements AutoCloseable {
     /** @param monitor follows the providers and components; null = none */
     Application start(ApplicationPlan plan, Bus bus, AppReport report, @Nullable AppMonitor monitor)
             throws InterruptedException {
-        var broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {
+        var broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {
             if (monitor != null) {
                 monitor.onBroker(event);
             }
             report.onBroker(event);
         }));
-        var settings = ApplicationSettings.DEFAULT.withObservers(
-                monitor == null ? report : monitor.components(report), report::onApplication);
+        var settings = ApplicationSettings.defaults()
+                .withComponentObserver(monitor == null ? report : monitor.components(report))
+                .withObserver(report::onApplication);
         BusPort listener = bus.attach(":report");
         for (var component : plan.components().values()) {
             for (var topic : component.publishes()) {

@@ -161,7 +161,7 @@ final class CrowdTrial {
         long before = UsedHeap.bytes();
         Consumer<Snapshot> show = snapshot -> {};
         var scenario = CrowdWorld.scenario(settings.robots(), settings.colours());
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(settings.seed()))) {
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults().withSeed(settings.seed()))) {
             var watch = new Watch();
             var drivers = new Drivers(settings.robots());
             int port = scenario.devices().getFirst().port();
@@ -171,7 +171,7 @@ final class CrowdTrial {
                             port,
                             table,
                             simulation.clock(),
-                            page == null ? ServiceObserver.NONE : drivers,
+                            page == null ? ServiceObserver.none() : drivers,
                             watch)
                     .withCallObserver(page == null ? null : page.callGraph());
             if (page != null) {

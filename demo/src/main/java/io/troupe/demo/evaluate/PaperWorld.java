@@ -21,7 +21,7 @@ record PaperWorld(Scenario scenario, int port) {
 
     /** Settings with start poses varied by the seed; the same in simulated and in real time. */
     static WorldSettings settings(long seed) {
-        return WorldSettings.DEFAULT.withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
+        return WorldSettings.defaults().withSeed(seed).withJitter(JITTER_M, JITTER_RAD);
     }
 
     /**

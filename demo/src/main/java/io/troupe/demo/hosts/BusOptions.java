@@ -146,9 +146,9 @@ public final class BusOptions {
         if (servers == null || servers.isEmpty()) {
             throw wrong("--bus is missing, " + EXPECTED_ADDRESS);
         }
-        NatsSettings settings = NatsSettings.at("nats://localhost");
+        NatsSettings settings;
         try {
-            settings = new NatsSettings(servers, settings.application(), null, null, null, settings.connectLimit());
+            settings = NatsSettings.at(servers.getFirst()).withServers(servers);
         } catch (IllegalArgumentException malformed) {
             throw wrong("--bus is " + withoutPassword(servers) + ": " + reason(malformed));
         }

@@ -79,7 +79,7 @@ public final class ServicesCommand implements Callable<Integer> {
     private List<ServiceOffer> offers() throws InterruptedException {
         try (var space = ActorSpace.create(SpaceSettings.named("services"));
                 var node = bus.open(BusSettings.on(space))) {
-            Broker broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(event -> {}));
+            Broker broker = Broker.open(space, BrokerSettings.defaults().withObserver(event -> {}));
             try {
                 return ActorServices.over(node, broker, space, BrokerObserver.logging())
                         .offers(WAIT)

@@ -99,7 +99,7 @@ final class ServeTrialsCommand implements Callable<Integer> {
 
     private TrialServer server(int cores) {
         LongFunction<WorldSpec> build = seed -> kind.build(seed, sideM).withRobots(robots);
-        WorldSettings settings = WorldSettings.DEFAULT;
+        WorldSettings settings = WorldSettings.defaults();
         if (file != null) {
             WorldSpec world = loader.read(file).world();
             build = seed -> world;

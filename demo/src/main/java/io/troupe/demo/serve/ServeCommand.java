@@ -124,7 +124,7 @@ public final class ServeCommand implements Callable<Integer> {
         }
         var serving = Serving.open(
                 worlds.scenario(),
-                WorldSettings.DEFAULT.withSeed(seed).withAccelerationBounds(accelerationBounds),
+                WorldSettings.defaults().withSeed(seed).withAccelerationBounds(accelerationBounds),
                 address,
                 port,
                 lockStep(),

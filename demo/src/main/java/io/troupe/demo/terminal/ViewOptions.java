@@ -51,7 +51,7 @@ public final class ViewOptions {
         if (port < 0 || port > 65_535) {
             throw wrong("--view is " + port + ", expected a port from 0 to 65535");
         }
-        var settings = LiveView.Settings.DEFAULT.withPort(port);
+        var settings = LiveView.Settings.defaults().withPort(port);
         LiveView page = LiveView.open(bind == null ? settings : settings.withAddress(address(bind)));
         PrintWriter terminal = spec.commandLine().getOut();
         terminal.println("watch it at " + page.address());

@@ -39,7 +39,7 @@ public class MyRobot {
 
     /** So many cycles, as fast as the robot takes them. */
     static String run(Path world, int cycles) {
-        try (var simulation = Simulation.open(ScenarioReader.read(world), WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(ScenarioReader.read(world), WorldSettings.defaults());
                 var runner = SimulationRunner.start(simulation, 1, snapshot -> {})) {
             return drive(6665, cycles);
         }
@@ -48,8 +48,8 @@ public class MyRobot {
     /** In real time, on a page for browsers, until Ctrl-C. */
     static void watch(Path world) throws Exception {
         var scenario = ScenarioReader.read(world);
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
-                var page = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults());
+                var page = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var control = new SimulationControl(simulation, 1);
             var viewed = new ViewedRun(scenario.world(), new RunControl(1, true)).onto(page, control);
             try (var runner = SimulationRunner.start(simulation, 1, viewed::moved, new Pace.RealTime(1))) {

@@ -230,7 +230,7 @@ class AppCommandTest extends CommandLineBench {
                 plan,
                 Bus.inProcess("here", BusSettings.on(space)),
                 Broker.open(space, brokerSettings.withObserver(this::note)),
-                ApplicationSettings.DEFAULT.withObservers(observer, this::note))));
+                ApplicationSettings.defaults().withComponentObserver(observer).withObserver(this::note))));
         Application begun = application.get(60, TimeUnit.SECONDS);
         begun.started().get(Duration.ofSeconds(60));
         return begun;
@@ -238,7 +238,7 @@ class AppCommandTest extends CommandLineBench {
 
     @Test
     void robotInTheCareOfAPythonScript_moves_andItsUserHearsWhenTheProcessIsKilled() throws Exception {
-        run(BrokerSettings.DEFAULT.withoutRestart(), (simulation, space, application) -> {
+        run(BrokerSettings.defaults().withoutRestart(), (simulation, space, application) -> {
             var before = List.of(pose(simulation, 0), pose(simulation, 1));
             tick(simulation, 100);
             for (int robot = 0; robot < 2; robot++) {
@@ -279,7 +279,7 @@ class AppCommandTest extends CommandLineBench {
     void twoRuns_areTheSame_asTheScriptIsInLockStep() throws Exception {
         var ends = new ArrayList<String>();
         for (int i = 0; i < 2; i++) {
-            run(BrokerSettings.DEFAULT, (simulation, space, application) -> {
+            run(BrokerSettings.defaults(), (simulation, space, application) -> {
                 tick(simulation, 100);
                 ends.add(pose(simulation, 0) + " " + pose(simulation, 1));
                 space.execute(application::stop);

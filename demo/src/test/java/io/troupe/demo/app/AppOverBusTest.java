@@ -101,7 +101,7 @@ class AppOverBusTest extends CommandLineBench {
         assumeTrue(NatsServerProcess.isInstalled(), NatsServerProcess.HOW_TO_GET + "; not tested");
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
         try (var server = NatsServerProcess.start();
-                var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+                var simulation = Simulation.open(scenario, WorldSettings.defaults());
                 var tcp = TcpServer.open(PlayerPorts.find(6665).orElseThrow(), 0);
                 var world = Executors.newSingleThreadExecutor()) {
             simulation.lockStep(false);

@@ -19,7 +19,7 @@ import org.junit.jupiter.api.Timeout;
 class AppRunViewTest {
     @Test
     void messagesOfTheBus_areCounted() throws Exception {
-        try (var page = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var page = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
             var text = new StringWriter();
             new AppRun(

@@ -112,7 +112,7 @@ class CrowdTest {
     private static final int COLOURS = 8;
 
     private RunResult run(int robots, double holdSeconds, double seconds, Mode mode, String file) throws Exception {
-        var settings = RecordedRun.Settings.DEFAULT.withMode(mode).withSeconds(seconds);
+        var settings = RecordedRun.Settings.defaults().withMode(mode).withSeconds(seconds);
         var scenario = CrowdWorld.scenario(robots, COLOURS);
         return new RecordedRun(scenario, table(robots, COLOURS, 3, holdSeconds), settings).run(out.resolve(file));
     }
@@ -190,15 +190,16 @@ class CrowdTest {
     private static double servedPerRobot(int robots) throws InterruptedException {
         int ticks = 10;
         var table = table(robots, COLOURS, 3);
-        try (var simulation = Simulation.open(CrowdWorld.scenario(robots, COLOURS), WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(CrowdWorld.scenario(robots, COLOURS), WorldSettings.defaults());
                 var space = ActorSpace.create(SpaceSettings.named("crowd").withClock(simulation.clock()))) {
             var settings = RobotServicesActor.Settings.ofThePaper().withTable(table);
-            var broker = Broker.open(space, BrokerSettings.DEFAULT);
+            var broker = Broker.open(space, BrokerSettings.defaults());
             var actors = new ActorServices(broker, "robots", space, BrokerObserver.logging());
             var type = RobotServices.class;
             actors.publish(space, type, RobotServices.SERVICE, List.of(), () -> new RobotServicesActor(settings));
             var need = Need.ofService("arbitrator", RobotServices.SERVICE);
-            var services = actors.connect(type, need, ConnectionSettings.DEFAULT.withoutAnswerLimit())
+            var services = actors.connect(
+                            type, need, ConnectionSettings.defaults().withoutAnswerLimit())
                     .actor();
             Arbitrator.StateListener nobody = (state, seenBy) -> {};
             space.spawn(Arbitrator.class, () -> new Arbitrator(Mode.PROMISE, services, table, nobody))

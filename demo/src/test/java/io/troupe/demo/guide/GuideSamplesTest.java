@@ -289,7 +289,7 @@ class GuideSamplesTest {
     void program_andWorld_inOneJvm() {
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.cfg"));
         Snapshot end;
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults());
                 var runner = SimulationRunner.start(simulation, 1, snapshot -> {})) {
             KeepAway.run(6665, 200);
             end = simulation.latest();
@@ -344,7 +344,7 @@ class GuideSamplesTest {
         var listener = observer;
         var table = SubsumptionTable.ofThePaper();
         var scenario = ScenarioReader.read(Path.of("worlds", "paper-arena.world"));
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT.withSeed(1))) {
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults().withSeed(1))) {
             var clock = simulation.clock();
             var settings =
                     new SubsumptionRun.Settings(Mode.CALLBACK, "localhost", 6665, table, clock, observer, listener);

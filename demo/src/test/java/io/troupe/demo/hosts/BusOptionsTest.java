@@ -43,7 +43,7 @@ class BusOptionsTest {
     @Test
     void address_isEnough() {
         NatsSettings settings = settings("--bus nats://base:4222");
-        assertThat(settings).isEqualTo(NatsSettings.at("nats://base:4222"));
+        assertThat(settings).hasToString(NatsSettings.at("nats://base:4222").toString());
         assertThat(parse("--bus nats://base").node())
                 .endsWith("-" + ProcessHandle.current().pid());
     }

@@ -76,7 +76,7 @@ class ServicesCommandTest extends CommandLineBench {
             var limited = NatsSettings.at(server.address()).withConnectLimit(LONG);
             try (var space = ActorSpace.create(SpaceSettings.named("host"));
                     var bus = NatsBus.open("host-a", limited, BusSettings.on(space))) {
-                var broker = Broker.open(space, BrokerSettings.DEFAULT);
+                var broker = Broker.open(space, BrokerSettings.defaults());
                 var services = ActorServices.over(bus, broker, space, BrokerObserver.logging(), 3);
                 services.publish(
                         space, Greeter.class, "greeter", List.of("english"), () -> name -> Promise.of("hello " + name));

@@ -96,10 +96,14 @@ class AppMonitorTest {
     private static AppMonitor flakyBroker(int seed) {
         var random = new Random(seed);
         var monitor = new AppMonitor(true);
-        var settings = BrokerSettings.DEFAULT
-                .withChecks(Duration.ofSeconds(1), Duration.ofMillis(400), 3)
-                .withLimits(Duration.ofSeconds(2), Duration.ofSeconds(2), Duration.ofSeconds(1))
-                .withRestart(Duration.ofSeconds(1), Duration.ofSeconds(8))
+        var settings = BrokerSettings.defaults()
+                .withCheckEvery(Duration.ofSeconds(1))
+                .withCheckLimit(Duration.ofMillis(400))
+                .withMissedChecks(3)
+                .withStartLimit(Duration.ofSeconds(2))
+                .withStopLimit(Duration.ofSeconds(2))
+                .withNotifyLimit(Duration.ofSeconds(1))
+                .withRestartPauses(Duration.ofSeconds(1), Duration.ofSeconds(8))
                 .withObserver(monitor::onBroker);
         try (var test = new TestSpace()) {
             var broker = Broker.open(test.space(), settings);
@@ -330,7 +334,7 @@ class AppMonitorTest {
     @Test
     void componentThatRunsWithoutBeingInvoked_isFound() {
         var monitor = new AppMonitor();
-        var components = monitor.components(ComponentObserver.LOG);
+        var components = monitor.components(ComponentObserver.logging());
         components.changed(new Address("test", "hall"), ComponentState.INVOKING);
         components.changed(new Address("test", "hall"), ComponentState.RUNNING);
         monitor.check();
@@ -343,7 +347,7 @@ class AppMonitorTest {
     @Test
     void valueOfAComponentThatWasTerminated_isFound() {
         var monitor = new AppMonitor();
-        var components = monitor.components(ComponentObserver.LOG);
+        var components = monitor.components(ComponentObserver.logging());
         var bus = monitor.bus(BusObserver.logging());
         var hall = new Address("test", "hall");
         for (var state : List.of(

@@ -215,7 +215,7 @@ class RunMonitorTest {
             var faulty = new Faulty(fault, new Random(seed));
             var monitor =
                     WiringMonitor.of(RunWirings.withFailures(mode, ROBOTS)).keepingEvents();
-            var settings = RecordedRun.Settings.DEFAULT
+            var settings = RecordedRun.Settings.defaults()
                     .withMode(mode)
                     .withSeed(seed)
                     .withSeconds(fault == Fault.STOP_FAILS || fault == Fault.REPORT_FAILS ? LONG_SECONDS : 10);
@@ -248,7 +248,7 @@ class RunMonitorTest {
     private List<ProtocolEvent> follow(Mode mode, int seed, double seconds, boolean reconnects)
             throws IOException, InterruptedException {
         var monitor = WiringMonitor.of(RunWirings.of(mode, ROBOTS)).keepingEvents();
-        var settings = RecordedRun.Settings.DEFAULT
+        var settings = RecordedRun.Settings.defaults()
                 .withMode(mode)
                 .withSeed(seed)
                 .withSeconds(seconds)
@@ -343,13 +343,13 @@ class RunMonitorTest {
         var monitor = new RunMonitor(mode, ROBOTS);
         var switches = new int[1];
         var table = SubsumptionTable.ofThePaper();
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults());
                 var space = ActorSpace.create(SpaceSettings.named("robots")
                         .withClock(simulation.clock())
                         .withCallObserver(monitor.calls()))) {
             var settings = RobotServicesActor.Settings.ofThePaper()
                     .withPort(scenario.robotPort().orElseThrow())
-                    .withObserver(monitor.services(ServiceObserver.NONE));
+                    .withObserver(monitor.services(ServiceObserver.none()));
             RobotServices services = space.spawn(RobotServices.class, () -> new RobotServicesActor(settings));
             Arbitrator.StateListener states = (State state, @Nullable Integer seenBy) -> {
                 if (seenBy != null) {

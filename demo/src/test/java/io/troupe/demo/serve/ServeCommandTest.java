@@ -58,7 +58,7 @@ class ServeCommandTest extends CommandLineBench {
     }
 
     private static Serving open(String world, boolean lockStep) throws IOException {
-        return Serving.open(scenario(world), WorldSettings.DEFAULT, address(), 0, lockStep);
+        return Serving.open(scenario(world), WorldSettings.defaults(), address(), 0, lockStep);
     }
 
     /** A client on TCP: for {@code localhost} it would find the world in the same process, without a socket. */
@@ -200,7 +200,7 @@ class ServeCommandTest extends CommandLineBench {
             assertThat(err.toString()).contains("cannot listen on", "" + taken.getLocalPort());
         }
 
-        try (var serving = Serving.open(scenario("track.cfg"), WorldSettings.DEFAULT, address(), 0, true, 1)) {
+        try (var serving = Serving.open(scenario("track.cfg"), WorldSettings.defaults(), address(), 0, true, 1)) {
             var first = client(serving);
             assertThatThrownBy(() -> client(serving))
                     .isInstanceOf(PlayerException.class)

@@ -42,7 +42,8 @@ class ShippedWorldsTest {
     @CsvSource({"paper-arena", "office", "cave", "track"})
     void robots_drivingForTenSeconds_neverReachIntoAWall(String name) {
         World world = World.create(
-                read(name + ".cfg").world(), WorldSettings.DEFAULT.withSeed(7).withJitter(0.02, Math.toRadians(2)));
+                read(name + ".cfg").world(),
+                WorldSettings.defaults().withSeed(7).withJitter(0.02, Math.toRadians(2)));
         int robots = world.spec().robots().size();
         for (int tick = 0; tick < TICKS_OF_10_SECONDS; tick++) {
             for (int robot = 0; robot < robots; robot++) {

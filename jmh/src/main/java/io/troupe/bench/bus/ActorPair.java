@@ -37,7 +37,7 @@ final class ActorPair implements BusPair {
         far = opening.apply(TroupePair.FAR, BusSettings.on(farSpace));
         publishEcho(services(far, farSpace), farSpace);
         near = opening.apply(TroupePair.NEAR, BusSettings.on(nearSpace));
-        var limits = ConnectionSettings.DEFAULT.withWaitLimit(LIMIT).withAnswerLimit(LIMIT);
+        var limits = ConnectionSettings.defaults().withWaitLimit(LIMIT).withAnswerLimit(LIMIT);
         var connection = services(near, nearSpace).connect(Echo.class, Need.ofService("benchmark", "echo"), limits);
         echo = connection.actor();
         askWhile(64, () -> false); // waits until the other broker's offers have come, and starts the actor
@@ -45,7 +45,7 @@ final class ActorPair implements BusPair {
 
     static ActorServices services(Bus bus, ActorSpace space) {
         BrokerObserver silent = event -> {}; // a call that fails ends the comparison
-        var broker = Broker.open(space, BrokerSettings.DEFAULT.withObserver(silent));
+        var broker = Broker.open(space, BrokerSettings.defaults().withObserver(silent));
         return ActorServices.over(bus, broker, space, silent);
     }
 

@@ -191,7 +191,7 @@ public final class MeasureStart implements Callable<Integer> {
             long main = System.nanoTime();
             var scenario = ScenarioReader.read(Path.of(arguments[0]));
             long read = System.nanoTime();
-            World world = World.create(scenario.world(), WorldSettings.DEFAULT);
+            World world = World.create(scenario.world(), WorldSettings.defaults());
             long built = System.nanoTime();
             world.advance();
             long ticked = System.nanoTime();

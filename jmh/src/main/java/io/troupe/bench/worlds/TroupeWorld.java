@@ -19,7 +19,7 @@ final class TroupeWorld implements BenchWorld {
         this.driving = driving;
         robotCount = spec.robots().size();
         wander = new Wander(robotCount);
-        world = World.create(spec, WorldSettings.DEFAULT.withSensingThreads(sensingThreads));
+        world = World.create(spec, WorldSettings.defaults().withSensingThreads(sensingThreads));
         WorldView view = world.view();
         hasLasers = view.rangerCount(0) > 0;
         readings = new Readings(robotCount, hasLasers ? view.rangeCount(0, 0) : TiledScene.SONARS);

@@ -47,7 +47,7 @@ public final class Trial {
 
     /** A trial in a world for each seed; the robots have the default settings. */
     public static Trial of(LongFunction<WorldSpec> worlds) {
-        return of(worlds, WorldSettings.DEFAULT);
+        return of(worlds, WorldSettings.defaults());
     }
 
     /**

@@ -106,7 +106,7 @@ public final class TrialServer implements AutoCloseable {
 
     /** A server of worlds with the default settings, which steps them on all cores. */
     public static TrialServer of(int worlds, LongFunction<WorldSpec> build) {
-        return of(worlds, build, WorldSettings.DEFAULT, Runtime.getRuntime().availableProcessors());
+        return of(worlds, build, WorldSettings.defaults(), Runtime.getRuntime().availableProcessors());
     }
 
     /** A server of worlds; each reset replaces the seed of the settings. */

@@ -47,11 +47,11 @@ final class Served implements AutoCloseable {
     }
 
     static Served open(int port) {
-        return new Served(oneRobot(), WorldSettings.DEFAULT, port, ofMachine());
+        return new Served(oneRobot(), WorldSettings.defaults(), port, ofMachine());
     }
 
     static Served open(Scenario scenario) {
-        return open(scenario, WorldSettings.DEFAULT);
+        return open(scenario, WorldSettings.defaults());
     }
 
     static Served open(Scenario scenario, WorldSettings settings) {
@@ -59,7 +59,7 @@ final class Served implements AutoCloseable {
     }
 
     static Served open(TcpServer.Settings settings, Clock clock) {
-        return new Served(oneRobot(), WorldSettings.DEFAULT, 0, new TcpServer.Shared(settings, clock));
+        return new Served(oneRobot(), WorldSettings.defaults(), 0, new TcpServer.Shared(settings, clock));
     }
 
     private static TcpServer.Shared ofMachine() {

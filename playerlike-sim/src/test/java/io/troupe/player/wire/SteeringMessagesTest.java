@@ -77,7 +77,7 @@ class SteeringMessagesTest {
     @Test
     void accelerationBounds_ifObeyed_letTheSpeedRiseByEqualSteps() throws Exception {
         Scenario robot = robot("acceleration_bounds [ -1 0.5 0 0 0 0 -10 10 ] velocity_bounds [ -1 1 0 0 0 0 -90 90 ]");
-        try (var served = Served.open(robot, WorldSettings.DEFAULT.withAccelerationBounds(true))) {
+        try (var served = Served.open(robot, WorldSettings.defaults().withAccelerationBounds(true))) {
             RawClient client = commanding(served, new DeviceCommand.Velocity(0.8, 0, 0, true));
             DeviceData.Position2d there = after(4, served, client);
             assertThat(there.vx()).as("four steps of 0.05 m/s").isCloseTo(0.2, within(EXACT));

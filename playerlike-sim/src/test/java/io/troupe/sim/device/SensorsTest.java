@@ -530,7 +530,7 @@ class SensorsTest {
     /** The distance that odometry reports for a drive of one metre. */
     private static double drive(long seed, String name) {
         RobotSpec robot = Specs.robot(name, Pose.ORIGIN).withOdometryError(OdometryError.STAGE);
-        World world = World.create(Specs.world(robot), WorldSettings.DEFAULT.withSeed(seed));
+        World world = World.create(Specs.world(robot), WorldSettings.defaults().withSeed(seed));
         world.command(0, 1, 0);
         return Specs.run(world, 10).odometry().pose().x();
     }

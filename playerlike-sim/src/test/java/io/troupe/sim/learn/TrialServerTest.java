@@ -141,7 +141,7 @@ class TrialServerTest {
         }
 
         List<ByteBuffer> answers;
-        try (var server = TrialServer.of(WORLDS, TrialServerTest::twoRobots, WorldSettings.DEFAULT, threads)) {
+        try (var server = TrialServer.of(WORLDS, TrialServerTest::twoRobots, WorldSettings.defaults(), threads)) {
             answers = answers(server);
         }
 

@@ -93,7 +93,7 @@ class TrialTest {
     /** The library and a world that is commanded from outside, as a server does it. */
     @Test
     void observations_areThoseOfTheWorld_bitForBit() {
-        WorldSettings settings = WorldSettings.DEFAULT.withJitter(0.02, 0.03);
+        WorldSettings settings = WorldSettings.defaults().withJitter(0.02, 0.03);
         var trial = Trial.of(seed -> RandomWorld.office(seed, 3, 2).withRobots(6), settings);
         trial.reset(5);
         World world = World.create(RandomWorld.office(5, 3, 2).withRobots(6), settings.withSeed(5));
@@ -169,7 +169,7 @@ class TrialTest {
                     RandomWorld.office(seed, 3, 3),
                     RandomWorld.cave(seed, 14));
             for (RandomWorld world : worlds) {
-                World built = World.create(world.withRobots(4), WorldSettings.DEFAULT);
+                World built = World.create(world.withRobots(4), WorldSettings.defaults());
                 assertThat(built.latest().robots())
                         .as("%s, seed %d", built.spec().name(), seed)
                         .allSatisfy(robot -> assertThat(robot.wallGapM()).isGreaterThan(0.1));

@@ -51,7 +51,7 @@ class CrowdWorldTest extends WorldFiles {
 
     @Test
     void crowd_drivingForTenSeconds_staysInsideItsHall() {
-        World world = World.create(CrowdWorld.scenario(70).world(), WorldSettings.DEFAULT);
+        World world = World.create(CrowdWorld.scenario(70).world(), WorldSettings.defaults());
         for (int tick = 0; tick < 100; tick++) {
             for (int robot = 0; robot < 70; robot++) {
                 world.command(robot, 0.4, 0.2);

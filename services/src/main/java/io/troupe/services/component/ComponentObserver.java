@@ -10,28 +10,6 @@ import java.lang.System.Logger.Level;
  * called on a thread of the component.
  */
 public interface ComponentObserver {
-    /** Logs problems, losses and messages; state changes are not logged. */
-    ComponentObserver LOG = new ComponentObserver() {
-        @Override
-        public void dropped(Address component, ApplicationData<?> lost, long total) {
-            log().log(Level.WARNING, "{0}: its buffer is full, lost {1} ({2} so far)", component, lost, total);
-        }
-
-        @Override
-        public void problem(Address component, String what, Throwable why) {
-            log().log(Level.WARNING, component + ": " + what, why);
-        }
-
-        @Override
-        public void info(Address component, String what) {
-            log().log(Level.INFO, "{0}: {1}", component, what);
-        }
-
-        private System.Logger log() {
-            return System.getLogger(ComponentObserver.class.getName());
-        }
-    };
-
     /** The state of the component has changed. */
     default void changed(Address component, ComponentState state) {}
 
@@ -47,4 +25,25 @@ public interface ComponentObserver {
 
     /** A message from the component or its interface that is not a failure. */
     void info(Address component, String what);
+
+    /** Logs problems, losses and messages; state changes are not logged. */
+    static ComponentObserver logging() {
+        var log = System.getLogger(ComponentObserver.class.getName());
+        return new ComponentObserver() {
+            @Override
+            public void dropped(Address component, ApplicationData<?> lost, long total) {
+                log.log(Level.WARNING, "{0}: its buffer is full, lost {1} ({2} so far)", component, lost, total);
+            }
+
+            @Override
+            public void problem(Address component, String what, Throwable why) {
+                log.log(Level.WARNING, component + ": " + what, why);
+            }
+
+            @Override
+            public void info(Address component, String what) {
+                log.log(Level.INFO, "{0}: {1}", component, what);
+            }
+        };
+    }
 }

@@ -69,7 +69,7 @@ public final class HostedRun implements AutoCloseable {
     private static final Duration STOP_LIMIT = Duration.ofSeconds(3);
 
     /** A service answers when it ends, which may take hours. */
-    static final ConnectionSettings LIMITS = ConnectionSettings.DEFAULT.withoutAnswerLimit();
+    static final ConnectionSettings LIMITS = ConnectionSettings.defaults().withoutAnswerLimit();
 
     private final RobotNode node;
     private final SubsumptionTable table;

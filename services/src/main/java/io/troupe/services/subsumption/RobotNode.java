@@ -37,9 +37,11 @@ public final class RobotNode implements AutoCloseable {
      * A provider that does not answer is replaced after 2 to 3 s; then its leases are over. Restarts are quick, as
      * there may be no other provider.
      */
-    private static final BrokerSettings BROKER = BrokerSettings.DEFAULT
-            .withChecks(Duration.ofMillis(500), Duration.ofSeconds(1), 2)
-            .withRestart(Duration.ofMillis(500), Duration.ofSeconds(4));
+    private static final BrokerSettings BROKER = BrokerSettings.defaults()
+            .withCheckEvery(Duration.ofMillis(500))
+            .withCheckLimit(Duration.ofSeconds(1))
+            .withMissedChecks(2)
+            .withRestartPauses(Duration.ofMillis(500), Duration.ofSeconds(4));
 
     private static final String REPORTS = "robots";
 

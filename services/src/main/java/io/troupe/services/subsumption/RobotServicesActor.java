@@ -50,7 +50,7 @@ public sealed class RobotServicesActor extends Actor implements RobotServices pe
 
         /** The paper's settings: its table, and the default port on this machine. */
         public static Settings ofThePaper() {
-            return new Settings("localhost", 6665, SubsumptionTable.ofThePaper(), ServiceObserver.NONE);
+            return new Settings("localhost", 6665, SubsumptionTable.ofThePaper(), ServiceObserver.none());
         }
 
         public Settings withObserver(ServiceObserver newObserver) {

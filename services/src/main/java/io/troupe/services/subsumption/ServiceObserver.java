@@ -41,14 +41,16 @@ public interface ServiceObserver {
     default void leaseLost(int robot, Service service) {}
 
     /** An observer that does nothing. */
-    ServiceObserver NONE = new ServiceObserver() {
-        @Override
-        public void serviceStarted(int robot, Service service) {}
+    static ServiceObserver none() {
+        return new ServiceObserver() {
+            @Override
+            public void serviceStarted(int robot, Service service) {}
 
-        @Override
-        public void cycleEnded(int robot, Service service) {}
+            @Override
+            public void cycleEnded(int robot, Service service) {}
 
-        @Override
-        public void serviceEnded(int robot, Service service) {}
-    };
+            @Override
+            public void serviceEnded(int robot, Service service) {}
+        };
+    }
 }

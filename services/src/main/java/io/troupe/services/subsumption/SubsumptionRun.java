@@ -16,7 +16,6 @@ import io.troupe.broker.Need;
 import io.troupe.broker.ServiceCallException;
 import io.troupe.broker.ServiceRecord;
 import java.lang.System.Logger.Level;
-import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;
 import java.util.LinkedHashMap;
@@ -110,15 +109,14 @@ public final class SubsumptionRun implements AutoCloseable {
      * before the provider has started.
      */
     private static final ConnectionSettings LIMITS =
-            ConnectionSettings.DEFAULT.withoutAnswerLimit().withMostWaiting(Integer.MAX_VALUE);
+            ConnectionSettings.defaults().withoutAnswerLimit().withCapacity(Integer.MAX_VALUE);
 
     /**
      * A service that ends is noticed at once, so health checks are only of use on another space; a failure ends the
      * run, so nothing is restarted.
      */
-    private static final BrokerSettings BROKER = BrokerSettings.DEFAULT
-            .withChecks(Duration.ofDays(1), Duration.ofDays(1), 1)
-            .withoutRestart();
+    private static final BrokerSettings BROKER =
+            BrokerSettings.defaults().withoutChecks().withoutRestart();
 
     private final AtomicReference<@Nullable Throwable> failure;
     private final Runnable closing;

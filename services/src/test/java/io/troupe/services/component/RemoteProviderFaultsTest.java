@@ -31,8 +31,10 @@ class RemoteProviderFaultsTest extends ComponentBench {
 
     private final Broker broker = Broker.open(
             test.space(),
-            BrokerSettings.DEFAULT
-                    .withChecks(Duration.ofSeconds(1), Duration.ofSeconds(5), 3)
+            BrokerSettings.defaults()
+                    .withCheckEvery(Duration.ofSeconds(1))
+                    .withCheckLimit(Duration.ofSeconds(5))
+                    .withMissedChecks(3)
                     .withObserver(event -> {}));
     private final BusPort control = bus.attach("control");
     private final List<String> heard = new ArrayList<>();

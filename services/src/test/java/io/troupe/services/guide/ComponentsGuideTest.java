@@ -42,7 +42,8 @@ import org.junit.jupiter.api.Test;
 class ComponentsGuideTest {
     private final TestSpace test = new TestSpace();
     private final Bus bus = Bus.inProcess("house", BusSettings.on(test.space()));
-    private final Broker broker = Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
+    private final Broker broker =
+            Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
     private final List<String> shown = new ArrayList<>();
 
     record Temperature(double celsius) {}
@@ -129,7 +130,7 @@ class ComponentsGuideTest {
                     new Celsius(),
                     Buffering.LATEST,
                     Buffering.STREAM);
-            var hall = ComponentInterface.open(bus, "hall", component, ComponentObserver.LOG);
+            var hall = ComponentInterface.open(bus, "hall", component, ComponentObserver.logging());
             broker.register("thermometer", List.of("senses"), hall.address(), hall);
         });
         test.run(() -> {
@@ -162,7 +163,7 @@ class ComponentsGuideTest {
                     .needing("two-robots", "player")
                     .needing("robot1", "wallFollower")
                     .needing("robot2", "spaceWanderer");
-            var application = Application.start(plan, bus, broker, ApplicationSettings.DEFAULT);
+            var application = Application.start(plan, bus, broker, ApplicationSettings.defaults());
             started.add(application);
         });
         test.get(started.getFirst().started());

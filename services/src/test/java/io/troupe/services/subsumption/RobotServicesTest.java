@@ -43,7 +43,7 @@ class RobotServicesTest extends RobotsBench {
     }
 
     private RobotServices services(SubsumptionTable table) {
-        return services(settings(table).withObserver(ServiceObserver.NONE));
+        return services(settings(table).withObserver(ServiceObserver.none()));
     }
 
     private Promise<ServiceEnd> drive(int robot, Service service, int stateColour) {

@@ -1,8 +1,8 @@
 package io.troupe.actor.soak;
 
 import io.troupe.actor.ActorSettings;
+import io.troupe.actor.ActorSettings.Overflow;
 import io.troupe.actor.ActorSpace;
-import io.troupe.actor.MailboxBound.Overflow;
 import io.troupe.actor.Promise;
 import io.troupe.actor.SpaceSettings;
 import java.lang.management.ManagementFactory;
@@ -45,8 +45,8 @@ final class Soak {
     List<String> run() throws InterruptedException {
         // created before both runs, so that neither counts what it retains as part of its beginning
         var heap = new HeapWatch(options.heapBoundMib());
-        run("unbounded", ActorSettings.DEFAULT, false, heap);
-        run("bounded", ActorSettings.DEFAULT.withMailbox(options.capacity(), Overflow.BLOCK), true, heap);
+        run("unbounded", ActorSettings.defaults(), false, heap);
+        run("bounded", ActorSettings.defaults().withMailbox(options.capacity(), Overflow.BLOCK), true, heap);
         if (heap.isExceeded()) {
             faults.add(heap.toString());
         }

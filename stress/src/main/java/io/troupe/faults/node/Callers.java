@@ -26,7 +26,7 @@ final class Callers {
     private static final Duration PAUSE = Duration.ofMillis(30);
     private static final Duration LIMIT = Duration.ofSeconds(2);
     private static final ConnectionSettings SETTINGS =
-            ConnectionSettings.DEFAULT.withWaitLimit(LIMIT).withAnswerLimit(LIMIT);
+            ConnectionSettings.defaults().withWaitLimit(LIMIT).withAnswerLimit(LIMIT);
     /** Of a call without another limit: it waits for a provider, and then for the answer. */
     private static final long BOTH_LIMITS_MILLIS = 2 * LIMIT.toMillis();
 

@@ -92,7 +92,7 @@ public final class NodeMain {
         this.callers = new Callers(work, history, process, seed);
         this.bus = open(server);
         publications.subscribe(bus, subscribers);
-        var broker = Broker.open(work, BrokerSettings.DEFAULT.withObserver(event -> {}));
+        var broker = Broker.open(work, BrokerSettings.defaults().withObserver(event -> {}));
         var services = ActorServices.over(bus, broker, work, event -> {});
         services.publish(handlers, Tool.class, "tool", List.of("at-" + node), () -> new Tool.ToolActor(history));
         onWork(() -> callers.start(services, Hosts.NODES));

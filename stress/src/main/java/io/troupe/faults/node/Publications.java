@@ -33,11 +33,11 @@ final class Publications {
     record Value(long number, long sentNanos, String text) {}
 
     private static final BusTopic<Value> BURSTS = new BusTopic<>("bursts", Value.class);
-    private static final BusTopic<Value> LATEST = new BusTopic<>("latest", Value.class).keepingOnlyLatest();
+    private static final BusTopic<Value> LATEST = new BusTopic<>("latest", Value.class).withCapacity(1);
     private static final BusTopic<Value> FRESH =
-            new BusTopic<>("fresh/all", Value.class).droppingOlderThan(Duration.ofMillis(300));
+            new BusTopic<>("fresh/all", Value.class).withMaxAge(Duration.ofMillis(300));
     private static final BusTopic<Value> COMMANDS =
-            new BusTopic<>("fresh/latest", Value.class).keepingOnlyLatest().droppingOlderThan(Duration.ofMillis(300));
+            new BusTopic<>("fresh/latest", Value.class).withCapacity(1).withMaxAge(Duration.ofMillis(300));
     private static final BusTopic<Value> FLOOD = new BusTopic<>("flood", Value.class);
     private static final BusTopic<Value> BIG = new BusTopic<>("big", Value.class);
     private static final List<BusTopic<Value>> ALL = List.of(BURSTS, LATEST, FRESH, COMMANDS, FLOOD, BIG);

@@ -83,7 +83,8 @@ public final class WorldMain {
             NodeMain.watchPauses(history);
             return null;
         }));
-        try (var simulation = Simulation.open(ScenarioReader.read(write(folder, forServices)), WorldSettings.DEFAULT);
+        try (var simulation =
+                        Simulation.open(ScenarioReader.read(write(folder, forServices)), WorldSettings.defaults());
                 var server =
                         TcpServer.open(PlayerPorts.find(PORT).orElseThrow(), 0, InetAddress.getByName(arguments[2]))) {
             simulation.lockStep(false);

@@ -38,7 +38,7 @@ import org.jspecify.annotations.Nullable;
  * A server with one page, on which browsers see a world while it runs, and from which they control it.
  *
  * {@snippet :
- * try (var page = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+ * try (var page = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
  *     address = page.address();
  *     var viewed = new ViewedRun(scenario.world(), SubsumptionTable.ofThePaper(), control).onto(page);
  *     result = run.run(log, viewed.listener(RecordedRun.Listener.NONE));
@@ -81,7 +81,9 @@ public final class LiveView implements AutoCloseable {
      */
     public record Settings(InetAddress address, int port) {
         /** The loopback address and the usual port. */
-        public static final Settings DEFAULT = new Settings(InetAddress.getLoopbackAddress(), PORT);
+        public static Settings defaults() {
+            return new Settings(InetAddress.getLoopbackAddress(), PORT);
+        }
 
         public Settings withPort(int newPort) {
             return new Settings(address, newPort);

@@ -318,7 +318,7 @@ class BrowserTest {
     @Test
     void actorsWithSimilarNames_haveDifferentLabels_andThoseOfABusNoTurns() throws Exception {
         String twice = "a rather long name that is the same until its end, for number ";
-        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
                     .onto(view)
                     .moved(LiveRuns.start());
@@ -348,7 +348,7 @@ class BrowserTest {
     @Test
     void actorThatIsStuckInATurn_isMarked_withItsMailbox() throws Exception {
         var release = new CountDownLatch(1);
-        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0));
+        try (var view = LiveView.open(LiveView.Settings.defaults().withPort(0));
                 var space = ActorSpace.create(SpaceSettings.named("stuck").withCallObserver(view.callGraph()))) {
             new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
                     .onto(view)
@@ -389,7 +389,7 @@ class BrowserTest {
     @Test
     void timeLine_listsTheSwitchesOfTheLog() throws Exception {
         Path log = folder.resolve("short.jsonl");
-        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, true)).onto(view);
             LiveRuns.run(log, 300, viewed.listener(RecordedRun.Listener.NONE));
             open(view);
@@ -436,8 +436,8 @@ class BrowserTest {
     @Test
     void thousandRobots_areDrawn() throws Exception {
         var scenario = LiveRuns.atOwnPort(CrowdWorld.scenario(1000, 8));
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
-                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults());
+                var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed = new ViewedRun(scenario.world(), new RunControl(0, false)).onto(view);
             viewed.moved(simulation.latest());
             open(view);
@@ -499,10 +499,10 @@ class BrowserTest {
 
     @Test
     void pageBesideAWorld_keepsTheNewestEvents_andAFileKnowsWhoDroveAtEachTime() throws Exception {
-        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false)).onto(view);
-            viewed.moved(
-                    World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT).latest());
+            viewed.moved(World.create(LiveRuns.ARENA.world(), WorldSettings.defaults())
+                    .latest());
             open(view);
             page().await("troupe.model.frame !== null");
             page().get(
@@ -547,7 +547,7 @@ class BrowserTest {
                 62_000_000L, new ViewCommand.Place(0, new Pose(4, -3, 0)),
                 62_100_000L, new ViewCommand.Release(0),
                 150_000_000L, new ViewCommand.Reset());
-        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, control)
                     .onto(view)
                     .onto(file);
@@ -580,8 +580,8 @@ class BrowserTest {
 
     @Test
     void trails_haveGapsWhereClientsPutRobots_whereTheyWereAway_andWhereTimeIsMissing() throws Exception {
-        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT);
-                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.defaults());
+                var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed = new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, false)).onto(view);
             viewed.moved(world.latest());
             open(view);
@@ -637,7 +637,7 @@ class BrowserTest {
         double endX = pushed.getLast().moved().getFirst().x();
         Path html = folder.resolve("push.html");
         var file = new ViewFile();
-        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed = new ViewedRun(PushedBox.WORLD, new RunControl(0, false))
                     .onto(view)
                     .onto(file);
@@ -701,8 +701,8 @@ class BrowserTest {
         Path html = folder.resolve("walls.html");
         Path svg = folder.resolve("walls.svg");
         var file = new ViewFile();
-        try (var world = World.create(walls, WorldSettings.DEFAULT);
-                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var world = World.create(walls, WorldSettings.defaults());
+                var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed =
                     new ViewedRun(walls, new RunControl(0, false)).onto(view).onto(file);
             viewed.moved(world.latest());
@@ -744,7 +744,7 @@ class BrowserTest {
         List<Snapshot> snapshots = DeviceRoom.run();
         Path html = folder.resolve("devices.html");
         var file = new ViewFile();
-        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed = new ViewedRun(DeviceRoom.WORLD, new RunControl(0, false))
                     .onto(view)
                     .onto(file);
@@ -831,8 +831,8 @@ class BrowserTest {
 
     @Test
     void whatIsTakenOut_isNotDrawn() throws Exception {
-        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT);
-                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.defaults());
+                var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed = new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, false)).onto(view);
             viewed.moved(world.latest());
             open(view);
@@ -852,7 +852,7 @@ class BrowserTest {
     void reader_acceptsAnyCutting_andAnyBytes_withoutMoreThanAnError() throws Exception {
         List<byte[]> messages = new ArrayList<>();
         var world = new ViewedWorld(LiveRuns.ARENA.world(), List.of("a"), List.of());
-        try (var simulation = Simulation.open(LiveRuns.atOwnPort(LiveRuns.ARENA), WorldSettings.DEFAULT)) {
+        try (var simulation = Simulation.open(LiveRuns.atOwnPort(LiveRuns.ARENA), WorldSettings.defaults())) {
             Snapshot snapshot = simulation.tick();
             var frame = new ViewFrame(7, snapshot, new short[] {1, (short) 255}, 1.5);
             messages.add(ViewMessages.text(ViewMessages.WORLD, world.json()));
@@ -870,7 +870,7 @@ class BrowserTest {
                 bytes.append(each & 0xFF).append(',');
             }
         });
-        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             page().open(view.address());
             page().await("typeof Messages === 'object'");
             page().get("window.bytes = new Uint8Array(" + bytes + "])");
@@ -952,8 +952,8 @@ class BrowserTest {
     @Test
     void servedWorld_waitsForClients_untilThereIsOne_andWhenItIsGone() throws Exception {
         var arena = LiveRuns.atOwnPort(LiveRuns.ARENA);
-        try (var simulation = Simulation.open(arena, WorldSettings.DEFAULT);
-                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var simulation = Simulation.open(arena, WorldSettings.defaults());
+                var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             simulation.lockStep(false);
             var control = new SimulationControl(simulation, 1);
             var viewed = new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, false)).onto(view, control);
@@ -978,7 +978,7 @@ class BrowserTest {
 
     @Test
     void worldThatCanOnlyBeWatched_hasNoControlsOfTime_andSaysWhy() throws Exception {
-        try (var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, false))
                     .onto(view, ViewControl.NONE)
                     .moved(LiveRuns.start());
@@ -994,8 +994,8 @@ class BrowserTest {
     void office_isShown() throws Exception {
         Path world = LiveRuns.WORLDS.resolve("office.cfg");
         var scenario = LiveRuns.atOwnPort(ScenarioReader.read(world));
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
-                var view = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults());
+                var view = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
             var viewed = new ViewedRun(scenario.world(), new RunControl(0, false)).onto(view);
             simulation.world().command(0, 0.4, 0.1);
             viewed.moved(simulation.latest());

@@ -118,12 +118,12 @@ class FoxgloveViewTest {
     }
 
     private static LiveView page() throws IOException {
-        return LiveView.open(LiveView.Settings.DEFAULT.withPort(0));
+        return LiveView.open(LiveView.Settings.defaults().withPort(0));
     }
 
     @Test
     void subscriber_getsWhatTheRobotsRead_atTheirTime() throws Exception {
-        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT);
+        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.defaults());
                 var page = page()) {
             var viewed = new ViewedRun(LiveRuns.ARENA.world(), LiveRuns.TABLE, new RunControl(0, true)).onto(page);
             viewed.moved(world.latest(), robot -> "wallFollower");
@@ -178,7 +178,7 @@ class FoxgloveViewTest {
 
     @Test
     void requestsThatCannotBeServed_getAStatus_andTheConnectionGoesOn() throws Exception {
-        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT);
+        try (var world = World.create(LiveRuns.ARENA.world(), WorldSettings.defaults());
                 var page = page();
                 var client = new Client(page.port())) {
             var viewed = new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, true)).onto(page);
@@ -210,8 +210,8 @@ class FoxgloveViewTest {
 
     @Test
     void anotherWorld_hasOtherChannels() throws Exception {
-        try (var arena = World.create(LiveRuns.ARENA.world(), WorldSettings.DEFAULT);
-                var crowd = World.create(CrowdWorld.scenario(12).world(), WorldSettings.DEFAULT);
+        try (var arena = World.create(LiveRuns.ARENA.world(), WorldSettings.defaults());
+                var crowd = World.create(CrowdWorld.scenario(12).world(), WorldSettings.defaults());
                 var page = page();
                 var client = new Client(page.port())) {
             new ViewedRun(LiveRuns.ARENA.world(), new RunControl(0, true))

@@ -34,7 +34,7 @@ final class LiveRuns {
 
     /** Runs the main job. */
     static void run(Path log, double seconds, RecordedRun.Listener listener) throws Exception {
-        run(log, RecordedRun.Settings.DEFAULT.withSeconds(seconds), listener);
+        run(log, RecordedRun.Settings.defaults().withSeconds(seconds), listener);
     }
 
     private static void run(Path log, RecordedRun.Settings settings, RecordedRun.Listener listener) throws Exception {
@@ -45,7 +45,7 @@ final class LiveRuns {
 
     /** The arena at the start. */
     static Snapshot start() {
-        try (var simulation = Simulation.open(atOwnPort(ARENA), WorldSettings.DEFAULT)) {
+        try (var simulation = Simulation.open(atOwnPort(ARENA), WorldSettings.defaults())) {
             return simulation.latest();
         }
     }
@@ -62,7 +62,7 @@ final class LiveRuns {
         }
 
         Endless(Path log, int port, double speed, Mode mode) throws IOException {
-            page = LiveView.open(LiveView.Settings.DEFAULT.withPort(port));
+            page = LiveView.open(LiveView.Settings.defaults().withPort(port));
             control = new RunControl(speed, true);
             var viewed = new ViewedRun(ARENA.world(), TABLE, control).onto(page);
             var listener = viewed.listener(new RecordedRun.Listener() {
@@ -73,7 +73,7 @@ final class LiveRuns {
             });
             var thread = Executors.newSingleThreadExecutor();
             running = thread.submit(() -> {
-                run(log, RecordedRun.Settings.DEFAULT.withSeconds(1e6).withMode(mode), listener);
+                run(log, RecordedRun.Settings.defaults().withSeconds(1e6).withMode(mode), listener);
                 return null;
             });
             thread.shutdown();

@@ -42,7 +42,7 @@ class LiveViewFigures {
         assumeTrue(Browser.isInstalled(), "chromium and chromedriver are not installed");
         var scenario = CrowdWorld.scenario(robots, 8);
         List<Snapshot> snapshots = new ArrayList<>();
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT)) {
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults())) {
             for (int i = 0; i < robots; i++) {
                 simulation.world().command(i, 0.3, 0.2);
             }
@@ -52,7 +52,7 @@ class LiveViewFigures {
         }
         var frames = Executors.newSingleThreadScheduledExecutor(
                 Thread.ofPlatform().name("frames").factory());
-        try (var page = LiveView.open(LiveView.Settings.DEFAULT.withPort(0));
+        try (var page = LiveView.open(LiveView.Settings.defaults().withPort(0));
                 var browser = Browser.open()) {
             var shown = new Shown(new ViewedRun(scenario.world(), new RunControl(0, false)).onto(page), snapshots);
             frames.scheduleAtFixedRate(shown, 0, 1_000_000_000 / FRAMES_PER_SECOND, TimeUnit.NANOSECONDS);

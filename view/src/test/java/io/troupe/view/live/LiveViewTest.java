@@ -52,7 +52,7 @@ class LiveViewTest {
     private Path folder;
 
     private static LiveView page() throws IOException {
-        return LiveView.open(LiveView.Settings.DEFAULT.withPort(0));
+        return LiveView.open(LiveView.Settings.defaults().withPort(0));
     }
 
     /** Sends a request as it is; returns all of the answer. */
@@ -78,12 +78,15 @@ class LiveViewTest {
     @Test
     void sampleOfThePage_showsARun() throws Exception {
         Scenario scenario = LiveRuns.ARENA;
-        var run = new RecordedRun(scenario, SubsumptionTable.ofThePaper(), RecordedRun.Settings.DEFAULT.withSeconds(2));
+        var run = new RecordedRun(
+                scenario,
+                SubsumptionTable.ofThePaper(),
+                RecordedRun.Settings.defaults().withSeconds(2));
         var control = new RunControl(0, true);
         String address;
         RunResult result;
         try (var log = new RunLog(folder.resolve("run.jsonl"))) {
-            try (var page = LiveView.open(LiveView.Settings.DEFAULT.withPort(0))) {
+            try (var page = LiveView.open(LiveView.Settings.defaults().withPort(0))) {
                 address = page.address();
                 var viewed = new ViewedRun(scenario.world(), SubsumptionTable.ofThePaper(), control).onto(page);
                 result = run.run(log, viewed.listener(RecordedRun.Listener.NONE));
@@ -247,7 +250,7 @@ class LiveViewTest {
 
     @Test
     void pageForOtherHosts_answersOnlyWithTheToken() throws Exception {
-        var settings = LiveView.Settings.DEFAULT
+        var settings = LiveView.Settings.defaults()
                 .withAddress(InetAddress.getByName("0.0.0.0"))
                 .withPort(0);
         try (var page = LiveView.open(settings)) {
@@ -293,7 +296,7 @@ class LiveViewTest {
     @Test
     void portThatIsTaken_isNamed() throws Exception {
         try (var page = page()) {
-            assertThatThrownBy(() -> LiveView.open(LiveView.Settings.DEFAULT.withPort(page.port())))
+            assertThatThrownBy(() -> LiveView.open(LiveView.Settings.defaults().withPort(page.port())))
                     .isInstanceOf(BindException.class)
                     .hasMessageContaining(":" + page.port())
                     .hasMessageContaining("expected a free port");
@@ -304,7 +307,7 @@ class LiveViewTest {
     void fileOfTheDefaultRun_hasTheSwitches_andIsSmall() throws Exception {
         Scenario scenario = LiveRuns.ARENA;
         SubsumptionTable table = LiveRuns.TABLE;
-        var run = new RecordedRun(scenario, table, RecordedRun.Settings.DEFAULT);
+        var run = new RecordedRun(scenario, table, RecordedRun.Settings.defaults());
         RunResult result;
         try (var log = new RunLog(folder.resolve("run.jsonl"))) {
             var file = new ViewFile();
@@ -348,7 +351,7 @@ class LiveViewTest {
     @Test
     void frame_hasWhatWasTakenOut_orPutElsewhere() {
         WorldSpec arena = LiveRuns.ARENA.world();
-        try (var world = World.create(arena, WorldSettings.DEFAULT)) {
+        try (var world = World.create(arena, WorldSettings.defaults())) {
             world.removeObstacle(1);
             world.placeObstacle(0, new Pose(20, 0, 1.5 * Math.PI));
             var viewed = new ViewedWorld(arena, List.of(), List.of());

@@ -20,7 +20,7 @@ import org.junit.jupiter.api.Timeout;
 class SimulationControlTest {
     @Test
     void interventions_areCarriedOut_andListedOnce_exceptThoseThatAreImpossible() {
-        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.DEFAULT)) {
+        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.defaults())) {
             var control = new SimulationControl(simulation, 1);
             var place = new ViewCommand.Place(0, new Pose(-3, 0, 1));
             var box = new ViewCommand.PutBox(new ColouredBox(2, 0xFF0000, 0, 1));
@@ -38,7 +38,7 @@ class SimulationControlTest {
 
     @Test
     void world_waitsForClients_whileItsRunnerHasNone() {
-        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.DEFAULT)) {
+        try (var simulation = Simulation.open(LiveRuns.ARENA, WorldSettings.defaults())) {
             simulation.lockStep(false);
             var control = new SimulationControl(simulation, 1);
             assertThat(control.waitsFor()).as("before it has begun to run").isEmpty();

@@ -59,7 +59,7 @@ final class Room {
     /** Writes the log of a run without services, by RunRecorder itself. */
     static Path recorded(Path file, WorldSpec world, List<Snapshot> snapshots) throws IOException {
         try (var log = new RunLog(file)) {
-            log.begin(world, RecordedRun.Settings.DEFAULT);
+            log.begin(world, RecordedRun.Settings.defaults());
             var recorder = new RunRecorder(world, SubsumptionTable.ofThePaper(), log, change -> {});
             recorder.start(snapshots.getFirst());
             snapshots.stream().skip(1).forEach(recorder::record);

@@ -71,7 +71,7 @@ class RunExportTest {
     @Test
     void programOfTheReadme_writesBothFormats() throws Exception {
         Scenario scenario = ScenarioReader.read(ARENA);
-        var settings = RecordedRun.Settings.DEFAULT.withSeconds(5);
+        var settings = RecordedRun.Settings.defaults().withSeconds(5);
         new RecordedRun(scenario, SubsumptionTable.ofThePaper(), settings).run(folder.resolve("run.jsonl"));
 
         var run = new RunExport(folder.resolve("run.jsonl"), scenario.world());
@@ -226,7 +226,11 @@ class RunExportTest {
     void messages_haveTheMembersThatTheirSchemasRequire() throws Exception {
         Scenario scenario = ScenarioReader.read(ARENA);
         Path run = folder.resolve("run.jsonl");
-        new RecordedRun(scenario, SubsumptionTable.ofThePaper(), RecordedRun.Settings.DEFAULT.withSeconds(15)).run(run);
+        new RecordedRun(
+                        scenario,
+                        SubsumptionTable.ofThePaper(),
+                        RecordedRun.Settings.defaults().withSeconds(15))
+                .run(run);
         McapFile file = mcap(new RunExport(run, scenario.world()));
         Set<String> seen = new HashSet<>();
         for (McapFile.Message message : file.messages) {
@@ -266,7 +270,7 @@ class RunExportTest {
     void recording_isPlayedAgain_withItsSpeeds() throws IOException {
         Path recording = folder.resolve("recording.txt");
         WorldSpec spec = ScenarioReader.read(ARENA).world();
-        try (var world = World.create(spec, WorldSettings.DEFAULT)) {
+        try (var world = World.create(spec, WorldSettings.defaults())) {
             try (var out = Files.newBufferedWriter(recording)) {
                 Recording recorded = world.record(out);
                 world.command(0, 0.5, 0);
@@ -298,7 +302,7 @@ class RunExportTest {
     void crowd_hasItsTransformsAndBodies_andItsSensorsInTables() throws IOException {
         WorldSpec crowd = CrowdWorld.scenario(12, 3).world();
         Path run = folder.resolve("run.jsonl");
-        try (var world = World.create(crowd, WorldSettings.DEFAULT)) {
+        try (var world = World.create(crowd, WorldSettings.defaults())) {
             Files.writeString(run, Room.log(crowd, List.of(world.latest(), world.advance())));
         }
         var export = new RunExport(run, crowd);
@@ -335,7 +339,7 @@ class RunExportTest {
                 .doesNotContain("wall");
 
         List<Snapshot> changed = new ArrayList<>();
-        try (var world = World.create(Room.WORLD, WorldSettings.DEFAULT)) {
+        try (var world = World.create(Room.WORLD, WorldSettings.defaults())) {
             changed.add(world.advance());
             world.removeObstacle(4);
             changed.add(world.advance());
@@ -507,7 +511,7 @@ class RunExportTest {
     @Test
     void intensitiesThatWereAskedFor_areInTheTablesOfARecording() throws IOException {
         Path recording = folder.resolve("recording.txt");
-        try (var world = World.create(Room.WORLD, WorldSettings.DEFAULT);
+        try (var world = World.create(Room.WORLD, WorldSettings.defaults());
                 var out = Files.newBufferedWriter(recording)) {
             Recording recorded = world.record(out);
             world.advance();
@@ -636,7 +640,11 @@ class RunExportTest {
         String python = python();
         Scenario scenario = ScenarioReader.read(ARENA);
         Path run = folder.resolve("run.jsonl");
-        new RecordedRun(scenario, SubsumptionTable.ofThePaper(), RecordedRun.Settings.DEFAULT.withSeconds(20)).run(run);
+        new RecordedRun(
+                        scenario,
+                        SubsumptionTable.ofThePaper(),
+                        RecordedRun.Settings.defaults().withSeconds(20))
+                .run(run);
         Path file = folder.resolve("run.mcap");
         new RunExport(run, scenario.world()).writeMcap(file);
         assertThat(readBy(python, file))

@@ -96,9 +96,9 @@ class RunLogReaderTest {
                 10_000_000L, new ColouredBox(1, 0xFFFF00, 3, 0),
                 20_000_000L, new ColouredBox(2, 0x00FFFF, -5, -3.5),
                 25_000_000L, new ColouredBox(1, 0xFFFF00, 2, 3));
-        try (var simulation = Simulation.open(scenario, WorldSettings.DEFAULT);
+        try (var simulation = Simulation.open(scenario, WorldSettings.defaults());
                 var log = new RunLog(file)) {
-            log.begin(scenario.world(), RecordedRun.Settings.DEFAULT);
+            log.begin(scenario.world(), RecordedRun.Settings.defaults());
             var recorder = new RunRecorder(scenario.world(), table, log, change -> {});
             var settings = new SubsumptionRun.Settings(
                     Mode.PROMISE, "localhost", 6665, table, simulation.clock(), recorder, recorder);
@@ -165,7 +165,7 @@ class RunLogReaderTest {
         WorldSpec spec =
                 ScenarioReader.read(Path.of("..", "demo", "worlds", name)).world();
         List<Snapshot> snapshots = new ArrayList<>();
-        try (var world = World.create(spec, WorldSettings.DEFAULT)) {
+        try (var world = World.create(spec, WorldSettings.defaults())) {
             snapshots.add(world.latest());
             for (int robot = 0; robot < spec.robots().size(); robot++) {
                 world.command(robot, 0.3, 0.4 - 0.1 * robot);
@@ -210,7 +210,7 @@ class RunLogReaderTest {
                 )
                 """, Path.of("crane.world")).world();
         List<Snapshot> snapshots = new ArrayList<>();
-        try (var world = World.create(spec, WorldSettings.DEFAULT)) {
+        try (var world = World.create(spec, WorldSettings.defaults())) {
             snapshots.add(world.latest());
             world.grip(0, 0, GripperDevice.Order.CLOSE);
             for (int tick = 0; tick < 70; tick++) {
@@ -272,7 +272,7 @@ class RunLogReaderTest {
     @Test
     void readingsAfterAGrippedThingWasTakenOutOfTheWorld_areTheirs() throws IOException {
         List<Snapshot> snapshots = new ArrayList<>();
-        try (var world = World.create(DeviceRoom.WORLD, WorldSettings.DEFAULT)) {
+        try (var world = World.create(DeviceRoom.WORLD, WorldSettings.defaults())) {
             for (int tick = 0; tick < 70; tick++) {
                 DeviceRoom.command(world, tick);
                 switch (tick) {
@@ -301,7 +301,7 @@ class RunLogReaderTest {
     @Test
     void readingsAfterAResetWhileAThingIsHeld_areTheirs() throws IOException {
         List<Snapshot> snapshots = new ArrayList<>();
-        try (var world = World.create(DeviceRoom.WORLD, WorldSettings.DEFAULT)) {
+        try (var world = World.create(DeviceRoom.WORLD, WorldSettings.defaults())) {
             for (int tick = 0; tick < 50; tick++) {
                 DeviceRoom.command(world, tick);
                 if (tick == 40) {
@@ -328,7 +328,7 @@ class RunLogReaderTest {
         WorldSpec crowd = ScenarioReader.readText(DeviceRoom.TEXT + others, Path.of("crowd.world"))
                 .world();
         List<Snapshot> snapshots = new ArrayList<>();
-        try (var world = World.create(crowd, WorldSettings.DEFAULT)) {
+        try (var world = World.create(crowd, WorldSettings.defaults())) {
             snapshots.add(world.latest());
             for (int tick = 0; tick < 90; tick++) {
                 DeviceRoom.command(world, tick);
@@ -375,7 +375,7 @@ class RunLogReaderTest {
     @Test
     void readingsWhileObstaclesComeAndGo_areTheirs() throws IOException {
         List<Snapshot> snapshots = new ArrayList<>();
-        try (var world = World.create(Room.WORLD, WorldSettings.DEFAULT)) {
+        try (var world = World.create(Room.WORLD, WorldSettings.defaults())) {
             world.command(0, 0.5, 0.1);
             for (int tick = 0; tick < 40; tick++) {
                 switch (tick) {
@@ -482,7 +482,7 @@ class RunLogReaderTest {
     }
 
     private static Snapshot start(WorldSpec spec) {
-        try (var world = World.create(spec, WorldSettings.DEFAULT)) {
+        try (var world = World.create(spec, WorldSettings.defaults())) {
             return world.latest();
         }
     }

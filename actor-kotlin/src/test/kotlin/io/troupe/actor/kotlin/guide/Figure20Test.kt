@@ -31,7 +31,7 @@ class Figure20Test {
     @ParameterizedTest
     @ValueSource(longs = [1, 7])
     fun demo3_writesTheLogOfTheMainJob(seed: Long) {
-        val settings = RecordedRun.Settings.DEFAULT.withSeed(seed).withSeconds(300.0)
+        val settings = RecordedRun.Settings.defaults().withSeed(seed).withSeconds(300.0)
         val inJava = folder.resolve("java.jsonl")
         RecordedRun(scenario, table, settings).run(inJava)
         val inKotlin = folder.resolve("kotlin.jsonl")
@@ -42,7 +42,7 @@ class Figure20Test {
 
     private fun drive(log: RunLog, settings: RecordedRun.Settings) {
         val problems = mutableListOf<Throwable>()
-        val world = WorldSettings.DEFAULT.withSeed(settings.seed).withJitter(0.02, StrictMath.toRadians(2.0))
+        val world = WorldSettings.defaults().withSeed(settings.seed()).withJitter(0.02, StrictMath.toRadians(2.0))
         Simulation.open(scenario, world).use { simulation ->
             log.begin(scenario.world(), settings)
             val recorder = RunRecorder(scenario.world(), table, log) { }

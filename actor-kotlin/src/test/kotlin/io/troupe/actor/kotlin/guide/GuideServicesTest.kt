@@ -18,7 +18,7 @@ class GuideServicesTest {
     @Test
     fun greeter_isAServiceAtABroker() {
         ActorSpace.create(SpaceSettings.named("ship")).use { space ->
-            val broker = Broker.open(space, BrokerSettings.DEFAULT)
+            val broker = Broker.open(space, BrokerSettings.defaults())
             val services = ActorServices(broker, "ship", space, BrokerObserver.logging())
             services.publish<Greeter>(space, "greeter") { PoliteGreeter() }
             val greeter = services.connect<Greeter>(Need.ofService("guest", "greeter")).actor()

@@ -108,7 +108,7 @@ record PaperRobots(
     record Arena(Simulation simulation, SimulationRunner runner, CompletableFuture<@Nullable Void> standstill)
             implements AutoCloseable {
         static Arena open(int clients) {
-            var simulation = Simulation.open(scenario(), WorldSettings.DEFAULT);
+            var simulation = Simulation.open(scenario(), WorldSettings.defaults());
             var standstill = new CompletableFuture<@Nullable Void>();
             var runner = SimulationRunner.start(simulation, clients, snapshot -> {
                 if (simulation.isPaused()) {

@@ -72,7 +72,7 @@ class PaperFiguresTest {
     }
 
     private static Simulation open() {
-        return Simulation.open(PaperRobots.Arena.scenario(), WorldSettings.DEFAULT);
+        return Simulation.open(PaperRobots.Arena.scenario(), WorldSettings.defaults());
     }
 
     private static void tick(Simulation simulation, int times) {
@@ -175,7 +175,7 @@ class PaperFiguresTest {
             Arbitrator.StateListener listener =
                     (state, seenBy) -> ours.add(stamped(simulation.clock(), "State " + state.number()));
             var settings = new SubsumptionRun.Settings(
-                    Mode.SYNC, "localhost", 6665, table, simulation.clock(), ServiceObserver.NONE, listener);
+                    Mode.SYNC, "localhost", 6665, table, simulation.clock(), ServiceObserver.none(), listener);
             try (var run = SubsumptionRun.start(settings)) {
                 tick(simulation, TICKS);
                 run.check();

@@ -133,9 +133,7 @@ final class TopicWiring {
 
     /** A wire between two topics; empty if their types differ. */
     static <T extends Record> Optional<Wire<?>> wire(BusTopic<T> from, BusTopic<?> to) {
-        return from.type().equals(to.type())
-                ? Optional.of(new Wire<>(from, new BusTopic<>(to.name(), from.type(), to.onlyLatest(), to.maxAge())))
-                : Optional.empty();
+        return from.type().equals(to.type()) ? Optional.of(new Wire<>(from, to.ofType(from.type()))) : Optional.empty();
     }
 
     /** Forwards values over a wire until the subscription is closed. */

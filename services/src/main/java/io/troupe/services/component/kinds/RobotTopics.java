@@ -60,26 +60,26 @@ public final class RobotTopics {
     private RobotTopics() {}
 
     public static BusTopic<SonarReading> sonar(String owner) {
-        return new BusTopic<>(owner + "/sonar", SonarReading.class).droppingOlderThan(MAX_AGE_OF_READING);
+        return new BusTopic<>(owner + "/sonar", SonarReading.class).withMaxAge(MAX_AGE_OF_READING);
     }
 
     public static BusTopic<PositionReading> position(String owner) {
-        return new BusTopic<>(owner + "/position", PositionReading.class).droppingOlderThan(MAX_AGE_OF_READING);
+        return new BusTopic<>(owner + "/position", PositionReading.class).withMaxAge(MAX_AGE_OF_READING);
     }
 
     public static BusTopic<BlobsReading> blobs(String owner) {
-        return new BusTopic<>(owner + "/blobs", BlobsReading.class).droppingOlderThan(MAX_AGE_OF_READING);
+        return new BusTopic<>(owner + "/blobs", BlobsReading.class).withMaxAge(MAX_AGE_OF_READING);
     }
 
     public static BusTopic<LaserReading> laser(String owner) {
-        return new BusTopic<>(owner + "/laser", LaserReading.class).droppingOlderThan(MAX_AGE_OF_READING);
+        return new BusTopic<>(owner + "/laser", LaserReading.class).withMaxAge(MAX_AGE_OF_READING);
     }
 
     /** Speeds, of which only the newest counts; one that the bus delivers late is dropped. */
     public static BusTopic<Velocity> velocity(String owner) {
         return new BusTopic<>(owner + "/velocity", Velocity.class)
-                .keepingOnlyLatest()
-                .droppingOlderThan(MAX_AGE_OF_SPEED);
+                .withCapacity(1)
+                .withMaxAge(MAX_AGE_OF_SPEED);
     }
 
     public static BusTopic<ColourSeen> colours(String owner) {

@@ -12,7 +12,6 @@ import io.troupe.bus.Bus;
 import io.troupe.bus.BusEngine;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.Loss;
-import io.troupe.services.component.ComponentObserver;
 import io.troupe.services.component.RecordingObserver;
 import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.services.subsumption.FakeRobots;
@@ -159,8 +158,8 @@ class ApplicationNodeTest {
 
     private void run(String text) {
         test.run(() -> {
-            var broker = Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
-            var settings = ApplicationSettings.DEFAULT.withObservers(ComponentObserver.LOG, this::note);
+            var broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
+            var settings = ApplicationSettings.defaults().withObserver(this::note);
             application = Application.start(plan(text), base, broker, settings);
             application.started().handle((runs, error) -> error); // the test reads the result later
         });
@@ -281,8 +280,8 @@ class ApplicationNodeTest {
 
         try (var second = open("base")) {
             test.run(() -> {
-                var broker = Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
-                application = Application.start(plan(TEXT), second, broker, ApplicationSettings.DEFAULT);
+                var broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
+                application = Application.start(plan(TEXT), second, broker, ApplicationSettings.defaults());
             });
             test.get(application.started());
             assertThat(observer.take()).contains("follower RUNNING");
@@ -340,8 +339,8 @@ class ApplicationNodeTest {
         test.run(() -> {
             assertThatThrownBy(() -> ApplicationNode.open(plan(TEXT), base, observer))
                     .hasMessage("node base has no components of pair to serve, expected one of [laptop]");
-            var broker = Broker.open(test.space(), BrokerSettings.DEFAULT);
-            assertThatThrownBy(() -> Application.start(plan(TEXT), laptop, broker, ApplicationSettings.DEFAULT))
+            var broker = Broker.open(test.space(), BrokerSettings.defaults());
+            assertThatThrownBy(() -> Application.start(plan(TEXT), laptop, broker, ApplicationSettings.defaults()))
                     .hasMessage("node base runs pair, and this is node laptop, which serves components:"
                             + " use ApplicationNode");
         });

@@ -69,8 +69,9 @@ class ApplicationTest extends ComponentBench {
 
     private void start(ApplicationPlan plan) {
         test.run(() -> {
-            var broker = Broker.open(test.space(), BrokerSettings.DEFAULT.withObserver(event -> {}));
-            var settings = ApplicationSettings.DEFAULT.withObservers(notes, this::note);
+            var broker = Broker.open(test.space(), BrokerSettings.defaults().withObserver(event -> {}));
+            var settings =
+                    ApplicationSettings.defaults().withComponentObserver(notes).withObserver(this::note);
             application = Application.start(plan, bus, broker, settings);
             application.started().handle((runs, error) -> error); // handled here; the test reads the result later
         });
