@@ -2,7 +2,7 @@ description = "The bus of actor-service over hosts, carried by a NATS server"
 
 dependencies {
     api(project(":actor-service"))
-    testImplementation(project(":common"))
+    testImplementation(project(":tools"))
     implementation(libs.jnats) {
         exclude(group = "org.bouncycastle", module = "bcprov-lts8on") // only for NKeys; 6 MB with a native library
     }

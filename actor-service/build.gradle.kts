@@ -3,6 +3,7 @@ description = "Actors as services: a bus with typed topics and requests, and a b
 dependencies {
     api(project(":actor-core"))
     api(project(":common"))
+    testImplementation(project(":tools"))
 }
 
 // the contract of a bus, which other engines run too

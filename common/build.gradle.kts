@@ -1,3 +1,3 @@
-description = "What the other modules share: reading of text, SVG and DOT, statistics, a NATS server as a child process"
+description = "What the other modules share: reading of text, suggestions, colours by name, installed programs"
 
 dependencies { api(libs.jspecify) }

@@ -4,6 +4,8 @@ dependencies {
     api(project(":playerlike-sim"))
     api(project(":services"))
     api(project(":common"))
+    api(project(":drawing"))
+    testImplementation(project(":tools"))
 }
 
 tasks.jar { manifest { attributes("Automatic-Module-Name" to "io.troupe.view") } }

@@ -7,7 +7,7 @@ import io.troupe.actor.Deferred;
 import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.Address;
-import io.troupe.common.measure.Thorough;
+import io.troupe.tools.Thorough;
 import java.time.Duration;
 import java.util.ArrayList;
 import java.util.HashMap;

@@ -8,7 +8,7 @@ import io.troupe.actor.Promise;
 import io.troupe.actor.testkit.TestSpace;
 import io.troupe.bus.BusContract.Count;
 import io.troupe.bus.BusContract.Text;
-import io.troupe.common.measure.Thorough;
+import io.troupe.tools.Thorough;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;

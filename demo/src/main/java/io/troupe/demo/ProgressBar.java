@@ -1,7 +1,7 @@
 package io.troupe.demo;
 
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.Interruption;
+import io.troupe.tools.ProgressLine;
 import io.troupe.view.RecordedHostedRun;
 import io.troupe.view.RecordedRun;
 import java.util.Locale;

@@ -2,7 +2,7 @@ package io.troupe.demo;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.svg.Svg;
+import io.troupe.drawing.Svg;
 import java.io.StringReader;
 import java.util.List;
 import java.util.stream.IntStream;

@@ -1,6 +1,6 @@
 package io.troupe.bench;
 
-import io.troupe.common.measure.ProgressLine;
+import io.troupe.tools.ProgressLine;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.ArrayList;

@@ -1,6 +1,6 @@
 package io.troupe.bench;
 
-import io.troupe.common.measure.SampleStatistics;
+import io.troupe.tools.SampleStatistics;
 import java.util.LinkedHashMap;
 import java.util.List;
 import java.util.Map;

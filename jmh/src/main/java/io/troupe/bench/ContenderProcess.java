@@ -1,8 +1,8 @@
 package io.troupe.bench;
 
-import io.troupe.common.measure.MeasuringJvm;
-import io.troupe.common.measure.SampleStatistics;
-import io.troupe.common.measure.UsedHeap;
+import io.troupe.tools.MeasuringJvm;
+import io.troupe.tools.SampleStatistics;
+import io.troupe.tools.UsedHeap;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.ArrayList;

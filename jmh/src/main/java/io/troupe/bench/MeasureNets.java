@@ -7,8 +7,6 @@ import static io.troupe.petri.wiring.Protocol.requests;
 import static java.util.Objects.requireNonNull;
 
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
-import io.troupe.common.measure.SampleStatistics;
-import io.troupe.common.measure.UsedHeap;
 import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PetriNet;
@@ -24,6 +22,8 @@ import io.troupe.petri.wiring.Protocol;
 import io.troupe.petri.wiring.Wiring;
 import io.troupe.petri.wiring.WiringCheck;
 import io.troupe.petri.wiring.WiringResult;
+import io.troupe.tools.SampleStatistics;
+import io.troupe.tools.UsedHeap;
 import java.lang.ref.Reference;
 import java.util.ArrayList;
 import java.util.List;

@@ -8,7 +8,7 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.actor.internal.loop.Node;
 import io.troupe.actor.internal.loop.NodeQueue;
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
-import io.troupe.common.measure.SampleStatistics;
+import io.troupe.tools.SampleStatistics;
 import java.lang.management.ManagementFactory;
 import java.time.Duration;
 import java.util.ArrayList;

@@ -1,7 +1,7 @@
 package io.troupe.bench;
 
 import io.troupe.bench.MeasureNets.NetTask;
-import io.troupe.common.measure.UsedHeap;
+import io.troupe.tools.UsedHeap;
 import java.lang.ref.Reference;
 import java.util.ArrayList;
 import java.util.List;

@@ -2,7 +2,7 @@ package io.troupe.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.SampleStatistics;
+import io.troupe.tools.SampleStatistics;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.io.StringWriter;

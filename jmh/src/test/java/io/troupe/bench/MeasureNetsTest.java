@@ -2,7 +2,7 @@ package io.troupe.bench;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
+import io.troupe.tools.Thorough;
 import java.util.concurrent.atomic.AtomicInteger;
 import org.junit.jupiter.api.Test;
 

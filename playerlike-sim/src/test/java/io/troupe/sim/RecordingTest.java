@@ -3,12 +3,12 @@ package io.troupe.sim;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.sim.model.DriveSpec;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
+import io.troupe.tools.Thorough;
 import java.io.FilterWriter;
 import java.io.IOException;
 import java.io.StringReader;

@@ -2,7 +2,6 @@ package io.troupe.sim;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.RangeNoise;
 import io.troupe.sim.model.RangeSensorSpec;
@@ -10,6 +9,7 @@ import io.troupe.sim.model.RangerSpec;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.RandomWorld;
+import io.troupe.tools.Thorough;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.List;

@@ -1,8 +1,8 @@
 package io.troupe.faults;
 
-import io.troupe.common.process.NatsServerProcess;
 import io.troupe.faults.hosts.HostProcess;
 import io.troupe.faults.hosts.Hosts;
+import io.troupe.tools.NatsServerProcess;
 import java.io.IOException;
 import java.net.ServerSocket;
 import java.nio.file.Files;

@@ -1,12 +1,12 @@
 package io.troupe.faults;
 
-import io.troupe.common.measure.ProgressLine;
-import io.troupe.common.process.NatsServerProcess;
 import io.troupe.faults.history.History;
 import io.troupe.faults.history.HistoryChecker;
 import io.troupe.faults.history.Violation;
 import io.troupe.faults.history.Violation.Rule;
 import io.troupe.faults.hosts.Hosts;
+import io.troupe.tools.NatsServerProcess;
+import io.troupe.tools.ProgressLine;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

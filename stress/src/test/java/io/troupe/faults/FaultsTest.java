@@ -3,8 +3,6 @@ package io.troupe.faults;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import io.troupe.common.measure.Thorough;
-import io.troupe.common.process.NatsServerProcess;
 import io.troupe.faults.history.Event.Called;
 import io.troupe.faults.history.Event.Commanded;
 import io.troupe.faults.history.Event.Delivered;
@@ -17,6 +15,8 @@ import io.troupe.faults.history.HistoryChecker;
 import io.troupe.faults.history.Violation;
 import io.troupe.faults.history.Violation.Rule;
 import io.troupe.faults.hosts.Hosts;
+import io.troupe.tools.NatsServerProcess;
+import io.troupe.tools.Thorough;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.EnumSet;

@@ -1,6 +1,6 @@
 package io.troupe.petri;
 
-import io.troupe.common.svg.Xml;
+import io.troupe.drawing.Xml;
 import java.util.HashMap;
 import java.util.HashSet;
 import java.util.Map;

@@ -7,13 +7,13 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalStateException;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.drawing.NetDrawing;
 import io.troupe.petri.structure.DeadlockVerdict;
 import io.troupe.petri.structure.EmptySiphonProgram;
 import io.troupe.petri.structure.EmptySiphonVerdict;
 import io.troupe.petri.structure.Invariants;
 import io.troupe.petri.structure.SiphonAnalysis;
+import io.troupe.tools.Thorough;
 import java.time.Duration;
 import java.util.ArrayDeque;
 import java.util.ArrayList;

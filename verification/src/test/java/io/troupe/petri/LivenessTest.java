@@ -5,9 +5,9 @@ import static io.troupe.petri.Nets.refused;
 import static java.util.stream.Collectors.joining;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.ReachabilityGraph.State;
+import io.troupe.tools.Thorough;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashSet;

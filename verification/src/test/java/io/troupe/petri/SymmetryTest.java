@@ -6,7 +6,7 @@ import static java.util.stream.Collectors.joining;
 import static java.util.stream.Collectors.toSet;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
+import io.troupe.tools.Thorough;
 import java.util.ArrayList;
 import java.util.Arrays;
 import java.util.Comparator;

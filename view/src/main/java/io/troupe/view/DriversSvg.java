@@ -1,6 +1,6 @@
 package io.troupe.view;
 
-import io.troupe.common.svg.Svg;
+import io.troupe.drawing.Svg;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
 import io.troupe.view.RobotRecord.Sample;

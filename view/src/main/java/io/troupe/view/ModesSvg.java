@@ -1,6 +1,6 @@
 package io.troupe.view;
 
-import io.troupe.common.svg.Svg;
+import io.troupe.drawing.Svg;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;

@@ -1,6 +1,6 @@
 package io.troupe.view;
 
-import io.troupe.common.svg.Svg;
+import io.troupe.drawing.Svg;
 import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Shape;

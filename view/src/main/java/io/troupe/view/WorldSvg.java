@@ -1,6 +1,6 @@
 package io.troupe.view;
 
-import io.troupe.common.svg.Svg;
+import io.troupe.drawing.Svg;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.device.DeviceReading;
 import io.troupe.sim.device.Ranger;

@@ -3,7 +3,6 @@ package io.troupe.view;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
@@ -19,6 +18,7 @@ import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.CrowdWorld;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.tools.Thorough;
 import io.troupe.view.RecordedRun.Settings;
 import java.io.IOException;
 import java.lang.reflect.Proxy;

@@ -2,7 +2,7 @@ package io.troupe.view;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.svg.Svg;
+import io.troupe.drawing.Svg;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.RobotReading;

@@ -13,7 +13,7 @@ import io.troupe.bus.BusPort;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTopic;
 import io.troupe.bus.Loss;
-import io.troupe.common.process.NatsServerProcess;
+import io.troupe.tools.NatsServerProcess;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -8,7 +8,7 @@ import io.troupe.bus.BusException;
 import io.troupe.bus.BusPort;
 import io.troupe.bus.BusTimeoutException;
 import io.troupe.bus.BusTopic;
-import io.troupe.common.process.NatsServerProcess;
+import io.troupe.tools.NatsServerProcess;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

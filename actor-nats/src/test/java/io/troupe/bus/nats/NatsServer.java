@@ -2,7 +2,7 @@ package io.troupe.bus.nats;
 
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
-import io.troupe.common.process.NatsServerProcess;
+import io.troupe.tools.NatsServerProcess;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.net.InetAddress;

@@ -47,6 +47,8 @@ class ArrowsTest {
     @ParameterizedTest
     @CsvSource({
         "common,         io.troupe.common..",
+        "drawing,        io.troupe.drawing",
+        "tools,          io.troupe.tools",
         "actor-core,     io.troupe.actor..",
         "actor-service,  io.troupe.bus io.troupe.bus.internal io.troupe.broker..",
         "actor-nats,     io.troupe.bus.nats..",
@@ -85,6 +87,8 @@ class ArrowsTest {
         "actor,                 actor.internal actor.internal.loop",
         "actor.testkit..,       actor actor.internal actor.internal.loop",
         "common..,              ''",
+        "drawing,               ''",
+        "tools,                 common..",
         "bus.internal,          actor.internal.loop common..",
         "bus,                   actor.. common.. bus.internal",
         "bus.nats..,            actor bus",
@@ -94,12 +98,12 @@ class ArrowsTest {
         "sim.model,             common..",
         "sim.worldfile,         sim.model common..",
         "services..,            actor.. bus broker.. player.. common..",
-        "petri..,               common..",
-        "petri,                 common..",
+        "petri..,               common.. drawing",
+        "petri,                 common.. drawing",
         "petri.structure,       petri",
         "petri.deadlock,        petri petri.structure",
         "petri.bip,             petri common..",
-        "view..,                actor.. bus broker.. player.. sim.. services.. common..",
+        "view..,                actor.. bus broker.. player.. sim.. services.. common.. drawing",
         "paper,                 actor.. player.. sim.. services.."
     })
     void room_importsOnlyTheRoomsThatItMay(String from, String to) {

@@ -61,8 +61,7 @@ class HabitsTest {
     void standardStreams_areUsedByCommandLinesOnly() {
         noClasses()
                 .that()
-                .resideOutsideOfPackages(
-                        "io.troupe.common.measure", "io.troupe.demo..", "io.troupe.bench..", "io.troupe.paper")
+                .resideOutsideOfPackages("io.troupe.tools", "io.troupe.demo..", "io.troupe.bench..", "io.troupe.paper")
                 .should(ACCESS_STANDARD_STREAMS)
                 .check(Classes.MAIN);
     }
@@ -75,8 +74,7 @@ class HabitsTest {
                         .contains(access.getTarget().getName()));
         noClasses()
                 .that()
-                .resideOutsideOfPackages(
-                        "io.troupe.common.measure", "io.troupe.demo..", "io.troupe.bench..", "io.troupe.paper")
+                .resideOutsideOfPackages("io.troupe.tools", "io.troupe.demo..", "io.troupe.bench..", "io.troupe.paper")
                 .and()
                 .doNotHaveFullyQualifiedName("io.troupe.actor.SystemClock")
                 .should(accessTargetWhere(clock))

@@ -1,6 +1,5 @@
 package io.troupe.demo.crowd;
 
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.demo.terminal.Interruption.InterruptedCommand;
@@ -9,6 +8,7 @@ import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.sim.worldfile.CrowdWorld;
+import io.troupe.tools.ProgressLine;
 import io.troupe.view.live.LiveView;
 import java.io.IOException;
 import java.io.PrintWriter;

@@ -1,7 +1,6 @@
 package io.troupe.demo.crowd;
 
 import com.sun.management.OperatingSystemMXBean;
-import io.troupe.common.measure.UsedHeap;
 import io.troupe.services.behaviour.WallFollower.CornerStyle;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.Mode;
@@ -14,6 +13,7 @@ import io.troupe.sim.Simulation;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.CrowdWorld;
+import io.troupe.tools.UsedHeap;
 import io.troupe.view.live.LiveView;
 import io.troupe.view.live.RunControl;
 import io.troupe.view.live.ViewControl;

@@ -1,6 +1,6 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.common.measure.SampleStatistics;
+import io.troupe.tools.SampleStatistics;
 import java.util.List;
 
 /** Whether our measurements confirm a claim. */

@@ -1,6 +1,5 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Installation;
@@ -9,6 +8,7 @@ import io.troupe.demo.terminal.OptionRange;
 import io.troupe.demo.terminal.OutputDirectory;
 import io.troupe.demo.terminal.WorldLoader;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.tools.ProgressLine;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Files;

@@ -1,10 +1,10 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.common.measure.MeasuringJvm;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.Service;
+import io.troupe.tools.MeasuringJvm;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.time.Duration;

@@ -1,13 +1,13 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.common.measure.SampleStatistics;
-import io.troupe.common.svg.Svg;
 import io.troupe.common.text.Plural;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.demo.svg.Chart;
 import io.troupe.demo.svg.Chart.Anchor;
+import io.troupe.drawing.Svg;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.tools.SampleStatistics;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

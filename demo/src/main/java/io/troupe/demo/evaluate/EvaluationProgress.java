@@ -1,8 +1,8 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.Clock;
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.common.text.Plural;
+import io.troupe.tools.ProgressLine;
 import java.util.Locale;
 
 /** Shows the progress of an evaluation and the estimated remaining time on the last line of a terminal. */

@@ -1,10 +1,10 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.common.measure.SampleStatistics;
 import io.troupe.common.text.Plural;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.tools.SampleStatistics;
 import java.util.List;
 import java.util.Locale;
 import java.util.stream.Collectors;

@@ -1,7 +1,6 @@
 package io.troupe.demo.evaluate;
 
 import io.troupe.actor.Clock;
-import io.troupe.common.measure.MeasuringJvm;
 import io.troupe.common.text.NamedColours;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.services.subsumption.Service;
@@ -9,6 +8,7 @@ import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.model.Scenario;
+import io.troupe.tools.MeasuringJvm;
 import java.nio.file.Path;
 import java.util.List;
 

@@ -1,10 +1,10 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.common.measure.SampleStatistics;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.demo.terminal.OutputFiles;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.tools.SampleStatistics;
 import java.io.IOException;
 import java.nio.file.Path;
 import java.util.ArrayList;

@@ -1,9 +1,9 @@
 package io.troupe.demo.evaluate;
 
-import io.troupe.common.measure.SampleStatistics;
 import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Arbitrator;
 import io.troupe.services.subsumption.ServiceObserver;
+import io.troupe.tools.SampleStatistics;
 import java.util.ArrayDeque;
 import java.util.Arrays;
 import java.util.HashMap;

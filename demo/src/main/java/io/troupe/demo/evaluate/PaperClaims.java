@@ -4,11 +4,11 @@ import static io.troupe.services.subsumption.Mode.CALLBACK;
 import static io.troupe.services.subsumption.Mode.PROMISE;
 import static io.troupe.services.subsumption.Mode.SYNC;
 
-import io.troupe.common.measure.SampleStatistics;
 import io.troupe.common.text.Plural;
 import io.troupe.demo.evaluate.Measurement.Kind;
 import io.troupe.demo.evaluate.Measurement.Quantity;
 import io.troupe.services.subsumption.Mode;
+import io.troupe.tools.SampleStatistics;
 import java.util.Arrays;
 import java.util.List;
 import java.util.Locale;

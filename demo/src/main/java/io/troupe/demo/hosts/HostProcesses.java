@@ -1,7 +1,7 @@
 package io.troupe.demo.hosts;
 
-import io.troupe.common.process.NatsServerProcess;
 import io.troupe.demo.terminal.Installation;
+import io.troupe.tools.NatsServerProcess;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.io.PrintWriter;

@@ -1,8 +1,8 @@
 package io.troupe.demo.learn;
 
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.Interruption;
 import io.troupe.sim.learn.Batch;
+import io.troupe.tools.ProgressLine;
 import java.util.List;
 import java.util.Locale;
 import java.util.concurrent.atomic.AtomicInteger;

@@ -1,6 +1,6 @@
 package io.troupe.demo.learn;
 
-import io.troupe.common.svg.Svg;
+import io.troupe.drawing.Svg;
 import io.troupe.services.behaviour.WallFollower;
 import io.troupe.services.behaviour.WallFollower.Gains;
 import io.troupe.sim.model.Point;

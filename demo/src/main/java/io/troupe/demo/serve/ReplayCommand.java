@@ -1,6 +1,5 @@
 package io.troupe.demo.serve;
 
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.common.text.Plural;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
@@ -13,6 +12,7 @@ import io.troupe.sim.Replay;
 import io.troupe.sim.Snapshot;
 import io.troupe.sim.model.RobotSpec;
 import io.troupe.sim.model.WorldSpec;
+import io.troupe.tools.ProgressLine;
 import io.troupe.view.live.LiveView;
 import io.troupe.view.live.RunControl;
 import io.troupe.view.live.ViewFile;

@@ -1,10 +1,10 @@
 package io.troupe.demo.serve;
 
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.ViewOptions;
 import io.troupe.sim.Pace;
 import io.troupe.sim.WorldSettings;
+import io.troupe.tools.ProgressLine;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.net.InetAddress;

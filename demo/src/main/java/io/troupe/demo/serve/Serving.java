@@ -1,6 +1,5 @@
 package io.troupe.demo.serve;
 
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
 import io.troupe.sim.Pace;
@@ -10,6 +9,7 @@ import io.troupe.sim.Snapshot;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.DeviceBinding;
 import io.troupe.sim.model.Scenario;
+import io.troupe.tools.ProgressLine;
 import io.troupe.view.live.LiveView;
 import io.troupe.view.live.RunControl;
 import io.troupe.view.live.SimulationControl;

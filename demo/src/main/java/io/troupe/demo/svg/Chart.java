@@ -1,7 +1,7 @@
 package io.troupe.demo.svg;
 
-import io.troupe.common.svg.Svg;
 import io.troupe.demo.terminal.OutputFiles;
+import io.troupe.drawing.Svg;
 import java.awt.BasicStroke;
 import java.awt.Color;
 import java.awt.Font;

@@ -1,6 +1,6 @@
 package io.troupe.demo.table;
 
-import io.troupe.common.svg.Dot;
+import io.troupe.drawing.Dot;
 import io.troupe.services.subsumption.Service;
 import io.troupe.services.subsumption.State;
 import io.troupe.services.subsumption.SubsumptionTable;

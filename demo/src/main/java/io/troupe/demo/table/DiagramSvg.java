@@ -1,7 +1,7 @@
 package io.troupe.demo.table;
 
-import io.troupe.common.svg.Svg;
 import io.troupe.demo.table.Diagram.Node;
+import io.troupe.drawing.Svg;
 import java.util.List;
 import java.util.stream.Stream;
 

@@ -1,6 +1,5 @@
 package io.troupe.demo.verify;
 
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.table.ServiceJars;
 import io.troupe.demo.terminal.FileProblems;
 import io.troupe.demo.terminal.Interruption;
@@ -14,6 +13,7 @@ import io.troupe.petri.SearchLimits;
 import io.troupe.petri.bip.BipModel;
 import io.troupe.services.component.application.ApplicationReader;
 import io.troupe.services.component.kinds.ComponentKinds;
+import io.troupe.tools.ProgressLine;
 import java.io.IOException;
 import java.io.PrintWriter;
 import java.nio.file.Path;

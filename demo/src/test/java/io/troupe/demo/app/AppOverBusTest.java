@@ -5,7 +5,6 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.bus.nats.NatsBus;
 import io.troupe.bus.nats.NatsSettings;
-import io.troupe.common.process.NatsServerProcess;
 import io.troupe.demo.CommandLineBench;
 import io.troupe.player.PlayerPorts;
 import io.troupe.player.wire.TcpServer;
@@ -14,6 +13,7 @@ import io.troupe.services.component.kinds.ComponentKinds;
 import io.troupe.sim.Simulation;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.tools.NatsServerProcess;
 import io.troupe.view.WallClockPacer;
 import java.io.IOException;
 import java.io.PrintWriter;

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assumptions.assumeThat;
 
-import io.troupe.common.measure.ProgressLine;
 import io.troupe.demo.CommandLineBench;
 import io.troupe.player.PlayerClient;
 import io.troupe.player.PlayerException;
@@ -15,6 +14,7 @@ import io.troupe.sim.SnapshotHash;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.tools.ProgressLine;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.io.Writer;

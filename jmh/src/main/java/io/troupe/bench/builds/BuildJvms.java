@@ -3,7 +3,7 @@ package io.troupe.bench.builds;
 import io.troupe.bench.BuildTable;
 import io.troupe.bench.BuildTable.Turn;
 import io.troupe.bench.builds.BuildVerdict.Round;
-import io.troupe.common.measure.MeasuringJvm;
+import io.troupe.tools.MeasuringJvm;
 import java.io.File;
 import java.io.IOException;
 import java.net.URISyntaxException;

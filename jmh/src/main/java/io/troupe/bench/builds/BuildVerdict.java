@@ -1,6 +1,6 @@
 package io.troupe.bench.builds;
 
-import io.troupe.common.measure.SampleStatistics;
+import io.troupe.tools.SampleStatistics;
 import java.util.Arrays;
 import java.util.List;
 import java.util.function.ToDoubleFunction;

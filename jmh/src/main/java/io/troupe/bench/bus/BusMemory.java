@@ -7,7 +7,7 @@ import io.troupe.actor.SpaceSettings;
 import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.BusTopic;
-import io.troupe.common.measure.UsedHeap;
+import io.troupe.tools.UsedHeap;
 import java.lang.management.ManagementFactory;
 import java.lang.management.ThreadMXBean;
 import java.lang.ref.Reference;

@@ -4,7 +4,7 @@ import io.troupe.bus.Bus;
 import io.troupe.bus.BusSettings;
 import io.troupe.bus.nats.NatsBus;
 import io.troupe.bus.nats.NatsSettings;
-import io.troupe.common.measure.MeasuringJvm;
+import io.troupe.tools.MeasuringJvm;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;

@@ -1,6 +1,6 @@
 package io.troupe.bench.bus;
 
-import io.troupe.common.measure.SampleStatistics;
+import io.troupe.tools.SampleStatistics;
 import java.util.List;
 import java.util.Map;
 import java.util.function.ToDoubleFunction;

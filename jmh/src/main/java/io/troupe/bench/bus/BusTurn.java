@@ -2,7 +2,7 @@ package io.troupe.bench.bus;
 
 import com.sun.management.OperatingSystemMXBean;
 import com.sun.management.ThreadMXBean;
-import io.troupe.common.measure.SampleStatistics;
+import io.troupe.tools.SampleStatistics;
 import java.lang.management.ManagementFactory;
 import java.util.Arrays;
 import java.util.List;

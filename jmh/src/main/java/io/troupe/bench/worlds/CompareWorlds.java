@@ -3,7 +3,7 @@ package io.troupe.bench.worlds;
 import io.troupe.bench.BenchmarkCommand;
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
 import io.troupe.bench.ComparisonOptions;
-import io.troupe.common.measure.ProgressLine;
+import io.troupe.tools.ProgressLine;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.util.ArrayList;

@@ -2,10 +2,10 @@ package io.troupe.bench.worlds;
 
 import io.troupe.bench.BenchmarkCommand;
 import io.troupe.bench.BenchmarkCommand.AtLeastOne;
-import io.troupe.common.measure.SampleStatistics;
 import io.troupe.sim.World;
 import io.troupe.sim.WorldSettings;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.tools.SampleStatistics;
 import java.io.File;
 import java.io.IOException;
 import java.io.OutputStream;

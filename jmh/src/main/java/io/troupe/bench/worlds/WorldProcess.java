@@ -1,8 +1,8 @@
 package io.troupe.bench.worlds;
 
-import io.troupe.common.measure.MeasuringJvm;
-import io.troupe.common.measure.UsedHeap;
 import io.troupe.sim.model.WorldSpec;
+import io.troupe.tools.MeasuringJvm;
+import io.troupe.tools.UsedHeap;
 import java.io.IOException;
 import java.lang.ref.Reference;
 import java.util.List;

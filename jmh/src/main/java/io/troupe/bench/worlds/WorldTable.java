@@ -2,7 +2,7 @@ package io.troupe.bench.worlds;
 
 import io.troupe.bench.BuildTable;
 import io.troupe.bench.TurnMeter;
-import io.troupe.common.measure.UsedHeap;
+import io.troupe.tools.UsedHeap;
 import java.lang.ref.Reference;
 import java.util.List;
 import java.util.Locale;

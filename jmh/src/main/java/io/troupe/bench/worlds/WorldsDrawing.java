@@ -2,7 +2,7 @@ package io.troupe.bench.worlds;
 
 import static java.util.Objects.requireNonNull;
 
-import io.troupe.common.measure.SampleStatistics;
+import io.troupe.tools.SampleStatistics;
 import java.util.Comparator;
 import java.util.EnumMap;
 import java.util.List;

@@ -5,7 +5,7 @@ import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.bench.BenchmarkTests;
 import io.troupe.bench.bus.BusWorkload.Part;
-import io.troupe.common.process.NatsServerProcess;
+import io.troupe.tools.NatsServerProcess;
 import java.nio.file.Path;
 import org.junit.jupiter.api.Test;
 import org.junit.jupiter.api.Timeout;

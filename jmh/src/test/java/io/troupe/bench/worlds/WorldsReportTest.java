@@ -6,7 +6,7 @@ import static io.troupe.bench.BenchmarkTests.number;
 import static io.troupe.bench.BenchmarkTests.quartiles;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.SampleStatistics;
+import io.troupe.tools.SampleStatistics;
 import java.io.IOException;
 import java.util.EnumMap;
 import java.util.List;

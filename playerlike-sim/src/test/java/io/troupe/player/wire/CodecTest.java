@@ -5,7 +5,7 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
 import com.sun.management.ThreadMXBean;
-import io.troupe.common.measure.Thorough;
+import io.troupe.tools.Thorough;
 import java.io.ByteArrayInputStream;
 import java.io.EOFException;
 import java.io.IOException;

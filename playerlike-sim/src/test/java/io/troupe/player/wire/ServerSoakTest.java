@@ -2,9 +2,9 @@ package io.troupe.player.wire;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.sim.Pace;
 import io.troupe.sim.SimulationRunner;
+import io.troupe.tools.Thorough;
 import java.io.IOException;
 import java.io.OutputStream;
 import java.time.Duration;

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.sim.Specs;
 import io.troupe.sim.device.Scene;
 import io.troupe.sim.device.Sonar;
@@ -13,6 +12,7 @@ import io.troupe.sim.model.Point;
 import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Shape;
 import io.troupe.sim.model.SonarSpec;
+import io.troupe.tools.Thorough;
 import java.util.ArrayList;
 import java.util.DoubleSummaryStatistics;
 import java.util.List;

@@ -2,7 +2,7 @@ package io.troupe.sim.worldfile;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
+import io.troupe.tools.Thorough;
 import java.io.IOException;
 import java.io.UncheckedIOException;
 import java.nio.charset.StandardCharsets;

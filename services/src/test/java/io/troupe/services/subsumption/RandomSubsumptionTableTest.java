@@ -11,10 +11,10 @@ import static io.troupe.services.subsumption.RobotsBench.WF;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.fail;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.common.text.NamedColours;
 import io.troupe.services.behaviour.Blob;
 import io.troupe.services.behaviour.ColourFinder;
+import io.troupe.tools.Thorough;
 import java.nio.file.Path;
 import java.util.ArrayList;
 import java.util.Arrays;

@@ -3,7 +3,7 @@ package io.troupe.bus.nats;
 import static org.junit.jupiter.api.Assumptions.assumeTrue;
 
 import io.troupe.bus.BusEngine;
-import io.troupe.common.process.NatsServerProcess;
+import io.troupe.tools.NatsServerProcess;
 import java.io.IOException;
 import java.time.Duration;
 import java.util.List;

@@ -2,7 +2,7 @@ package io.troupe.petri.drawing;
 
 import static java.util.Objects.requireNonNull;
 
-import io.troupe.common.svg.Dot;
+import io.troupe.drawing.Dot;
 import io.troupe.petri.Marking;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Place;

@@ -1,6 +1,6 @@
 package io.troupe.petri.drawing;
 
-import io.troupe.common.svg.Svg;
+import io.troupe.drawing.Svg;
 import java.util.ArrayList;
 import java.util.List;
 

@@ -2,8 +2,8 @@ package io.troupe.petri.bip;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.drawing.BipDrawing;
+import io.troupe.tools.Thorough;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.nio.file.Files;

@@ -3,7 +3,6 @@ package io.troupe.petri.deadlock;
 import static io.troupe.petri.Nets.net;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.ReachabilityGraph;
@@ -11,6 +10,7 @@ import io.troupe.petri.SearchLimits;
 import io.troupe.petri.deadlock.Boundedness.Bounded;
 import io.troupe.petri.deadlock.Boundedness.Unbounded;
 import io.troupe.petri.deadlock.Boundedness.Unknown;
+import io.troupe.tools.Thorough;
 import java.util.List;
 import java.util.Random;
 import java.util.stream.IntStream;

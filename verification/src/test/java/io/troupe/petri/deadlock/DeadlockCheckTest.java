@@ -3,7 +3,6 @@ package io.troupe.petri.deadlock;
 import static io.troupe.petri.Nets.net;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PetriNet;
@@ -15,6 +14,7 @@ import io.troupe.petri.deadlock.DeadlockCheck.CanDeadlock;
 import io.troupe.petri.deadlock.DeadlockCheck.Proved;
 import io.troupe.petri.deadlock.DeadlockCheck.Reduction;
 import io.troupe.petri.deadlock.DeadlockCheck.Unknown;
+import io.troupe.tools.Thorough;
 import java.util.EnumMap;
 import java.util.EnumSet;
 import java.util.List;

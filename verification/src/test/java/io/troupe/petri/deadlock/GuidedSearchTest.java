@@ -3,12 +3,12 @@ package io.troupe.petri.deadlock;
 import static io.troupe.petri.Nets.net;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PetriNet;
 import io.troupe.petri.Transition;
 import io.troupe.petri.structure.DeadlockEquation;
 import io.troupe.petri.structure.DeadlockEquation.Candidate;
+import io.troupe.tools.Thorough;
 import java.util.List;
 import java.util.Optional;
 import java.util.Random;

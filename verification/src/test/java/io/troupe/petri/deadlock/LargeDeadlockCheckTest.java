@@ -4,7 +4,6 @@ import static io.troupe.petri.Nets.net;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.LargeNet;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PetriNet;
@@ -14,6 +13,7 @@ import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.deadlock.LargeDeadlockCheck.CanDeadlock;
 import io.troupe.petri.deadlock.LargeDeadlockCheck.Unknown;
+import io.troupe.tools.Thorough;
 import java.io.IOException;
 import java.nio.file.Files;
 import java.nio.file.Path;

@@ -5,7 +5,6 @@ import static io.troupe.petri.Nets.refused;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Arc;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PaperNets;
@@ -15,6 +14,7 @@ import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.ReachabilityGraph.State;
 import io.troupe.petri.Transition;
 import io.troupe.petri.drawing.DotReader.Statement;
+import io.troupe.tools.Thorough;
 import java.util.ArrayList;
 import java.util.Collection;
 import java.util.HashSet;

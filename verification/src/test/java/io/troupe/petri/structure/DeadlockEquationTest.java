@@ -5,7 +5,6 @@ import static io.troupe.petri.Nets.refused;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PaperNets.Reading;
 import io.troupe.petri.PetriNet;
@@ -22,6 +21,7 @@ import io.troupe.petri.structure.DeadlockProof.Disabled;
 import io.troupe.petri.structure.DeadlockProof.Excluded;
 import io.troupe.petri.structure.DeadlockProof.Halves;
 import io.troupe.petri.structure.DeadlockProof.Reason;
+import io.troupe.tools.Thorough;
 import java.math.BigInteger;
 import java.util.ArrayList;
 import java.util.HashMap;

@@ -7,7 +7,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatIllegalArgumentException;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Nets;
 import io.troupe.petri.PaperNets;
 import io.troupe.petri.PaperNets.Reading;
@@ -24,6 +23,7 @@ import io.troupe.petri.structure.SiphonVerdict.HoldsMarkedTrap;
 import io.troupe.petri.structure.SiphonVerdict.HoldsTokens;
 import io.troupe.petri.structure.SiphonVerdict.MayBeEmptied;
 import io.troupe.petri.structure.SiphonVerdict.NeverEmpty;
+import io.troupe.tools.Thorough;
 import java.time.Duration;
 import java.util.HashSet;
 import java.util.List;

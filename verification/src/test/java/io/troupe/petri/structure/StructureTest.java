@@ -9,7 +9,6 @@ import static java.util.stream.Collectors.joining;
 import static java.util.stream.Collectors.toSet;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.Arc;
 import io.troupe.petri.Marking;
 import io.troupe.petri.Nets;
@@ -20,6 +19,7 @@ import io.troupe.petri.Place;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.RobotTeams;
 import io.troupe.petri.structure.SiphonVerdict.MayBeEmptied;
+import io.troupe.tools.Thorough;
 import java.io.IOException;
 import java.nio.charset.StandardCharsets;
 import java.util.Arrays;

@@ -7,13 +7,13 @@ import static io.troupe.petri.wiring.Protocol.releases;
 import static io.troupe.petri.wiring.Protocol.requests;
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.Symmetry;
 import io.troupe.petri.wiring.WiringResult.Blocked;
 import io.troupe.petri.wiring.WiringResult.Deadlock;
 import io.troupe.petri.wiring.WiringResult.Proved;
+import io.troupe.tools.Thorough;
 import java.util.ArrayList;
 import java.util.LinkedHashSet;
 import java.util.Random;

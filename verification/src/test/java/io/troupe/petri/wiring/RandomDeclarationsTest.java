@@ -2,11 +2,11 @@ package io.troupe.petri.wiring;
 
 import static org.assertj.core.api.Assertions.assertThat;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.petri.DeadlockSearch;
 import io.troupe.petri.ReachabilityGraph;
 import io.troupe.petri.SearchLimits;
 import io.troupe.petri.wiring.Step.Takes.Outcome;
+import io.troupe.tools.Thorough;
 import java.util.ArrayDeque;
 import java.util.ArrayList;
 import java.util.HashMap;

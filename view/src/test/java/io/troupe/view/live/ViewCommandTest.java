@@ -3,9 +3,9 @@ package io.troupe.view.live;
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.sim.model.ColouredBox;
 import io.troupe.sim.model.Pose;
+import io.troupe.tools.Thorough;
 import io.troupe.view.live.ViewCommand.Intervention;
 import java.util.List;
 import java.util.SplittableRandom;

@@ -4,7 +4,6 @@ import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;
 import static org.assertj.core.api.Assertions.within;
 
-import io.troupe.common.measure.Thorough;
 import io.troupe.services.subsumption.Mode;
 import io.troupe.services.subsumption.SubsumptionRun;
 import io.troupe.services.subsumption.SubsumptionTable;
@@ -20,6 +19,7 @@ import io.troupe.sim.model.Pose;
 import io.troupe.sim.model.Scenario;
 import io.troupe.sim.model.WorldSpec;
 import io.troupe.sim.worldfile.ScenarioReader;
+import io.troupe.tools.Thorough;
 import io.troupe.view.DeviceRoom;
 import io.troupe.view.PushedBox;
 import io.troupe.view.RecordedRun;

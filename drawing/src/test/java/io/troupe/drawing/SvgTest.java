@@ -1,4 +1,4 @@
-package io.troupe.common.svg;
+package io.troupe.drawing;
 
 import static java.nio.charset.StandardCharsets.UTF_8;
 import static org.assertj.core.api.Assertions.assertThat;

@@ -1,5 +1,6 @@
-package io.troupe.common.process;
+package io.troupe.tools;
 
+import io.troupe.common.process.Programs;
 import java.io.BufferedReader;
 import java.io.IOException;
 import java.nio.file.Path;

@@ -1,4 +1,4 @@
-package io.troupe.common.svg;
+package io.troupe.drawing;
 
 import java.util.List;
 

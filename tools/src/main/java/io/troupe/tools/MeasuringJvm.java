@@ -1,4 +1,4 @@
-package io.troupe.common.measure;
+package io.troupe.tools;
 
 import java.io.BufferedReader;
 import java.io.IOException;

@@ -1,4 +1,4 @@
-package io.troupe.common.measure;
+package io.troupe.tools;
 
 import static org.assertj.core.api.Assertions.assertThat;
 import static org.assertj.core.api.Assertions.assertThatThrownBy;

@@ -1,4 +1,4 @@
-package io.troupe.common.measure;
+package io.troupe.tools;
 
 /**
  * How often tests repeat what they do with random inputs: a few times, or many with {@code -Dthorough}.

@@ -1,0 +1,3 @@
+description = "Pictures as text: SVG and DOT"
+
+dependencies { api(libs.jspecify) }
